@@ -1,0 +1,32 @@
+/* A program run in a process of its own, with a time and a memory limit. The child leads a process group that
+ * is killed whole, so nothing is left over. */
+#ifndef AOB_BASE_CHILD_H
+#define AOB_BASE_CHILD_H
+#include <stdbool.h>
+#include <stddef.h>
+#include "error.h"
+
+struct aob_child_desc {
+    const char *const *argv; /* NULL-ended; argv[0] is the program's path */
+    const char *const *env;  /* NULL, or NULL-ended "NAME=value" set on top of this process's environment */
+    const char *input;       /* given on standard input; NULL: empty */
+    size_t input_size;
+    double timeout_s;        /* of the whole run; 0: none */
+    size_t memory_limit;     /* bytes of address space; 0: none. Ignored under AddressSanitizer */
+    void (*on_line)(void *user, const char *line); /* each line of standard output, without the newline; may be NULL */
+    void *user;
+};
+struct aob_child_result {
+    int exit_code;     /* -1 unless it exited by itself */
+    int signal;        /* 0 unless a signal ended it */
+    bool timed_out;
+    char complaint[512]; /* the last line on standard error that says "error", else the last line; may be empty */
+};
+
+/* False only if the child could not be started; how it ended is in *result. */
+bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *result, struct aob_error *error);
+
+/* "crashed (signal 11, segmentation fault): COMPLAINT", "took longer than 20 s", "exit code 2: COMPLAINT". */
+void aob_child_explain(const struct aob_child_desc *desc, const struct aob_child_result *result, char *text,
+                       size_t size);
+#endif

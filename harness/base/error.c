@@ -1,0 +1,68 @@
+#include "error.h"
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+bool aob_fail(struct aob_error *error, const char *format, ...)
+{
+    if (!error)
+        return false;
+    va_list args;
+    va_start(args, format);
+    vsnprintf(error->text, sizeof error->text, format, args);
+    va_end(args);
+    return false;
+}
+
+bool aob_fail_in(struct aob_error *error, const char *format, ...)
+{
+    if (!error)
+        return false;
+    char cause[sizeof error->text];
+    memcpy(cause, error->text, sizeof cause);
+    va_list args;
+    va_start(args, format);
+    int used = vsnprintf(error->text, sizeof error->text, format, args);
+    va_end(args);
+    if (used >= 0 && (size_t)used < sizeof error->text)
+        snprintf(error->text + used, sizeof error->text - (size_t)used, ": %s", cause);
+    return false;
+}
+
+static void print_line(const char *kind, const char *text)
+{
+    char line[2048];
+    snprintf(line, sizeof line, "aobudget: %s%s", kind, text);
+    for (char *c = line; *c; c++)
+        if (*c == '\n' || *c == '\r')
+            *c = ' ';
+    fprintf(stderr, "%s\n", line);
+}
+
+void aob_error_print(const struct aob_error *error)
+{
+    print_line("error: ", error->text);
+}
+
+static void print_formatted(const char *kind, const char *format, va_list args)
+{
+    char text[1600];
+    vsnprintf(text, sizeof text, format, args);
+    print_line(kind, text);
+}
+
+void aob_warn(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    print_formatted("warning: ", format, args);
+    va_end(args);
+}
+
+void aob_note(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    print_formatted("", format, args);
+    va_end(args);
+}

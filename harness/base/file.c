@@ -1,0 +1,119 @@
+#include "file.h"
+#include "memory.h"
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+char *aob_file_read(const char *path, size_t limit, size_t *size, struct aob_error *error)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file) {
+        aob_fail(error, "%s: cannot open: %s", path, strerror(errno));
+        return NULL;
+    }
+    char *bytes = NULL;
+    size_t used = 0, room = 0, got;
+    do {
+        room = room ? room * 2 : 65536;
+        bytes = aob_realloc(bytes, room + 1, 1);
+        got = fread(bytes + used, 1, room - used, file);
+        used += got;
+    } while (used == room && used <= limit);
+    bool bad = ferror(file);
+    fclose(file);
+    if (bad || used > limit) {
+        aob_fail(error, bad ? "%s: cannot read: is it a file?" : "%s: larger than %zu bytes", path, limit);
+        free(bytes);
+        return NULL;
+    }
+    bytes[used] = '\0';
+    if (size)
+        *size = used;
+    return bytes;
+}
+
+static bool write_and_sync(FILE *file, const void *bytes, size_t size)
+{
+    bool ok = fwrite(bytes, 1, size, file) == size && fflush(file) == 0 && fsync(fileno(file)) == 0;
+    return fclose(file) == 0 && ok;
+}
+
+bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob_error *error)
+{
+    char *part = aob_alloc(strlen(path) + 32, 1);
+    sprintf(part, "%s.%ld.part", path, (long)getpid());
+    FILE *file = fopen(part, "wb");
+    bool ok = file && write_and_sync(file, bytes, size) && rename(part, path) == 0;
+    if (!ok) {
+        aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
+        unlink(part);
+    }
+    free(part);
+    return ok;
+}
+
+bool aob_file_exists(const char *path)
+{
+    struct stat info;
+    return stat(path, &info) == 0;
+}
+
+bool aob_folder_create(const char *path, struct aob_error *error)
+{
+    char *part = aob_strdup(path);
+    for (char *c = part + 1; *part && *c; c++) {
+        if (*c != '/')
+            continue;
+        *c = '\0';
+        mkdir(part, 0777);
+        *c = '/';
+    }
+    free(part);
+    struct stat info;
+    if (mkdir(path, 0777) != 0 && errno != EEXIST)
+        return aob_fail(error, "%s: cannot create the folder: %s", path, strerror(errno));
+    if (stat(path, &info) != 0 || !S_ISDIR(info.st_mode))
+        return aob_fail(error, "%s: is not a folder", path);
+    return access(path, W_OK) == 0 || aob_fail(error, "%s: the folder is not writable", path);
+}
+
+char *aob_path_join(const char *folder, const char *name)
+{
+    char *path = aob_alloc(strlen(folder) + strlen(name) + 2, 1);
+    sprintf(path, "%s/%s", folder, name);
+    return path;
+}
+
+char *aob_path_program(void)
+{
+    char path[4096];
+    ssize_t size = readlink("/proc/self/exe", path, sizeof path - 1);
+    path[size > 0 ? size : 0] = '\0';
+    return aob_strdup(path);
+}
+
+char *aob_path_program_folder(void)
+{
+    char *path = aob_path_program();
+    char *slash = strrchr(path, '/');
+    if (slash)
+        *slash = '\0';
+    return path;
+}
+
+char *aob_path_cache_folder(void)
+{
+    const char *own = getenv("AOBUDGET_CACHE"), *xdg = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
+    if (own && *own)
+        return aob_strdup(own);
+    if (xdg && *xdg)
+        return aob_path_join(xdg, "aobudget");
+    if (home && *home)
+        return aob_path_join(home, ".cache/aobudget");
+    char path[64];
+    snprintf(path, sizeof path, "/tmp/aobudget-%ld", (long)getuid());
+    return aob_strdup(path);
+}

@@ -1,0 +1,40 @@
+#include "hash.h"
+#include <errno.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <xxhash.h>
+
+static void write_key(XXH128_hash_t hash, char key[AOB_KEY_SIZE])
+{
+    snprintf(key, AOB_KEY_SIZE, "%016llx%016llx", (unsigned long long)hash.high64,
+             (unsigned long long)hash.low64);
+}
+
+void aob_hash_bytes(const void *bytes, size_t size, char key[AOB_KEY_SIZE])
+{
+    write_key(XXH3_128bits(bytes, size), key);
+}
+
+void aob_hash_text(const char *text, char key[AOB_KEY_SIZE])
+{
+    aob_hash_bytes(text, strlen(text), key);
+}
+
+bool aob_hash_file(const char *path, char key[AOB_KEY_SIZE], struct aob_error *error)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return aob_fail(error, "%s: cannot open: %s", path, strerror(errno));
+    XXH3_state_t *state = XXH3_createState();
+    XXH3_128bits_reset(state);
+    char block[65536];
+    size_t got;
+    while ((got = fread(block, 1, sizeof block, file)) > 0)
+        XXH3_128bits_update(state, block, got);
+    bool ok = !ferror(file);
+    fclose(file);
+    write_key(XXH3_128bits_digest(state), key);
+    XXH3_freeState(state);
+    return ok || aob_fail(error, "%s: cannot read: is it a file?", path);
+}

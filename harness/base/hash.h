@@ -1,0 +1,15 @@
+/* Content keys: XXH3, 128 bits, as 32 lower-case hexadecimal digits. */
+#ifndef AOB_BASE_HASH_H
+#define AOB_BASE_HASH_H
+#include <stdbool.h>
+#include <stddef.h>
+#include "error.h"
+
+enum { AOB_KEY_SIZE = 33 }; /* with the NUL */
+
+void aob_hash_bytes(const void *bytes, size_t size, char key[AOB_KEY_SIZE]);
+void aob_hash_text(const char *text, char key[AOB_KEY_SIZE]);
+
+/* Of a file's bytes, read as a stream. */
+bool aob_hash_file(const char *path, char key[AOB_KEY_SIZE], struct aob_error *error);
+#endif

@@ -1,0 +1,101 @@
+#include "text.h"
+#include "memory.h"
+#include <errno.h>
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void aob_text_add_bytes(struct aob_text *text, const char *bytes, size_t size)
+{
+    text->data = aob_realloc(text->data, text->size + size + 1, 1);
+    memcpy(text->data + text->size, bytes, size);
+    text->size += size;
+    text->data[text->size] = '\0';
+}
+
+void aob_text_add(struct aob_text *text, const char *format, ...)
+{
+    va_list args, again;
+    va_start(args, format);
+    va_copy(again, args);
+    int size = vsnprintf(NULL, 0, format, args);
+    va_end(args);
+    if (size > 0) {
+        text->data = aob_realloc(text->data, text->size + (size_t)size + 1, 1);
+        vsnprintf(text->data + text->size, (size_t)size + 1, format, again);
+        text->size += (size_t)size;
+    }
+    va_end(again);
+}
+
+void aob_text_finish(struct aob_text *text)
+{
+    free(text->data);
+    *text = (struct aob_text){0};
+}
+
+bool aob_parse_double(const char *text, double *value)
+{
+    if (!*text || isspace((unsigned char)*text))
+        return false;
+    char *end;
+    errno = 0;
+    double v = strtod(text, &end);
+    if (*end || isnan(v) || (errno == ERANGE && fabs(v) > 1))
+        return false;
+    *value = v;
+    return true;
+}
+
+bool aob_parse_int(const char *text, int64_t *value)
+{
+    if (!*text || isspace((unsigned char)*text))
+        return false;
+    char *end;
+    errno = 0;
+    long long v = strtoll(text, &end, 10);
+    if (*end || errno)
+        return false;
+    *value = v;
+    return true;
+}
+
+bool aob_parse_size(const char *text, int *width, int *height)
+{
+    const char *x = strchr(text, 'x');
+    char first[16];
+    int64_t w, h;
+    if (!x || (size_t)(x - text) >= sizeof first)
+        return false;
+    memcpy(first, text, (size_t)(x - text));
+    first[x - text] = '\0';
+    if (!aob_parse_int(first, &w) || !aob_parse_int(x + 1, &h))
+        return false;
+    if (w < 1 || h < 1 || w > 16384 || h > 16384)
+        return false;
+    *width = (int)w;
+    *height = (int)h;
+    return true;
+}
+
+bool aob_parse_vec3(const char *text, double value[3])
+{
+    char copy[256];
+    double v[3];
+    if (strlen(text) >= sizeof copy)
+        return false;
+    strcpy(copy, text);
+    char *rest = copy;
+    for (int i = 0; i < 3; i++) {
+        char *part = strsep(&rest, ",");
+        if (!part || !aob_parse_double(part, &v[i]) || !isfinite(v[i]))
+            return false;
+    }
+    if (rest)
+        return false;
+    memcpy(value, v, sizeof v);
+    return true;
+}

@@ -1,0 +1,45 @@
+/* Triangles in scene units. */
+#ifndef AOB_SCENE_MESH_H
+#define AOB_SCENE_MESH_H
+#include <stddef.h>
+#include <stdint.h>
+#include "base/error.h"
+#include "base/hash.h"
+#include "base/vec.h"
+
+struct aob_mesh {
+    struct aob_vec3 *positions; /* vertex_count */
+    struct aob_vec3 *normals;   /* vertex_count shading normals, unit; NULL: the geometric ones serve */
+    uint32_t (*triangles)[3];   /* triangle_count; the front is counter-clockwise */
+    size_t vertex_count, triangle_count, vertex_capacity, triangle_capacity;
+};
+
+void aob_mesh_finish(struct aob_mesh *mesh);
+
+/* Building: shapes are added with faces of their own vertices. All lengths in scene units. */
+uint32_t aob_mesh_add_vertex(struct aob_mesh *mesh, struct aob_vec3 position);
+void aob_mesh_add_triangle(struct aob_mesh *mesh, uint32_t a, uint32_t b, uint32_t c);
+void aob_mesh_add_quad(struct aob_mesh *mesh, struct aob_vec3 corner, struct aob_vec3 edge_u, struct aob_vec3 edge_v); /* front: u x v */
+void aob_mesh_add_box(struct aob_mesh *mesh, struct aob_vec3 low, struct aob_vec3 high, double turn_y_deg); /* about its own centre */
+void aob_mesh_add_sphere(struct aob_mesh *mesh, struct aob_vec3 centre, double radius, int segments); /* >= 3 round the equator */
+void aob_mesh_add_disc(struct aob_mesh *mesh, struct aob_vec3 centre, struct aob_vec3 normal, double radius, int segments);
+
+/* Bounds of all vertices; an empty mesh gives zeros. */
+void aob_mesh_bounds(const struct aob_mesh *mesh, struct aob_vec3 *low, struct aob_vec3 *high);
+
+/* Every index in range, every vertex finite, at least one triangle; else one line that begins with `name`. */
+bool aob_mesh_check(const struct aob_mesh *mesh, const char *name, struct aob_error *error);
+
+/* Of vertices and triangles: the part of a cache key that says which geometry. */
+void aob_mesh_digest(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE]);
+
+/* The flat file in which a loaded mesh passes from the loader's process to the others, and its reader. The
+ * file is written whole or not at all; a truncated or foreign file is refused. */
+bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_error *error);
+bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error *error);
+
+/* Any mesh file by assimp (OBJ, PLY, glTF, 3DS, ...): triangulated, node transforms applied, shading normals
+ * kept or made (60 degrees). Runs hostile parsers over hostile bytes: only ever call it in a child process with
+ * limits. Warns (one line each) of a file that loads suspiciously: < 0.1 triangles a vertex, |centre| > 1e4 extents. */
+bool aob_mesh_import(struct aob_mesh *mesh, const char *path, struct aob_error *error);
+#endif

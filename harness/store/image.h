@@ -1,0 +1,40 @@
+/* Images of named float channels, and OpenEXR files of them (OpenEXRCore, ZIP level 1, 32-bit float). */
+#ifndef AOB_STORE_IMAGE_H
+#define AOB_STORE_IMAGE_H
+#include <stdbool.h>
+#include <stddef.h>
+#include "base/error.h"
+
+struct aob_channel {
+    char name[64];  /* "technique.AO" */
+    float *pixels;  /* width * height, row 0 at the top; owned by the image */
+};
+struct aob_attribute {
+    char name[64];  /* "aobudget.fov_deg" */
+    double values[3];
+    int count;      /* 1 or 3 numbers; 0: `text` */
+    char *text;     /* owned */
+};
+struct aob_image {
+    int width, height;
+    struct aob_channel *channels;
+    size_t channel_count, channel_capacity;
+    struct aob_attribute *attributes;
+    size_t attribute_count, attribute_capacity;
+};
+
+/* A new zeroed channel, or NULL-safe lookup: aob_image_channel returns NULL if there is none of that name. */
+float *aob_image_add(struct aob_image *image, const char *name);
+float *aob_image_channel(const struct aob_image *image, const char *name);
+void aob_image_set_number(struct aob_image *image, const char *name, double value);
+void aob_image_set_vec3(struct aob_image *image, const char *name, const double value[3]);
+void aob_image_set_text(struct aob_image *image, const char *name, const char *text);
+void aob_image_finish(struct aob_image *image);
+
+/* Whole or not at all: written beside and renamed. */
+bool aob_image_write(const struct aob_image *image, const char *path, struct aob_error *error);
+
+/* All channels as float (half and uint are converted), scan-line or tiled (first level); refuses more than 2^28
+ * pixels x channels, deep or damaged files, with one line. Attributes of one or three numbers and strings are read. */
+bool aob_image_read(struct aob_image *image, const char *path, struct aob_error *error);
+#endif

@@ -1,0 +1,189 @@
+/* aobudget/technique.h: everything a technique module may include.
+ *
+ * A module describes, the harness runs: it is const data (a parameter table, GLSL texts, a definition of what
+ * it claims to compute) and one pure function, build(), that lays out passes and textures before any device
+ * exists. So a sweep is validated without a GPU, no module code is on the timed path, and times per pass,
+ * memory, and a cache key come without a line of the module's.
+ *
+ * Units: lengths in scene units (1 unit = 1 m unless the scene says otherwise), angles in radians, image
+ *   positions in pixels. View space is right-handed, +X right, +Y up, looking along -Z; depth is the positive
+ *   distance along the view axis. Image row 0 is the top row.
+ * Ownership: a technique and everything that it points to is static const; what a graph hands out is the graph's.
+ * Errors: a graph function that returns false (or a texture with id 0) has already kept the reason, with the
+ *   names of technique, pass and object; build() then just returns false.
+ * Threads: a technique is read by any thread; a graph is used by one thread at a time.
+ * Language: C11. A module has no undefined symbols: it reaches the harness through a table. */
+#ifndef AOBUDGET_TECHNIQUE_H
+#define AOBUDGET_TECHNIQUE_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define AOB_ABI_MAJOR 1u /* raised by a change to this file: modules of another number are refused */
+#define AOB_ABI_MINOR 0u /* raised when a field joins the end of aob_technique: older modules load */
+#define AOB_ABI       (AOB_ABI_MAJOR << 16 | AOB_ABI_MINOR)
+enum { AOB_MAX_PARAM = 32, AOB_MAX_IN = 8, AOB_MAX_OUT = 4, AOB_MAX_PASS = 32, AOB_MAX_TEXTURE = 32 };
+
+/* --- Parameters: one table serves config, command line, sweep, GLSL, `list` and report ------------------- */
+
+enum aob_type {
+    AOB_FLOAT,
+    AOB_INT, /* int32_t. Both types have four bytes, so the C struct is the std140 uniform block */
+};
+enum aob_unit {
+    AOB_UNIT_NONE,
+    AOB_UNIT_LENGTH, /* scene units */
+    AOB_UNIT_PIXEL,
+    AOB_UNIT_RADIAN,
+    AOB_UNIT_COUNT,
+};
+enum aob_scale { AOB_LINEAR, AOB_LOG2 }; /* how a sweep without a step of its own spaces values */
+enum aob_stage {
+    AOB_UNIFORM,  /* in GLSL: param.name, a value that may change from frame to frame */
+    AOB_CONSTANT, /* in GLSL: the upper-case name, a compile-time constant. Whatever bounds a loop or steers a
+                     branch must be one: some drivers recompile per frame when a uniform does */
+    AOB_HOST,     /* for build(), check() and the definition only */
+};
+
+struct aob_param {
+    const char *name;       /* lower_snake; the same word in config, C, GLSL and report */
+    const char *doc;        /* one sentence: what raising the value does; the text's own symbol goes here */
+    enum aob_type type;     /* filled in by AOB_PARAM from the C field */
+    enum aob_unit unit;
+    enum aob_scale scale;
+    enum aob_stage stage;
+    double min, max;        /* inclusive, in `unit` */
+    double initial;         /* the text's default */
+    const char *const *choices; /* NULL, or NULL-ended names of 0, 1, 2...; min and max are then ignored */
+    size_t offset;          /* of the field in the technique's values struct */
+};
+#define AOB_PARAM(T, field, ...)                                                                             \
+    {                                                                                                        \
+        .name = #field, .offset = offsetof(T, field),                                                        \
+        .type = _Generic(((T *)0)->field, float: AOB_FLOAT, int32_t: AOB_INT), __VA_ARGS__                   \
+    }
+
+/* --- Graph: what build() fills in; plain data ------------------------------------------------------------ */
+
+struct aob_graph; /* the harness's, valid during build() only */
+typedef struct {
+    uint32_t id; /* 0 is none; belongs to the graph that made it */
+} aob_tex;
+
+enum aob_read { /* parts of the G-buffer that a pass reads through the prelude; a renderer has them anyway */
+    AOB_DEPTH = 1 << 0,  /* aob_view_z, aob_position, aob_is_sky */
+    AOB_NORMAL = 1 << 1, /* aob_normal */
+};
+enum aob_output {       /* what the harness reads back and compares with the reference */
+    AOB_OUT_VISIBILITY, /* r: visibility in the technique's own sense, 1 open to 0 closed */
+    AOB_OUTPUT_COUNT,
+};
+enum aob_format { AOB_R8, AOB_R16F, AOB_R32F, AOB_RG8, AOB_RG16F, AOB_RG32F, AOB_RGBA8, AOB_RGBA16F, AOB_RGBA32F, AOB_FORMAT_COUNT };
+enum aob_filter { AOB_NEAREST, AOB_BILINEAR }; /* BILINEAR inputs get aob_sample_<bind> as well */
+enum aob_border { AOB_CLAMP, AOB_FAR }; /* G-buffer reads outside the image: the edge texel, or nothing there */
+
+struct aob_tex_desc {
+    const char *name;       /* unique in the graph; for errors and the memory table */
+    enum aob_format format; /* all can be drawn to */
+    uint32_t divisor;       /* of the screen, rounded up: 1 full (also 0), 2 half, 4 quarter */
+};
+struct aob_bind {
+    const char *name; /* the GLSL name: aob_fetch_<name>() for an input, the variable <name> for an output */
+    aob_tex tex;
+    enum aob_filter filter; /* inputs only */
+};
+struct aob_pass {
+    const char *name;    /* unique in the graph; the row of the times per pass */
+    const char *shader;  /* one of the module's texts, by name */
+    const char *defines; /* "AXIS=0 WIDE=1", or NULL */
+    uint32_t reads;      /* enum aob_read bits */
+    enum aob_border border;            /* of those reads */
+    struct aob_bind in[AOB_MAX_IN];    /* ended by a NULL name */
+    struct aob_bind out[AOB_MAX_OUT];  /* colour targets of one size; ended by a NULL name */
+};
+struct aob_graph_ops {
+    bool (*wants)(const struct aob_graph *graph, enum aob_output which); /* lay no pass for what nobody reads */
+    aob_tex (*texture)(struct aob_graph *graph, const struct aob_tex_desc *desc);
+    bool (*pass)(struct aob_graph *graph, const struct aob_pass *pass);  /* runs after the earlier ones */
+    bool (*output)(struct aob_graph *graph, enum aob_output which, aob_tex tex); /* full size */
+};
+struct aob_graph {
+    const struct aob_graph_ops *ops;
+};
+#define aob_wants(graph, which)       (graph)->ops->wants(graph, which)
+#define aob_texture(graph, ...)       (graph)->ops->texture(graph, &(struct aob_tex_desc){__VA_ARGS__})
+#define aob_pass(graph, ...)          (graph)->ops->pass(graph, &(struct aob_pass){__VA_ARGS__})
+#define aob_output(graph, which, tex) (graph)->ops->output(graph, which, tex)
+
+/* --- The prelude: the other half of the interface -------------------------------------------------------- *
+ * A shader text is the body of a fragment shader: functions and `void main()`. It never says #version, layout
+ * or binding; the harness writes those in front, with these names (GLSL 4.50, the same on every backend):
+ *
+ *   ivec2 aob_size              pixels of the G-buffer, guard band included
+ *   ivec2 aob_target_size       pixels of the pass's outputs
+ *   ivec2 aob_pixel             the pixel of the outputs that this invocation writes
+ *   int   aob_frame             frame number, 0 for a single shot
+ *   float aob_view_z(ivec2 p)   depth of the surface in pixel p, scene units; AOB_SKY_Z where there is none
+ *   bool  aob_is_sky(ivec2 p)
+ *   vec3  aob_position(ivec2 p)              view-space point of the surface in pixel p, at the pixel's centre
+ *   vec3  aob_position_at(vec2 q, float z)   the same at image position q (pixel centres at +.5) and depth z
+ *   vec3  aob_normal(ivec2 p)                unit, view space, towards the camera
+ *   vec2  aob_project(vec3 v)                image position of a view-space point with v.z < 0
+ *   vec3  aob_view_vector(vec3 v)            unit vector from view-space point v to the eye
+ *   float aob_pixel_radius(float z, float r) pixels that a length r covers at depth z, parallel to the image
+ *   float aob_random(ivec2 p, int i)         uniform in [0, 1): hash of pixel, i, and the seed `param.seed`
+ *                                            where the technique has such a parameter
+ *   T     aob_fetch_<in>(ivec2 p)            texel of an input, clamped to its edge; T is float, vec2 or vec4
+ *   T     aob_sample_<in>(vec2 uv)           AOB_BILINEAR inputs only; uv in 0..1, clamped
+ *   param.<name>                AOB_UNIFORM parameters; <NAME> the AOB_CONSTANT ones; <out> the variables
+ *                               that the body assigns
+ *   AOB_PERSPECTIVE             1 or 0 (orthographic); the functions above serve both, and off-centre frusta
+ *   AOB_PI, AOB_SKY_Z           constants
+ * Names that start with aob_ or AOB_ are the prelude's. Reads of the G-buffer outside it follow `border`. */
+
+/* --- What the technique claims to compute, so that the ray tracer can compute exactly that --------------- */
+
+enum aob_weight {
+    AOB_WEIGHT_COSINE,  /* of the directions on the hemisphere: cos/pi */
+    AOB_WEIGHT_UNIFORM, /* 1/(2 pi) */
+};
+struct aob_definition {
+    enum aob_weight weight;
+    float (*radius)(const void *values);           /* scene units; NULL: the parameter `radius` */
+    float (*falloff)(const void *values, float t); /* what an occluder at distance t * radius counts, t in
+                                                      [0, 1]; NULL: 1, the hard cutoff */
+    float (*map)(const void *values, float v);     /* of the traced value, where the text maps it; NULL: none */
+};
+
+/* --- Module: const data. A .so exports one symbol, aob_module --------------------------------------------- */
+
+struct aob_shader {
+    const char *name, *text;
+};
+struct aob_technique {
+    uint32_t abi, size;           /* AOB_TECHNIQUE sets both; read before any other field */
+    const char *name;             /* lower_snake; the config key and the folder in techniques/ and shaders/ */
+    const char *title, *citation; /* for `list` and the report */
+    uint32_t revision;            /* raise when results should change; part of every case's key */
+    const struct aob_param *params;
+    uint32_t param_count;
+    size_t values_size;               /* sizeof the values struct that params index */
+    const struct aob_shader *shaders; /* ended by a NULL name */
+    struct aob_definition definition;
+    bool (*check)(const void *values, const char **why);    /* rules across parameters; may be NULL */
+    bool (*build)(struct aob_graph *graph, const void *values); /* lay the passes; pure, repeatable */
+};
+#define AOB_TECHNIQUE(id, ...)                                                                               \
+    extern const struct aob_technique aob_technique_##id;                                                    \
+    const struct aob_technique aob_technique_##id = {                                                        \
+        .abi = AOB_ABI, .size = sizeof(struct aob_technique), .name = #id, __VA_ARGS__}
+
+struct aob_module {
+    uint32_t abi, size;
+    const struct aob_technique *const *techniques; /* NULL-ended */
+};
+#define AOB_MODULE(...)                                                                                      \
+    extern const struct aob_module aob_module;                                                               \
+    const struct aob_module aob_module = {AOB_ABI, sizeof(struct aob_module),                                \
+                                          (const struct aob_technique *const[]){__VA_ARGS__, NULL}}
+#endif
