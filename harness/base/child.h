@@ -1,5 +1,6 @@
 /* A program run in a process of its own, with a time and a memory limit. The child leads a process group that
- * is killed whole, so nothing is left over. */
+ * is killed whole, at its end or at the limit, so nothing is left over; it also dies with the thread that runs it.
+ * Threads: any; each call has its own child. */
 #ifndef AOB_BASE_CHILD_H
 #define AOB_BASE_CHILD_H
 #include <stdbool.h>
@@ -13,7 +14,9 @@ struct aob_child_desc {
     size_t input_size;
     double timeout_s;        /* of the whole run; 0: none */
     size_t memory_limit;     /* bytes of address space; 0: none. Ignored under AddressSanitizer */
-    void (*on_line)(void *user, const char *line); /* each line of standard output, without the newline; may be NULL */
+    /* Each line of standard output, of any length, without the newline; may be NULL. A last line that lacks its
+     * newline counts only if the child exited by itself: a crash may have cut it. */
+    void (*on_line)(void *user, const char *line);
     void *user;
 };
 struct aob_child_result {

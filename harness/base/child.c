@@ -1,0 +1,314 @@
+#define _GNU_SOURCE 1 /* memfd_create, pipe2, sigdescr_np, strcasestr */
+#include "child.h"
+#include "clock.h"
+#include "memory.h"
+#include <ctype.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+/* AddressSanitizer reserves terabytes of address space, so it cannot run under a limit. */
+#ifdef __SANITIZE_ADDRESS__
+static const bool limits_memory = false;
+#else
+static const bool limits_memory = true;
+#endif
+
+enum { READ_SIZE = 1 << 16, DRAIN_READS = 16 };
+
+/* One output of the child: bytes come in, whole lines go to `take`. */
+struct stream {
+    int fd; /* -1 after its end */
+    char *data;
+    size_t size, capacity;
+    void (*take)(void *user, const char *line);
+    void *user;
+};
+
+struct complaint {
+    char *text; /* the result's */
+    bool says_error;
+};
+
+struct child {
+    pid_t pid;
+    int input, start_pipe[2], out_pipe[2], err_pipe[2];
+    char **env;
+};
+
+static void take_complaint(void *user, const char *line)
+{
+    struct complaint *complaint = user;
+    bool says_error = strcasestr(line, "error") != NULL;
+    if (!line[strspn(line, " \t\r")] || (complaint->says_error && !says_error))
+        return;
+    complaint->says_error = says_error;
+    snprintf(complaint->text, sizeof((struct aob_child_result *)0)->complaint, "%s", line);
+    for (char *c = complaint->text; *c; c++)
+        if (iscntrl((unsigned char)*c))
+            *c = ' ';
+}
+
+static void stream_lines(struct stream *stream, size_t searched)
+{
+    char *line = stream->data, *end = stream->data + stream->size, *newline;
+    char *search = stream->data + searched;
+    while (search < end && (newline = memchr(search, '\n', (size_t)(end - search)))) {
+        *newline = '\0';
+        if (stream->take)
+            stream->take(stream->user, line);
+        line = search = newline + 1;
+    }
+    stream->size = (size_t)(end - line);
+    memmove(stream->data, line, stream->size);
+}
+
+/* True if there may be more to read at once. */
+static bool stream_read(struct stream *stream)
+{
+    if (stream->fd < 0)
+        return false;
+    if (stream->capacity - stream->size < READ_SIZE) {
+        stream->capacity = stream->capacity * 2 + READ_SIZE;
+        stream->data = aob_realloc(stream->data, stream->capacity, 1);
+    }
+    ssize_t count = read(stream->fd, stream->data + stream->size, READ_SIZE);
+    if (count < 0 && (errno == EAGAIN || errno == EINTR))
+        return false;
+    if (count <= 0) {
+        close(stream->fd);
+        stream->fd = -1;
+        return false;
+    }
+    size_t searched = stream->size;
+    stream->size += (size_t)count;
+    stream_lines(stream, searched);
+    return true;
+}
+
+/* The child is gone, so what is left is at most what a pipe holds; a stray grandchild could write for ever.
+ */
+static void stream_finish(struct stream *stream, bool keep_unfinished_line)
+{
+    for (int i = 0; i < DRAIN_READS && stream_read(stream); i++)
+        continue;
+    if (stream->size && keep_unfinished_line && stream->take) {
+        stream->data = aob_realloc(stream->data, stream->size + 1, 1);
+        stream->data[stream->size] = '\0';
+        stream->take(stream->user, stream->data);
+    }
+    free(stream->data);
+}
+
+static bool same_name(const char *a, const char *b)
+{
+    size_t size = strcspn(a, "=");
+    return size == strcspn(b, "=") && !strncmp(a, b, size);
+}
+
+static bool is_replaced(const char *variable, const char *const *extra)
+{
+    for (; extra && *extra; extra++)
+        if (same_name(variable, *extra))
+            return true;
+    return false;
+}
+
+static char **merge_environment(const char *const *extra)
+{
+    char **merged = NULL;
+    size_t count = 0, capacity = 0;
+    for (char **variable = environ; variable && *variable; variable++)
+        if (!is_replaced(*variable, extra))
+            *AOB_PUSH(merged, count, capacity) = *variable;
+    for (; extra && *extra; extra++)
+        *AOB_PUSH(merged, count, capacity) = (char *)*extra;
+    *AOB_PUSH(merged, count, capacity) = NULL;
+    return merged;
+}
+
+/* A file in memory instead of a pipe: nothing to feed while the child runs, and no SIGPIPE if it does not
+ * read. */
+static int open_input(const char *input, size_t size)
+{
+    if (!input)
+        return open("/dev/null", O_RDONLY | O_CLOEXEC);
+    int fd = memfd_create("aobudget-input", MFD_CLOEXEC);
+    size_t done = 0;
+    while (fd >= 0 && done < size) {
+        ssize_t count = write(fd, input + done, size - done);
+        if (count < 0 && errno != EINTR) {
+            close(fd);
+            return -1;
+        }
+        done += count > 0 ? (size_t)count : 0;
+    }
+    if (fd >= 0)
+        lseek(fd, 0, SEEK_SET);
+    return fd;
+}
+
+static void close_fd(int *fd)
+{
+    if (*fd >= 0)
+        close(*fd);
+    *fd = -1;
+}
+
+static void child_finish(struct child *child)
+{
+    int *fds[] = {&child->input,       &child->start_pipe[0], &child->start_pipe[1], &child->out_pipe[0],
+                  &child->out_pipe[1], &child->err_pipe[0],   &child->err_pipe[1]};
+    for (size_t i = 0; i < AOB_COUNT(fds); i++)
+        close_fd(fds[i]);
+    free(child->env);
+    child->env = NULL;
+}
+
+static bool child_prepare(struct child *child, const struct aob_child_desc *desc)
+{
+    *child = (struct child){.input = -1, .start_pipe = {-1, -1}, .out_pipe = {-1, -1}, .err_pipe = {-1, -1}};
+    child->env = merge_environment(desc->env);
+    child->input = open_input(desc->input, desc->input_size);
+    return child->input >= 0 && !pipe2(child->start_pipe, O_CLOEXEC) && !pipe2(child->out_pipe, O_CLOEXEC) &&
+           !pipe2(child->err_pipe, O_CLOEXEC) && !fcntl(child->out_pipe[0], F_SETFL, O_NONBLOCK) &&
+           !fcntl(child->err_pipe[0], F_SETFL, O_NONBLOCK);
+}
+
+/* Runs between fork and exec: nothing here may allocate or lock. */
+static void __attribute__((noreturn)) become(const struct child *child, const struct aob_child_desc *desc)
+{
+    struct rlimit no_core = {0, 0}, memory = {desc->memory_limit, desc->memory_limit};
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, NULL);
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    setrlimit(RLIMIT_CORE, &no_core);
+    bool ready =
+        dup2(child->input, 0) >= 0 && dup2(child->out_pipe[1], 1) >= 0 && dup2(child->err_pipe[1], 2) >= 0;
+    if (ready && limits_memory && desc->memory_limit)
+        ready = !setrlimit(RLIMIT_AS, &memory);
+    if (ready)
+        execve(desc->argv[0], (char *const *)desc->argv, child->env);
+    int cause = errno;
+    while (write(child->start_pipe[1], &cause, sizeof cause) < 0 && errno == EINTR)
+        continue;
+    _exit(127);
+}
+
+/* The start pipe closes by itself when exec succeeds, and carries errno when it does not. */
+static int start_error(struct child *child)
+{
+    int cause = 0;
+    ssize_t count;
+    do
+        count = read(child->start_pipe[0], &cause, sizeof cause);
+    while (count < 0 && errno == EINTR);
+    return count == sizeof cause ? cause : 0;
+}
+
+static bool child_start(struct child *child, const struct aob_child_desc *desc, struct aob_error *error)
+{
+    if (!child_prepare(child, desc) || (child->pid = fork()) < 0) {
+        aob_fail(error, "%s: cannot start a process: %s", desc->argv[0], strerror(errno));
+        child_finish(child);
+        return false;
+    }
+    if (!child->pid)
+        become(child, desc);
+    setpgid(child->pid, child->pid);
+    close_fd(&child->input);
+    close_fd(&child->start_pipe[1]);
+    close_fd(&child->out_pipe[1]);
+    close_fd(&child->err_pipe[1]);
+    int cause = start_error(child);
+    if (!cause)
+        return true;
+    aob_fail(error, "%s: cannot start this program: %s", desc->argv[0], strerror(cause));
+    waitpid(child->pid, NULL, 0);
+    child_finish(child);
+    return false;
+}
+
+/* The child stays a zombie, so that its group's number is still its own when the group is killed. */
+static bool has_ended(pid_t pid)
+{
+    siginfo_t info = {0};
+    return waitid(P_PID, (id_t)pid, &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == pid;
+}
+
+/* Until the child ends or its time is up; returns whether it was the time. */
+static bool follow(pid_t pid, double timeout_s, struct stream *out, struct stream *err)
+{
+    int64_t start = aob_clock_wall_ns();
+    while (!has_ended(pid)) {
+        if (timeout_s > 0 && (double)(aob_clock_wall_ns() - start) * 1e-9 >= timeout_s)
+            return true;
+        struct pollfd fds[] = {{.fd = out->fd, .events = POLLIN}, {.fd = err->fd, .events = POLLIN}};
+        bool closed = out->fd < 0 && err->fd < 0;
+        poll(fds, AOB_COUNT(fds), closed ? 1 : 20);
+        if (fds[0].revents)
+            stream_read(out);
+        if (fds[1].revents)
+            stream_read(err);
+    }
+    return false;
+}
+
+bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *result,
+                   struct aob_error *error)
+{
+    *result = (struct aob_child_result){.exit_code = -1};
+    struct child child;
+    if (!child_start(&child, desc, error))
+        return false;
+    struct complaint complaint = {.text = result->complaint};
+    struct stream out = {.fd = child.out_pipe[0], .take = desc->on_line, .user = desc->user};
+    struct stream err = {.fd = child.err_pipe[0], .take = take_complaint, .user = &complaint};
+    child.out_pipe[0] = child.err_pipe[0] = -1;
+
+    result->timed_out = follow(child.pid, desc->timeout_s, &out, &err);
+    kill(-child.pid, SIGKILL);
+    int status = 0;
+    while (waitpid(child.pid, &status, 0) < 0 && errno == EINTR)
+        continue;
+    if (WIFEXITED(status))
+        result->exit_code = WEXITSTATUS(status);
+    else if (WIFSIGNALED(status))
+        result->signal = WTERMSIG(status);
+    stream_finish(&out, WIFEXITED(status) && !result->timed_out);
+    stream_finish(&err, true);
+    close_fd(&out.fd);
+    close_fd(&err.fd);
+    child_finish(&child);
+    return true;
+}
+
+void aob_child_explain(const struct aob_child_desc *desc, const struct aob_child_result *result, char *text,
+                       size_t size)
+{
+    const char *colon = result->complaint[0] ? ": " : "";
+    if (result->timed_out) {
+        snprintf(text, size, "took longer than %g s", desc->timeout_s);
+    } else if (result->signal) {
+        const char *known = sigdescr_np(result->signal);
+        char name[64];
+        snprintf(name, sizeof name, "%s", known ? known : "unknown");
+        name[0] = (char)tolower((unsigned char)name[0]);
+        snprintf(text, size, "crashed (signal %d, %s)%s%s", result->signal, name, colon, result->complaint);
+    } else {
+        snprintf(text, size, "exit code %d%s%s", result->exit_code, colon, result->complaint);
+    }
+}

@@ -1,0 +1,26 @@
+/* GLSL 4.50 to SPIR-V by glslang, for one of two clients from the same text.
+ * The text must not say #version: it is put in front together with
+ *   BIND(n)    the binding qualifier: set=0,binding=n for Vulkan, binding=n for GL
+ *   VERTEX_ID  gl_VertexIndex or gl_VertexID
+ * Threads: one at a time a process (glslang's process state is initialised on first use). */
+#ifndef AOB_GPU_GLSL_H
+#define AOB_GPU_GLSL_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "base/error.h"
+
+enum aob_glsl_client { AOB_GLSL_VULKAN, AOB_GLSL_OPENGL };
+enum aob_glsl_stage { AOB_GLSL_VERTEX, AOB_GLSL_FRAGMENT };
+
+/* Allocated words (free()), or NULL after one line: glslang's first error with its line in `text`, as in
+ * "fragment shader, line 12: 'x' : undeclared identifier"; after `#line 3 7` line 3 is named "7:3". */
+uint32_t *aob_glsl_compile(const char *text, enum aob_glsl_stage stage, enum aob_glsl_client client,
+                           size_t *word_count, struct aob_error *error);
+
+/* Bit n: the words declare BIND(n); a binding beyond 30 sets bit 31. */
+uint32_t aob_glsl_bindings(const uint32_t *words, size_t word_count);
+
+/* The vertex program of every pass: one triangle that covers the target; the body of the text, as above. */
+extern const char aob_glsl_screen_triangle[];
+#endif

@@ -1,0 +1,65 @@
+#include "camera.h"
+
+static bool finite_vec(struct aob_vec3 v)
+{
+    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
+}
+
+bool aob_camera_check(const struct aob_camera *camera, struct aob_error *error)
+{
+    if (!finite_vec(camera->eye) || !finite_vec(camera->target))
+        return aob_fail(error, "camera: eye and target must be finite numbers");
+    double distance = aob_vec_length(aob_vec_sub(camera->target, camera->eye));
+    if (!(distance > 0) || !isfinite(distance))
+        return aob_fail(error, "camera: eye and target are the same point (or too far apart): move one of them");
+    if (!(camera->ortho_height >= 0) || !isfinite(camera->ortho_height))
+        return aob_fail(error, "camera: ortho height %g: must be finite and not negative", camera->ortho_height);
+    if (camera->ortho_height > 0)
+        return true;
+    if (!(camera->fov_deg >= 1 && camera->fov_deg <= 170))
+        return aob_fail(error, "camera: field of view %g degrees: must be 1 to 170", camera->fov_deg);
+    return true;
+}
+
+struct aob_frame_axes aob_camera_axes(const struct aob_camera *camera)
+{
+    struct aob_frame_axes axes;
+    axes.back = aob_vec_normalize(aob_vec_sub(camera->eye, camera->target));
+    struct aob_vec3 right = aob_vec_cross(aob_vec(0, 1, 0), axes.back);
+    /* Looking along the vertical, world up is no guide: -Z is then the top of the picture seen from above. */
+    if (aob_vec_length(right) < 1e-9)
+        right = aob_vec_cross(aob_vec(0, 0, axes.back.y > 0 ? -1 : 1), axes.back);
+    axes.right = aob_vec_normalize(right);
+    axes.up = aob_vec_cross(axes.back, axes.right);
+    return axes;
+}
+
+struct aob_projection aob_camera_projection(const struct aob_camera *camera, int width, int height, int guard)
+{
+    bool perspective = !(camera->ortho_height > 0);
+    double span = perspective ? 2 * tan(camera->fov_deg * (M_PI / 360)) : camera->ortho_height;
+    return (struct aob_projection){
+        .perspective = perspective,
+        .width = width + 2 * guard,
+        .height = height + 2 * guard,
+        .sx = span / height,
+        .sy = span / height,
+        .cx = guard + width / 2.0,
+        .cy = guard + height / 2.0,
+    };
+}
+
+void aob_camera_ray(const struct aob_camera *camera, const struct aob_projection *projection, double qx, double qy,
+                    struct aob_vec3 *origin, struct aob_vec3 *direction)
+{
+    struct aob_frame_axes axes = aob_camera_axes(camera);
+    struct aob_vec3 across = aob_vec_scale(axes.right, (qx - projection->cx) * projection->sx);
+    struct aob_vec3 offset = aob_vec_sub(across, aob_vec_scale(axes.up, (qy - projection->cy) * projection->sy));
+    if (projection->perspective) {
+        *origin = camera->eye;
+        *direction = aob_vec_sub(offset, axes.back);
+    } else {
+        *origin = aob_vec_add(camera->eye, offset);
+        *direction = aob_vec_scale(axes.back, -1);
+    }
+}

@@ -1,0 +1,140 @@
+#include "mesh.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/memory.h"
+
+/* A flat file: this header, positions, normals if any, triangles. Only this machine reads it, so its own number
+ * formats serve. */
+struct flat_header {
+    char magic[8];
+    uint64_t vertex_count, triangle_count, has_normals;
+    char key[40]; /* of the geometry: a file changed by one byte is refused */
+};
+static const char flat_magic[8] = "aobmesh";
+enum { FLAT_LIMIT_BITS = 40 };
+
+void aob_mesh_finish(struct aob_mesh *mesh)
+{
+    free(mesh->positions);
+    free(mesh->normals);
+    free(mesh->triangles);
+    *mesh = (struct aob_mesh){0};
+}
+
+void aob_mesh_bounds(const struct aob_mesh *mesh, struct aob_vec3 *low, struct aob_vec3 *high)
+{
+    *low = *high = mesh->vertex_count ? mesh->positions[0] : aob_vec(0, 0, 0);
+    for (size_t i = 1; i < mesh->vertex_count; i++) {
+        struct aob_vec3 p = mesh->positions[i];
+        *low = aob_vec(fmin(low->x, p.x), fmin(low->y, p.y), fmin(low->z, p.z));
+        *high = aob_vec(fmax(high->x, p.x), fmax(high->y, p.y), fmax(high->z, p.z));
+    }
+}
+
+static bool finite_vec(struct aob_vec3 v)
+{
+    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
+}
+
+bool aob_mesh_check(const struct aob_mesh *mesh, const char *name, struct aob_error *error)
+{
+    if (!mesh->triangle_count)
+        return aob_fail(error, "%s: no triangles in it: nothing to render", name);
+    for (size_t i = 0; i < mesh->vertex_count; i++)
+        if (!finite_vec(mesh->positions[i]) || (mesh->normals && !finite_vec(mesh->normals[i])))
+            return aob_fail(error, "%s: vertex %zu is not finite: the file is damaged or was exported wrongly", name,
+                            i);
+    for (size_t i = 0; i < mesh->triangle_count; i++)
+        for (int k = 0; k < 3; k++)
+            if (mesh->triangles[i][k] >= mesh->vertex_count)
+                return aob_fail(error, "%s: triangle %zu names vertex %u of %zu: the file is damaged", name, i,
+                                mesh->triangles[i][k], mesh->vertex_count);
+    return true;
+}
+
+void aob_mesh_digest(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE])
+{
+    char parts[3 * (AOB_KEY_SIZE - 1) + 1];
+    char *part = parts;
+    aob_hash_bytes(mesh->positions, mesh->vertex_count * sizeof *mesh->positions, part);
+    part += AOB_KEY_SIZE - 1;
+    aob_hash_bytes(mesh->triangles, mesh->triangle_count * sizeof *mesh->triangles, part);
+    part += AOB_KEY_SIZE - 1;
+    aob_hash_bytes(mesh->normals, mesh->normals ? mesh->vertex_count * sizeof *mesh->normals : 0, part);
+    aob_hash_text(parts, key);
+}
+
+bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_error *error)
+{
+    struct flat_header header = {.vertex_count = mesh->vertex_count,
+                                 .triangle_count = mesh->triangle_count,
+                                 .has_normals = mesh->normals != NULL};
+    memcpy(header.magic, flat_magic, sizeof header.magic);
+    aob_mesh_digest(mesh, header.key);
+    const void *parts[] = {&header, mesh->positions, mesh->normals, mesh->triangles};
+    const size_t sizes[] = {sizeof header, mesh->vertex_count * sizeof *mesh->positions,
+                            mesh->normals ? mesh->vertex_count * sizeof *mesh->normals : 0,
+                            mesh->triangle_count * sizeof *mesh->triangles};
+    size_t total = 0;
+    for (size_t i = 0; i < AOB_COUNT(sizes); i++)
+        total += sizes[i];
+    char *bytes = aob_alloc(total, 1), *at = bytes;
+    for (size_t i = 0; i < AOB_COUNT(sizes); i++) {
+        if (sizes[i])
+            memcpy(at, parts[i], sizes[i]);
+        at += sizes[i];
+    }
+    bool ok = aob_file_write(path, bytes, total, error);
+    free(bytes);
+    return ok;
+}
+
+static bool header_fits(const struct flat_header *header, size_t size)
+{
+    if (memcmp(header->magic, flat_magic, sizeof header->magic) || header->has_normals > 1)
+        return false;
+    if (header->vertex_count > size || header->triangle_count > size) /* so that the sum below cannot wrap */
+        return false;
+    uint64_t per_vertex = sizeof(struct aob_vec3) * (1 + header->has_normals);
+    return size == sizeof *header + header->vertex_count * per_vertex + header->triangle_count * 3 * sizeof(uint32_t);
+}
+
+/* The next `count` elements of the file, in memory of their own. */
+static void *take(const char **at, size_t count, size_t size)
+{
+    void *part = aob_alloc(count, size);
+    if (count)
+        memcpy(part, *at, count * size);
+    *at += count * size;
+    return part;
+}
+
+bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error *error)
+{
+    size_t size = 0;
+    char *bytes = aob_file_read(path, (size_t)1 << FLAT_LIMIT_BITS, &size, error);
+    if (!bytes)
+        return false;
+    struct flat_header header = {.magic = ""};
+    memcpy(&header, bytes, size < sizeof header ? size : sizeof header);
+    *mesh = (struct aob_mesh){0};
+    bool ok = size >= sizeof header && header_fits(&header, size);
+    if (ok) {
+        const char *at = bytes + sizeof header;
+        mesh->vertex_count = mesh->vertex_capacity = header.vertex_count;
+        mesh->triangle_count = mesh->triangle_capacity = header.triangle_count;
+        mesh->positions = take(&at, mesh->vertex_count, sizeof *mesh->positions);
+        if (header.has_normals)
+            mesh->normals = take(&at, mesh->vertex_count, sizeof *mesh->normals);
+        mesh->triangles = take(&at, mesh->triangle_count, sizeof *mesh->triangles);
+        char key[AOB_KEY_SIZE];
+        aob_mesh_digest(mesh, key);
+        ok = !memcmp(key, header.key, sizeof key);
+    }
+    free(bytes);
+    if (ok && aob_mesh_check(mesh, path, error))
+        return true;
+    aob_mesh_finish(mesh);
+    return ok ? false : aob_fail(error, "%s: not a whole mesh file of this program: delete it and load again", path);
+}

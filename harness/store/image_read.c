@@ -1,0 +1,252 @@
+#include "image.h"
+#include "base/memory.h"
+#include <OpenEXR/openexr.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const size_t VALUE_LIMIT = (size_t)1 << 28; /* pixels x channels */
+
+struct reader {
+    const char *path;
+    struct aob_image *image;
+    struct aob_error *error;
+    exr_context_t file;
+    exr_decode_pipeline_t pipeline;
+    bool decoding;           /* the pipeline is initialised */
+    exr_attr_box2i_t window; /* of the pixels; its corner need not be 0, 0 */
+    exr_storage_t storage;
+    float **planes; /* one for each channel of the file, in the file's order */
+};
+
+static void ignore_message(exr_const_context_t context, exr_result_t code, const char *message)
+{
+    (void)context;
+    (void)code;
+    (void)message;
+}
+
+static bool check(struct reader *r, exr_result_t rc, const char *what)
+{
+    if (rc == EXR_ERR_SUCCESS)
+        return true;
+    return aob_fail(r->error, "%s: cannot read the %s: %s", r->path, what, exr_get_default_error_message(rc));
+}
+
+static bool read_window(struct reader *r)
+{
+    if (!check(r, exr_get_data_window(r->file, 0, &r->window), "image size"))
+        return false;
+    int64_t width = (int64_t)r->window.max.x - r->window.min.x + 1;
+    int64_t height = (int64_t)r->window.max.y - r->window.min.y + 1;
+    if (width < 1 || height < 1 || width > (int64_t)VALUE_LIMIT || height > (int64_t)VALUE_LIMIT ||
+        (uint64_t)(width * height) > VALUE_LIMIT)
+        return aob_fail(r->error, "%s: refused: the image is %lld x %lld pixels", r->path, (long long)width,
+                        (long long)height);
+    r->image->width = (int)width;
+    r->image->height = (int)height;
+    return true;
+}
+
+static bool read_storage(struct reader *r)
+{
+    if (!check(r, exr_get_storage(r->file, 0, &r->storage), "storage"))
+        return false;
+    return r->storage == EXR_STORAGE_SCANLINE || r->storage == EXR_STORAGE_TILED ||
+           aob_fail(r->error, "%s: refused: deep images are not supported, flatten it first", r->path);
+}
+
+static bool add_channels(struct reader *r)
+{
+    const exr_attr_chlist_t *list = NULL;
+    if (!check(r, exr_get_channels(r->file, 0, &list), "channels"))
+        return false;
+    size_t count = list && list->num_channels > 0 ? (size_t)list->num_channels : 0;
+    size_t pixels = (size_t)r->image->width * (size_t)r->image->height;
+    if (count == 0 || count > VALUE_LIMIT / pixels)
+        return aob_fail(r->error, "%s: refused: %zu channels of %zu pixels", r->path, count, pixels);
+    r->planes = AOB_NEW_ARRAY(float *, count);
+    for (size_t i = 0; i < count; i++) {
+        const exr_attr_chlist_entry_t *entry = &list->entries[i];
+        const char *name = entry->name.str;
+        if (entry->x_sampling != 1 || entry->y_sampling != 1)
+            return aob_fail(r->error, "%s: refused: channel %s is subsampled", r->path, name);
+        if (strlen(name) >= sizeof r->image->channels->name || aob_image_channel(r->image, name))
+            return aob_fail(r->error, "%s: refused: channel name %s is too long or there twice", r->path,
+                            name);
+        r->planes[i] = aob_image_add(r->image, name);
+    }
+    return true;
+}
+
+static void add_attribute(struct aob_image *image, const exr_attribute_t *a)
+{
+    switch (a->type) {
+    case EXR_ATTR_INT:
+        aob_image_set_number(image, a->name, a->i);
+        break;
+    case EXR_ATTR_FLOAT:
+        aob_image_set_number(image, a->name, (double)a->f);
+        break;
+    case EXR_ATTR_DOUBLE:
+        aob_image_set_number(image, a->name, a->d);
+        break;
+    case EXR_ATTR_V3F:
+        aob_image_set_vec3(image, a->name,
+                           (double[3]){(double)a->v3f->x, (double)a->v3f->y, (double)a->v3f->z});
+        break;
+    case EXR_ATTR_V3D:
+        aob_image_set_vec3(image, a->name, (double[3]){a->v3d->x, a->v3d->y, a->v3d->z});
+        break;
+    case EXR_ATTR_STRING:
+        aob_image_set_text(image, a->name, a->string->str ? a->string->str : "");
+        break;
+    default:
+        break;
+    }
+}
+
+/* Attributes that the file format itself needs: the writer makes them anew. */
+static bool is_structural(const char *name)
+{
+    static const char *const names[] = {"pixelAspectRatio", "screenWindowWidth",  "name", "type", "version",
+                                        "chunkCount",       "maxSamplesPerPixel", NULL};
+    for (const char *const *n = names; *n; n++)
+        if (strcmp(*n, name) == 0)
+            return true;
+    return false;
+}
+
+static bool read_attributes(struct reader *r)
+{
+    int32_t count = 0;
+    if (!check(r, exr_get_attribute_count(r->file, 0, &count), "attributes"))
+        return false;
+    for (int32_t i = 0; i < count; i++) {
+        const exr_attribute_t *a = NULL;
+        exr_result_t rc = exr_get_attribute_by_index(r->file, 0, EXR_ATTR_LIST_FILE_ORDER, i, &a);
+        if (!check(r, rc, "attributes"))
+            return false;
+        if (strlen(a->name) < sizeof r->image->attributes->name && !is_structural(a->name))
+            add_attribute(r->image, a);
+    }
+    return true;
+}
+
+/* The chunk must lie within the image, whatever a damaged file says. */
+static bool chunk_fits(const struct reader *r, const exr_chunk_info_t *chunk, int x, int y)
+{
+    return chunk->width >= 1 && chunk->height >= 1 && x >= 0 && y >= 0 &&
+           (int64_t)x + chunk->width <= r->image->width && (int64_t)y + chunk->height <= r->image->height;
+}
+
+/* Half becomes float in the library; whole numbers it hands over only as they are. */
+static void point_channels_at(struct reader *r, int x, int y)
+{
+    size_t width = (size_t)r->image->width;
+    for (int c = 0; c < r->pipeline.channel_count; c++) {
+        exr_coding_channel_info_t *channel = &r->pipeline.channels[c];
+        bool whole = channel->data_type == EXR_PIXEL_UINT;
+        channel->decode_to_ptr = (uint8_t *)(r->planes[c] + (size_t)y * width + (size_t)x);
+        channel->user_pixel_stride = sizeof(float);
+        channel->user_line_stride = (int32_t)(sizeof(float) * width);
+        channel->user_data_type = whole ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT;
+        channel->user_bytes_per_element = sizeof(float);
+    }
+}
+
+static void convert_whole_numbers(struct reader *r, const exr_chunk_info_t *chunk, int x, int y)
+{
+    for (int c = 0; c < r->pipeline.channel_count; c++) {
+        if (r->pipeline.channels[c].data_type != EXR_PIXEL_UINT)
+            continue;
+        for (int j = 0; j < chunk->height; j++) {
+            float *row = r->planes[c] + (size_t)(y + j) * (size_t)r->image->width + (size_t)x;
+            for (int i = 0; i < chunk->width; i++) {
+                uint32_t bits;
+                memcpy(&bits, row + i, sizeof bits);
+                row[i] = (float)bits;
+            }
+        }
+    }
+}
+
+/* x, y: where the chunk belongs in the image. */
+static bool read_chunk(struct reader *r, const exr_chunk_info_t *chunk, int x, int y)
+{
+    if (!chunk_fits(r, chunk, x, y))
+        return aob_fail(r->error, "%s: damaged: a block lies outside of the image", r->path);
+    exr_result_t rc = r->decoding ? exr_decoding_update(r->file, 0, chunk, &r->pipeline)
+                                  : exr_decoding_initialize(r->file, 0, chunk, &r->pipeline);
+    if (rc == EXR_ERR_SUCCESS) {
+        r->decoding = true;
+        point_channels_at(r, x, y);
+        rc = exr_decoding_choose_default_routines(r->file, 0, &r->pipeline);
+    }
+    if (rc == EXR_ERR_SUCCESS)
+        rc = exr_decoding_run(r->file, 0, &r->pipeline);
+    if (!check(r, rc, "pixels"))
+        return false;
+    convert_whole_numbers(r, chunk, x, y);
+    return true;
+}
+
+static bool read_scanlines(struct reader *r)
+{
+    int32_t lines = 0;
+    if (!check(r, exr_get_scanlines_per_chunk(r->file, 0, &lines), "pixels"))
+        return false;
+    if (lines < 1)
+        return aob_fail(r->error, "%s: damaged: blocks without lines", r->path);
+    for (int y = 0; y < r->image->height; y += lines) {
+        exr_chunk_info_t chunk;
+        if (!check(r, exr_read_scanline_chunk_info(r->file, 0, r->window.min.y + y, &chunk), "pixels") ||
+            !read_chunk(r, &chunk, 0, y))
+            return false;
+    }
+    return true;
+}
+
+static bool read_tiles(struct reader *r)
+{
+    int32_t tile_width = 0, tile_height = 0;
+    if (!check(r, exr_get_tile_sizes(r->file, 0, 0, 0, &tile_width, &tile_height), "tiles"))
+        return false;
+    if (tile_width < 1 || tile_height < 1)
+        return aob_fail(r->error, "%s: damaged: tiles without pixels", r->path);
+    for (int64_t y = 0; y < r->image->height; y += tile_height)
+        for (int64_t x = 0; x < r->image->width; x += tile_width) {
+            exr_chunk_info_t chunk;
+            exr_result_t rc = exr_read_tile_chunk_info(r->file, 0, (int)(x / tile_width),
+                                                       (int)(y / tile_height), 0, 0, &chunk);
+            if (!check(r, rc, "tiles") || !read_chunk(r, &chunk, (int)x, (int)y))
+                return false;
+        }
+    return true;
+}
+
+static bool read_pixels(struct reader *r)
+{
+    return r->storage == EXR_STORAGE_TILED ? read_tiles(r) : read_scanlines(r);
+}
+
+bool aob_image_read(struct aob_image *image, const char *path, struct aob_error *error)
+{
+    *image = (struct aob_image){0};
+    struct reader r = {.path = path, .image = image, .error = error};
+    exr_context_initializer_t init = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    init.error_handler_fn = ignore_message;
+    exr_result_t rc = exr_start_read(&r.file, path, &init);
+    if (rc != EXR_ERR_SUCCESS)
+        return aob_fail(error, "%s: cannot read the image: %s", path, exr_get_default_error_message(rc));
+    bool ok =
+        read_window(&r) && read_storage(&r) && add_channels(&r) && read_attributes(&r) && read_pixels(&r);
+    if (r.decoding)
+        exr_decoding_destroy(r.file, &r.pipeline);
+    exr_finish(&r.file);
+    free(r.planes);
+    if (!ok)
+        aob_image_finish(image);
+    return ok;
+}

@@ -1,0 +1,117 @@
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "registry.h"
+
+static json_t *choices_to_json(const char *const *choices)
+{
+    json_t *names = json_array();
+    for (; *choices; choices++)
+        json_array_append_new(names, json_string(*choices));
+    return names;
+}
+
+static json_t *param_to_json(const struct aob_param *param)
+{
+    json_t *p = json_pack("{s:s, s:s, s:s, s:i, s:i, s:i, s:f, s:f, s:f}", "name", param->name, "doc", param->doc,
+                          "type", param->type == AOB_INT ? "int" : "float", "unit", (int)param->unit, "scale",
+                          (int)param->scale, "stage", (int)param->stage, "min", param->min, "max", param->max,
+                          "initial", param->initial);
+    if (param->choices)
+        json_object_set_new(p, "choices", choices_to_json(param->choices));
+    return p;
+}
+
+json_t *aob_technique_to_json(const struct aob_registry_entry *entry)
+{
+    const struct aob_technique *t = entry->technique;
+    json_t *params = json_array();
+    for (uint32_t i = 0; i < t->param_count; i++)
+        json_array_append_new(params, param_to_json(&t->params[i]));
+    return json_pack("{s:s, s:s, s:s, s:i, s:s, s:s?, s:o}", "name", t->name, "title", t->title, "citation",
+                     t->citation, "revision", (int)t->revision, "digest", entry->digest, "module", entry->module,
+                     "params", params);
+}
+
+static const char *const *choices_from_json(const json_t *names)
+{
+    const char **choices = AOB_NEW_ARRAY(const char *, json_array_size(names) + 1);
+    for (size_t i = 0; i < json_array_size(names); i++)
+        choices[i] = aob_strdup(json_string_value(json_array_get(names, i)));
+    return choices;
+}
+
+static bool param_from_json(json_t *p, struct aob_param *param)
+{
+    const char *name, *doc, *type;
+    int unit, scale, stage;
+    if (json_unpack(p, "{s:s, s:s, s:s, s:i, s:i, s:i, s:F, s:F, s:F}", "name", &name, "doc", &doc, "type", &type,
+                    "unit", &unit, "scale", &scale, "stage", &stage, "min", &param->min, "max", &param->max,
+                    "initial", &param->initial) != 0)
+        return false;
+    param->name = aob_strdup(name);
+    param->doc = aob_strdup(doc);
+    param->type = strcmp(type, "int") == 0 ? AOB_INT : AOB_FLOAT;
+    param->unit = (enum aob_unit)unit;
+    param->scale = (enum aob_scale)scale;
+    param->stage = (enum aob_stage)stage;
+    if (json_object_get(p, "choices"))
+        param->choices = choices_from_json(json_object_get(p, "choices"));
+    return true;
+}
+
+bool aob_technique_list_add(struct aob_technique_list *list, const json_t *described)
+{
+    const char *name, *title, *citation, *digest, *module = NULL;
+    int revision;
+    json_t *params;
+    if (json_unpack((json_t *)(uintptr_t)described, "{s:s, s:s, s:s, s:i, s:s, s?:s?, s:o}", "name", &name, "title",
+                    &title, "citation", &citation, "revision", &revision, "digest", &digest, "module", &module,
+                    "params", &params) != 0)
+        return false;
+    list->items = aob_realloc(list->items, list->count + 1, sizeof *list->items);
+    struct aob_technique_info *info = &list->items[list->count++];
+    *info = (struct aob_technique_info){.name = aob_strdup(name), .title = aob_strdup(title),
+                                        .citation = aob_strdup(citation), .module = aob_strdup(module),
+                                        .revision = (uint32_t)revision};
+    strncpy(info->digest, digest, AOB_KEY_SIZE - 1);
+    info->param_count = json_array_size(params);
+    info->params = AOB_NEW_ARRAY(struct aob_param, info->param_count);
+    for (size_t i = 0; i < info->param_count; i++)
+        if (!param_from_json(json_array_get(params, i), &info->params[i]))
+            return false;
+    return true;
+}
+
+const struct aob_technique_info *aob_technique_list_find(const struct aob_technique_list *list, const char *name)
+{
+    for (size_t i = 0; i < list->count; i++)
+        if (strcmp(list->items[i].name, name) == 0)
+            return &list->items[i];
+    return NULL;
+}
+
+static void free_param(struct aob_param *param)
+{
+    for (size_t i = 0; param->choices && param->choices[i]; i++)
+        free((void *)(uintptr_t)param->choices[i]);
+    free((void *)(uintptr_t)param->choices);
+    free((void *)(uintptr_t)param->name);
+    free((void *)(uintptr_t)param->doc);
+}
+
+void aob_technique_list_finish(struct aob_technique_list *list)
+{
+    for (size_t i = 0; i < list->count; i++) {
+        struct aob_technique_info *info = &list->items[i];
+        for (size_t p = 0; p < info->param_count; p++)
+            free_param(&info->params[p]);
+        free(info->params);
+        free(info->name);
+        free(info->title);
+        free(info->citation);
+        free(info->module);
+    }
+    free(list->items);
+    *list = (struct aob_technique_list){0};
+}

@@ -1,0 +1,50 @@
+#include "registry.h"
+#include <string.h>
+
+static bool is_name(const char *name)
+{
+    if (!name || !(*name >= 'a' && *name <= 'z') || strlen(name) > 40)
+        return false;
+    return strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_") == strlen(name);
+}
+
+static bool judge_param(const struct aob_technique *technique, const struct aob_param *param,
+                        struct aob_error *error)
+{
+    if (!is_name(param->name))
+        return aob_fail(error, "technique '%s': a parameter's name is missing or not lower_snake", technique->name);
+    if (!param->doc || !*param->doc)
+        return aob_fail(error, "technique '%s': parameter '%s' has no sentence", technique->name, param->name);
+    if ((param->type != AOB_FLOAT && param->type != AOB_INT) || (unsigned)param->stage > AOB_HOST ||
+        (unsigned)param->unit > AOB_UNIT_COUNT || param->offset % 4 || param->offset + 4 > technique->values_size)
+        return aob_fail(error, "technique '%s': parameter '%s' has a bad type, stage, unit or offset",
+                        technique->name, param->name);
+    if (param->choices)
+        return param->type == AOB_INT || aob_fail(error, "technique '%s': choice '%s' is not an int32_t",
+                                                  technique->name, param->name);
+    if (!(param->min <= param->initial && param->initial <= param->max))
+        return aob_fail(error, "technique '%s': parameter '%s': the default is outside its bounds",
+                        technique->name, param->name);
+    return true;
+}
+
+bool aob_technique_judge(const struct aob_technique *technique, struct aob_error *error)
+{
+    if (technique->abi >> 16 != AOB_ABI_MAJOR || (technique->abi & 0xffff) > AOB_ABI_MINOR ||
+        technique->size > sizeof *technique)
+        return aob_fail(error, "a technique made for module interface %u.%u, this program has %u.%u",
+                        technique->abi >> 16, technique->abi & 0xffff, AOB_ABI_MAJOR, AOB_ABI_MINOR);
+    if (!is_name(technique->name))
+        return aob_fail(error, "a technique's name is missing or not lower_snake");
+    if (!technique->title || !technique->citation || !technique->build || !technique->shaders)
+        return aob_fail(error, "technique '%s' lacks a title, citation, build() or shaders", technique->name);
+    if (technique->param_count > AOB_MAX_PARAM || technique->values_size > 4 * AOB_MAX_PARAM)
+        return aob_fail(error, "technique '%s' has more than %d parameters", technique->name, AOB_MAX_PARAM);
+    for (uint32_t i = 0; i < technique->param_count; i++)
+        if (!judge_param(technique, &technique->params[i], error))
+            return false;
+    for (const struct aob_shader *s = technique->shaders; s->name; s++)
+        if (!s->text)
+            return aob_fail(error, "technique '%s': shader '%s' has no text", technique->name, s->name);
+    return true;
+}

@@ -1,0 +1,24 @@
+/* Parameter tables and values. A value travels as a double (or a choice's index) until it is packed into the
+ * technique's own struct. */
+#ifndef AOB_TECHNIQUE_PARAM_H
+#define AOB_TECHNIQUE_PARAM_H
+#include <aobudget/technique.h>
+#include "base/error.h"
+#include "base/text.h"
+
+const struct aob_param *aob_param_find(const struct aob_param *params, size_t count, const char *name); /* or NULL */
+
+/* Strictly: the whole text one number within bounds (whole for an int), or one of the choices. The error line
+ * says what is allowed; it does not name technique or file. */
+bool aob_param_parse(const struct aob_param *param, const char *text, double *value, struct aob_error *error);
+
+/* Shortest text that parses back to the same float or int; a choice by its name. */
+void aob_param_print(const struct aob_param *param, double value, struct aob_text *text);
+
+void aob_param_defaults(const struct aob_param *params, size_t count, double *values);
+
+/* Into the struct that the table's offsets index; `size` bytes, zeroed first. */
+void aob_param_pack(const struct aob_param *params, size_t count, const double *values, void *into, size_t size);
+
+const char *aob_unit_name(enum aob_unit unit); /* "scene units", "pixels", "rad", "" */
+#endif

@@ -1,0 +1,68 @@
+/* Jimenez et al. 2016, horizon search and inner integral, with four corrections that the text needs to be exact
+ * off-centre (docs/techniques: gtao): slices even about the view vector, taps below the tangent plane ignored,
+ * a search as long as the slice's disc, and the ratio to the open slice. */
+#include "common/noise.glsl"
+#include "common/frame.glsl"
+
+/* Image position where the search along unit direction t (perpendicular to the view vector v) ends: the ball of
+ * radius r about the surface point ends there for a ray of this slice. */
+vec2 search_end(vec3 position, vec3 v, vec3 t, float r)
+{
+#if AOB_PERSPECTIVE
+    float s = min(1.0, r / length(position));
+    float a = asin(s);
+    float limit = t.z > 0.0 ? atan(0.98 * v.z, t.z) : 0.5 * AOB_PI - 1e-3; /* stay in front of the eye */
+    a = min(a, limit);
+    return aob_project(-v * cos(a) + t * sin(a));
+#else
+    return aob_project(position + t * r);
+#endif
+}
+
+/* The inner integral of the text for one side, horizon h and projected normal n in the slice (radians). */
+float arc(float h, float n)
+{
+    return 0.25 * (cos(n) + 2.0 * h * sin(n) - cos(2.0 * h - n));
+}
+
+/* Largest cosine of the elevation about v over the taps of one side; -1 if nothing occludes. */
+float horizon_cosine(ivec2 p, vec3 position, vec3 normal, vec3 v, vec2 end, float jitter, float floor_cosine)
+{
+    vec2 start = vec2(p) + 0.5;
+    float best = -1.0;
+    for (int i = 0; i < STEPS; i++) {
+        ivec2 q = ivec2(floor(mix(start, end, (float(i) + jitter) / float(STEPS))));
+        vec3 d = aob_position(q) - position;
+        float l = length(d);
+        float weight = clamp((param.radius - l) / (param.falloff * param.radius + 1e-6 * l), 0.0, 1.0);
+        bool below = dot(d, normal) <= 1e-5 * l - 1e-6 * position.z;
+        float c = mix(floor_cosine, dot(d, v) / max(l, 1e-20), weight);
+        best = max(best, below || weight <= 0.0 ? -1.0 : c);
+    }
+    return best;
+}
+
+void main()
+{
+    ivec2 p = aob_pixel;
+    vec3 position = aob_position(p), normal = aob_normal(p), v = aob_view_vector(position), b1, b2;
+    tangent_frame(v, b1, b2);
+    float open = 0.0, total = 0.0;
+    for (int slice = 0; slice < SLICES; slice++) {
+        float psi = AOB_PI * (float(slice) + noise_rotation(p)) / float(SLICES);
+        float jitter = fract(noise_offset(p) + 0.125 + 0.618034 * float(slice));
+        vec3 t = b1 * cos(psi) + b2 * sin(psi);
+        vec2 projected = vec2(dot(normal, t), dot(normal, v));
+        float len = length(projected), n = atan(projected.x, projected.y);
+        /* A tap's weight fades it towards the slice's own tangent, where it occludes nothing. */
+        float plus = horizon_cosine(p, position, normal, v, search_end(position, v, t, param.radius), jitter,
+                                    cos(n + 0.5 * AOB_PI));
+        float minus = horizon_cosine(p, position, normal, v, search_end(position, v, -t, param.radius), jitter,
+                                     cos(n - 0.5 * AOB_PI));
+        float h1 = min(acos(clamp(plus, -1.0, 1.0)), n + 0.5 * AOB_PI);
+        float h0 = max(-acos(clamp(minus, -1.0, 1.0)), n - 0.5 * AOB_PI);
+        open += len * (arc(h0, n) + arc(h1, n));
+        total += len * (cos(n) + n * sin(n));
+    }
+    visibility = aob_is_sky(p) ? 1.0 : clamp(open / max(total, 1e-6), 0.0, 1.0);
+}

@@ -1,0 +1,50 @@
+/* Ground-truth ambient occlusion: Jimenez, Wu, Pesce, Jarabo, "Practical Real-Time Strategies for Accurate
+ * Indirect Occlusion", ATVI-TR-19-01. Horizons on both sides of each slice, closed-form inner integral. */
+#include <aobudget/steps.h>
+#include <math.h>
+#include "shaders.h"
+
+struct values {
+    float radius, falloff;
+    int32_t slices, steps, blur;
+};
+
+static const struct aob_param params[] = {
+    AOB_PARAM(struct values, radius, .unit = AOB_UNIT_LENGTH, .scale = AOB_LOG2, .min = 1e-6, .max = 1e6,
+              .initial = 0.5, .doc = "Farthest distance of an occluder; more darkens more and from farther."),
+    AOB_PARAM(struct values, falloff, .min = 0, .max = 1, .initial = 0,
+              .doc = "Share of the radius over which occlusion fades out; 0 is the hard cutoff."),
+    AOB_PARAM(struct values, slices, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT, .min = 1,
+              .max = 4096, .initial = 3, .doc = "Slices about the view vector (the text's sliceCount); more lowers noise."),
+    AOB_PARAM(struct values, steps, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT, .min = 1,
+              .max = 1024, .initial = 6,
+              .doc = "Taps on each side of a slice (directionSampleCount); more finds horizons more exactly."),
+    AOB_PARAM_BLUR(struct values, blur, 5),
+};
+
+static float falloff(const void *values, float t)
+{
+    const struct values *v = values;
+    return v->falloff > 0 ? fminf(1, (1 - t) / v->falloff) : 1;
+}
+
+static bool check(const void *values, const char **why)
+{
+    const struct values *v = values;
+    return aob_step_blur_check(v->blur, why);
+}
+
+static bool build(struct aob_graph *graph, const void *values)
+{
+    const struct values *v = values;
+    aob_tex raw = aob_texture(graph, .name = "visibility", .format = AOB_R16F);
+    return aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL,
+                       .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}}) &&
+           aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur));
+}
+
+AOB_TECHNIQUE(gtao, .title = "Ground-truth ambient occlusion", .revision = 1, .shaders = aob_shaders_gtao,
+              .citation = "Jimenez, Wu, Pesce, Jarabo: Practical Real-Time Strategies for Accurate Indirect "
+                          "Occlusion, ATVI-TR-19-01 (2016)",
+              .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
+              .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff}, .check = check, .build = build);

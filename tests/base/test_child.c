@@ -1,0 +1,235 @@
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "base/child.h"
+#include "base/memory.h"
+#include "base/text.h"
+
+struct lines {
+    struct aob_text text; /* lines joined by '|' */
+    size_t count, longest;
+};
+
+static void keep_line(void *user, const char *line)
+{
+    struct lines *lines = user;
+    size_t size = strlen(line);
+    lines->count++;
+    lines->longest = size > lines->longest ? size : lines->longest;
+    if (size < 1000)
+        aob_text_add(&lines->text, "%s|", line);
+}
+
+static struct aob_child_result run_shell(const char *script, struct aob_child_desc desc, struct lines *lines)
+{
+    const char *argv[] = {"/bin/sh", "-c", script, NULL};
+    struct aob_child_result result;
+    struct aob_error error = {""};
+    desc.argv = argv;
+    desc.on_line = lines ? keep_line : NULL;
+    desc.user = lines;
+    if (!aob_child_run(&desc, &result, &error))
+        fail_msg("%s", error.text);
+    return result;
+}
+
+static void gives_lines_and_exit_code(void **state)
+{
+    (void)state;
+    struct lines lines = {0};
+    struct aob_child_result result =
+        run_shell("echo one; echo; echo two; printf three; exit 7", (struct aob_child_desc){0}, &lines);
+    assert_int_equal(result.exit_code, 7);
+    assert_int_equal(result.signal, 0);
+    assert_false(result.timed_out);
+    assert_string_equal(lines.text.data, "one||two|three|");
+    assert_string_equal(result.complaint, "");
+    aob_text_finish(&lines.text);
+}
+
+static void feeds_big_input_and_takes_long_lines(void **state)
+{
+    (void)state;
+    size_t size = 8u << 20;
+    char *input = aob_alloc(size + 1, 1);
+    memset(input, 'x', size);
+    input[0] = input[size - 1] = '\n';
+    struct lines lines = {0};
+    struct aob_child_result result =
+        run_shell("cat", (struct aob_child_desc){.input = input, .input_size = size}, &lines);
+    assert_int_equal(result.exit_code, 0);
+    assert_int_equal(lines.count, 2);
+    assert_int_equal(lines.longest, size - 2);
+    aob_text_finish(&lines.text);
+    free(input);
+}
+
+static void ignores_input_that_is_not_read(void **state)
+{
+    (void)state;
+    size_t size = 1u << 20;
+    char *input = aob_alloc(size, 1);
+    struct aob_child_desc desc = {.input = input, .input_size = size};
+    assert_int_equal(run_shell("exit 0", desc, NULL).exit_code, 0);
+    free(input);
+}
+
+static void empty_input_ends_at_once(void **state)
+{
+    (void)state;
+    assert_int_equal(run_shell("! read line", (struct aob_child_desc){.timeout_s = 10}, NULL).exit_code, 0);
+}
+
+static void sets_environment(void **state)
+{
+    (void)state;
+    setenv("AOB_TEST_OLD", "old", 1);
+    setenv("AOB_TEST_KEPT", "kept", 1);
+    const char *env[] = {"AOB_TEST_OLD=new", "AOB_TEST_MORE=a=b", NULL};
+    struct lines lines = {0};
+    run_shell("echo $AOB_TEST_OLD $AOB_TEST_MORE $AOB_TEST_KEPT", (struct aob_child_desc){.env = env},
+              &lines);
+    assert_string_equal(lines.text.data, "new a=b kept|");
+    assert_string_equal(getenv("AOB_TEST_OLD"), "old");
+    aob_text_finish(&lines.text);
+}
+
+static void kills_at_the_time_limit(void **state)
+{
+    (void)state;
+    struct aob_child_desc desc = {.timeout_s = 0.2};
+    struct lines lines = {0};
+    struct aob_child_result result = run_shell("echo begin; printf part; sleep 100", desc, &lines);
+    assert_true(result.timed_out);
+    assert_int_equal(result.exit_code, -1);
+    assert_string_equal(lines.text.data, "begin|");
+    char text[256];
+    aob_child_explain(&desc, &result, text, sizeof text);
+    assert_string_equal(text, "took longer than 0.2 s");
+    aob_text_finish(&lines.text);
+}
+
+static void kills_a_child_that_closed_its_outputs(void **state)
+{
+    (void)state;
+    struct aob_child_desc desc = {.timeout_s = 0.2};
+    assert_true(run_shell("exec >&- 2>&-; sleep 100", desc, NULL).timed_out);
+}
+
+static void kills_a_child_that_floods(void **state)
+{
+    (void)state;
+    struct aob_child_desc desc = {.timeout_s = 0.2};
+    assert_true(run_shell("exec cat /dev/zero", desc, NULL).timed_out);
+}
+
+static void reports_a_crash(void **state)
+{
+    (void)state;
+    struct aob_child_desc desc = {0};
+    struct aob_child_result result = run_shell("echo last words >&2; kill -SEGV $$", desc, NULL);
+    assert_int_equal(result.signal, SIGSEGV);
+    assert_int_equal(result.exit_code, -1);
+    char text[256];
+    aob_child_explain(&desc, &result, text, sizeof text);
+    assert_string_equal(text, "crashed (signal 11, segmentation fault): last words");
+}
+
+static void prefers_the_complaint_that_says_error(void **state)
+{
+    (void)state;
+    struct aob_child_desc desc = {0};
+    struct aob_child_result result =
+        run_shell("(echo hello; echo 'Error: broken'; echo bye; echo) >&2; exit 2", desc, NULL);
+    assert_string_equal(result.complaint, "Error: broken");
+    char text[256];
+    aob_child_explain(&desc, &result, text, sizeof text);
+    assert_string_equal(text, "exit code 2: Error: broken");
+}
+
+static void cuts_a_long_complaint(void **state)
+{
+    (void)state;
+    struct aob_child_result result =
+        run_shell("head -c 100000 /dev/zero | tr '\\0' 'e' >&2", (struct aob_child_desc){0}, NULL);
+    assert_int_equal(strlen(result.complaint), sizeof result.complaint - 1);
+}
+
+static void leaves_no_grandchild(void **state)
+{
+    (void)state;
+    struct lines lines = {0};
+    run_shell("sleep 100 & echo $!", (struct aob_child_desc){.timeout_s = 20}, &lines);
+    pid_t grandchild = (pid_t)strtol(lines.text.data, NULL, 10);
+    assert_true(grandchild > 1);
+    /* It may stay a zombie for as long as this machine's init takes; what counts is that it does not run. */
+    char path[64], stat[256] = "";
+    snprintf(path, sizeof path, "/proc/%d/stat", (int)grandchild);
+    for (int i = 0; i < 500; i++) {
+        FILE *file = fopen(path, "r");
+        bool gone = !file || !fgets(stat, sizeof stat, file) || strstr(stat, ") Z ") || strstr(stat, ") X ");
+        if (file)
+            fclose(file);
+        if (gone)
+            break;
+        usleep(10000);
+        assert_int_not_equal(i, 499);
+    }
+    aob_text_finish(&lines.text);
+}
+
+static void limits_memory(void **state)
+{
+    (void)state;
+#ifdef __SANITIZE_ADDRESS__
+    skip();
+#endif
+    const char *argv[] = {"/proc/self/exe", "eat", NULL};
+    struct aob_child_result result;
+    struct aob_child_desc desc = {.argv = argv, .memory_limit = (size_t)512 << 20};
+    assert_true(aob_child_run(&desc, &result, NULL));
+    assert_int_equal(result.exit_code, 1);
+    desc.memory_limit = 0;
+    assert_true(aob_child_run(&desc, &result, NULL));
+    assert_int_equal(result.exit_code, 0);
+}
+
+static void refuses_a_missing_program(void **state)
+{
+    (void)state;
+    const char *argv[] = {"/nowhere/program", NULL};
+    struct aob_child_result result;
+    struct aob_error error = {""};
+    assert_false(aob_child_run(&(struct aob_child_desc){.argv = argv}, &result, &error));
+    assert_string_equal(error.text, "/nowhere/program: cannot start this program: No such file or directory");
+}
+
+int main(int argc, char **argv)
+{
+    if (argc > 1 && !strcmp(argv[1], "eat"))
+        return malloc((size_t)1 << 30) ? 0 : 1;
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(gives_lines_and_exit_code),
+        cmocka_unit_test(feeds_big_input_and_takes_long_lines),
+        cmocka_unit_test(ignores_input_that_is_not_read),
+        cmocka_unit_test(empty_input_ends_at_once),
+        cmocka_unit_test(sets_environment),
+        cmocka_unit_test(kills_at_the_time_limit),
+        cmocka_unit_test(kills_a_child_that_closed_its_outputs),
+        cmocka_unit_test(kills_a_child_that_floods),
+        cmocka_unit_test(reports_a_crash),
+        cmocka_unit_test(prefers_the_complaint_that_says_error),
+        cmocka_unit_test(cuts_a_long_complaint),
+        cmocka_unit_test(leaves_no_grandchild),
+        cmocka_unit_test(limits_memory),
+        cmocka_unit_test(refuses_a_missing_program),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
