@@ -64,8 +64,10 @@ static void fail_with_log(struct aob_error *error, enum aob_glsl_stage stage, co
     const char *line = found ? found + strlen(mark) : log && *log ? log : "glslang gives no reason";
     bool numbered = found && !strncmp(line, "0:", 2);
     line += numbered ? 2 : 0;
-    aob_fail(error, "%s shader, %s%.*s", stage_names[stage], numbered ? "line " : "",
-             (int)strcspn(line, "\r\n"), line);
+    size_t size = strcspn(line, "\r\n");
+    while (size && line[size - 1] == ' ')
+        size--;
+    aob_fail(error, "%s shader, %s%.*s", stage_names[stage], numbered ? "line " : "", (int)size, line);
 }
 
 static uint32_t *generate(glslang_program_t *program, enum aob_glsl_stage stage, size_t *word_count)

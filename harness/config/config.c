@@ -1,0 +1,370 @@
+#include "config.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "yaml.h"
+
+void aob_config_init(struct aob_config *config)
+{
+    *config = (struct aob_config){
+        .measure_time = true, .measure_error = true, .images = true, .seconds = 1.5, .spp = 256};
+}
+
+void aob_axis_add(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name, const char *value)
+{
+    struct aob_axis *axis = AOB_PUSH(*axes, *count, *capacity);
+    axis->name = aob_strdup(name);
+    axis->values = AOB_NEW(struct aob_value);
+    axis->values->text = aob_strdup(value);
+    axis->count = 1;
+}
+
+struct axis_reader { /* one axis while it is read */
+    struct aob_axis *axis;
+    size_t capacity;
+    double from, to, step, log2;
+    const yaml_node_t *node;
+};
+
+static bool add_axis_value(struct aob_yaml *yaml, yaml_node_t *node, void *user)
+{
+    struct axis_reader *reader = user;
+    const char *text;
+    if (!aob_yaml_text(yaml, node, &text))
+        return false;
+    *AOB_PUSH(reader->axis->values, reader->axis->count, reader->capacity) = aob_yaml_value(node, text);
+    return true;
+}
+
+static bool read_axis_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
+{
+    struct axis_reader *reader = user;
+    const char *text;
+    if (strcmp(key, "param") == 0) {
+        if (!aob_yaml_text(yaml, node, &text))
+            return false;
+        reader->axis->name = aob_strdup(text);
+        return true;
+    }
+    if (strcmp(key, "values") == 0)
+        return aob_yaml_sequence(yaml, node, add_axis_value, reader);
+    double *into = strcmp(key, "from") == 0   ? &reader->from
+                   : strcmp(key, "to") == 0   ? &reader->to
+                   : strcmp(key, "step") == 0 ? &reader->step
+                                              : &reader->log2;
+    return aob_yaml_number(yaml, node, into == &reader->step || into == &reader->log2 ? 1e-9 : -1e12, 1e12, into);
+}
+
+static bool expand_range(struct aob_yaml *yaml, struct axis_reader *reader)
+{
+    bool linear = !isnan(reader->step), log = !isnan(reader->log2);
+    if (isnan(reader->from) || isnan(reader->to) || linear == log)
+        return aob_yaml_fail(yaml, reader->node, "an axis needs values, or from and to with one of step and log2");
+    if (reader->to < reader->from || (log && reader->from <= 0))
+        return aob_yaml_fail(yaml, reader->node, "the range is empty: from must not exceed to (and log2 needs from > 0)");
+    double factor = log ? exp2(reader->log2) : 1, value = reader->from;
+    for (int i = 0; value <= reader->to * (1 + 1e-9) + 1e-12; i++) {
+        char text[32];
+        if (i == 1000)
+            return aob_yaml_fail(yaml, reader->node, "the range has more than 1000 values");
+        snprintf(text, sizeof text, "%.9g", value);
+        *AOB_PUSH(reader->axis->values, reader->axis->count, reader->capacity) = aob_yaml_value(reader->node, text);
+        value = log ? reader->from * pow(factor, i + 1) : reader->from + reader->step * (i + 1);
+    }
+    return true;
+}
+
+static bool read_sweep_axis(struct aob_yaml *yaml, yaml_node_t *node, void *user)
+{
+    static const char *const keys[] = {"param", "values", "from", "to", "step", "log2", NULL};
+    struct aob_technique_choice *choice = user;
+    struct aob_axis *axis = AOB_PUSH(choice->axes, choice->axis_count, choice->axis_capacity);
+    axis->line = (int)node->start_mark.line + 1;
+    axis->column = (int)node->start_mark.column + 1;
+    struct axis_reader reader = {.axis = axis, .from = NAN, .to = NAN, .step = NAN, .log2 = NAN, .node = node};
+    if (!aob_yaml_mapping(yaml, node, keys, read_axis_entry, &reader))
+        return false;
+    if (!axis->name)
+        return aob_yaml_fail(yaml, node, "an axis needs param: NAME");
+    return axis->count ? true : expand_range(yaml, &reader);
+}
+
+struct axes { /* a mapping of name: value or name: [values] */
+    struct aob_axis **items;
+    size_t *count, *capacity;
+};
+
+static bool read_named_axis(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
+{
+    struct axes *axes = user;
+    struct aob_axis *axis = AOB_PUSH(*axes->items, *axes->count, *axes->capacity);
+    axis->name = aob_strdup(key);
+    axis->line = (int)node->start_mark.line + 1;
+    axis->column = (int)node->start_mark.column + 1;
+    struct axis_reader reader = {.axis = axis};
+    return aob_yaml_sequence(yaml, node, add_axis_value, &reader) &&
+           (axis->count || aob_yaml_fail(yaml, node, "'%s' has no value", key));
+}
+
+static bool read_technique_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
+{
+    struct aob_technique_choice *choice = user;
+    const char *text;
+    if (strcmp(key, "name") == 0) {
+        if (!aob_yaml_text(yaml, node, &text))
+            return false;
+        choice->name = aob_yaml_value(node, text);
+        return true;
+    }
+    struct axes axes = {&choice->axes, &choice->axis_count, &choice->axis_capacity};
+    if (strcmp(key, "params") == 0)
+        return aob_yaml_mapping(yaml, node, NULL, read_named_axis, &axes);
+    return aob_yaml_sequence(yaml, node, read_sweep_axis, choice);
+}
+
+static bool read_technique(struct aob_yaml *yaml, yaml_node_t *node, void *user)
+{
+    static const char *const keys[] = {"name", "params", "sweep", NULL};
+    struct aob_config *config = user;
+    struct aob_technique_choice *choice =
+        AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity);
+    return aob_yaml_mapping(yaml, node, keys, read_technique_entry, choice) &&
+           (choice->name.text || aob_yaml_fail(yaml, node, "a technique needs name: NAME"));
+}
+
+struct scene_reader {
+    struct aob_config *config;
+    struct aob_scene_choice choice; /* what all views of the entry share; owns its texts */
+    char **views;
+    size_t view_count, view_capacity;
+    bool eye, target;
+};
+
+static bool add_view(struct aob_yaml *yaml, yaml_node_t *node, void *user)
+{
+    struct scene_reader *reader = user;
+    const char *text;
+    if (!aob_yaml_text(yaml, node, &text))
+        return false;
+    *AOB_PUSH(reader->views, reader->view_count, reader->view_capacity) = aob_strdup(text);
+    return true;
+}
+
+static bool read_scene_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
+{
+    struct scene_reader *reader = user;
+    struct aob_scene_choice *choice = &reader->choice;
+    const char *text;
+    if (strcmp(key, "name") == 0 || strcmp(key, "file") == 0) {
+        if (!aob_yaml_text(yaml, node, &text))
+            return false;
+        *(key[0] == 'n' ? &choice->name : &choice->file) = aob_strdup(text);
+        return true;
+    }
+    if (strcmp(key, "view") == 0 || strcmp(key, "views") == 0)
+        return aob_yaml_sequence(yaml, node, add_view, reader);
+    if (strcmp(key, "eye") == 0)
+        return (reader->eye = true) && aob_yaml_vec3(yaml, node, choice->eye);
+    if (strcmp(key, "target") == 0)
+        return (reader->target = true) && aob_yaml_vec3(yaml, node, choice->target);
+    if (strcmp(key, "fov_deg") == 0)
+        return aob_yaml_number(yaml, node, 1, 170, &choice->fov_deg);
+    choice->ortho = true;
+    return aob_yaml_number(yaml, node, 1e-9, 1e12, &choice->ortho_height);
+}
+
+static void push_scene(struct scene_reader *reader, const char *view)
+{
+    struct aob_scene_choice *copy =
+        AOB_PUSH(reader->config->scenes, reader->config->scene_count, reader->config->scene_capacity);
+    *copy = reader->choice;
+    copy->name = aob_strdup(reader->choice.name);
+    copy->file = aob_strdup(reader->choice.file);
+    copy->view = aob_strdup(view);
+}
+
+static bool judge_scene(struct aob_yaml *yaml, const yaml_node_t *node, struct scene_reader *reader)
+{
+    if (!reader->choice.name == !reader->choice.file)
+        return aob_yaml_fail(yaml, node, "a scene needs either name: SCENE or file: MESH");
+    if (reader->eye != reader->target)
+        return aob_yaml_fail(yaml, node, "a camera needs both eye and target");
+    if (reader->choice.file && reader->view_count)
+        return aob_yaml_fail(yaml, node, "a mesh file has no named views: give eye, target and fov_deg");
+    if (reader->eye && reader->view_count)
+        return aob_yaml_fail(yaml, node, "give a view or a camera, not both");
+    return true;
+}
+
+static bool read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
+{
+    static const char *const keys[] = {"name",   "file",    "view",         "views", "eye",
+                                       "target", "fov_deg", "ortho_height", NULL};
+    struct scene_reader reader = {.config = user, .choice = {.fov_deg = 60}};
+    bool ok = aob_yaml_mapping(yaml, node, keys, read_scene_entry, &reader) && judge_scene(yaml, node, &reader);
+    reader.choice.has_camera = reader.eye;
+    reader.choice.line = (int)node->start_mark.line + 1;
+    reader.choice.column = (int)node->start_mark.column + 1;
+    for (size_t i = 0; ok && i < reader.view_count; i++)
+        push_scene(&reader, reader.views[i]);
+    if (ok && !reader.view_count)
+        push_scene(&reader, NULL);
+    for (size_t i = 0; i < reader.view_count; i++)
+        free(reader.views[i]);
+    free(reader.views);
+    free(reader.choice.name);
+    free(reader.choice.file);
+    return ok;
+}
+
+static bool read_size(struct aob_yaml *yaml, yaml_node_t *node, void *user)
+{
+    struct aob_config *config = user;
+    struct aob_size *size = AOB_PUSH(config->sizes, config->size_count, config->size_capacity);
+    const char *text;
+    if (!aob_yaml_text(yaml, node, &text))
+        return false;
+    return aob_parse_size(text, &size->width, &size->height) ||
+           aob_yaml_fail(yaml, node, "'%s' is not WIDTHxHEIGHT with 1 .. 16384 pixels each", text);
+}
+
+static bool read_backend(struct aob_yaml *yaml, yaml_node_t *node, void *user)
+{
+    struct aob_config *config = user;
+    const char *text;
+    if (!aob_yaml_text(yaml, node, &text))
+        return false;
+    *AOB_PUSH(config->backends, config->backend_count, config->backend_capacity) = aob_yaml_value(node, text);
+    return true;
+}
+
+static bool read_measure_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
+{
+    struct aob_config *config = user;
+    if (strcmp(key, "seconds") == 0)
+        return aob_yaml_number(yaml, node, 0.01, 3600, &config->seconds);
+    bool *into = strcmp(key, "time") == 0    ? &config->measure_time
+                 : strcmp(key, "error") == 0 ? &config->measure_error
+                                             : &config->images;
+    return aob_yaml_bool(yaml, node, into);
+}
+
+static bool read_reference_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
+{
+    struct aob_config *config = user;
+    double spp;
+    if (strcmp(key, "radius") == 0)
+        return aob_yaml_number(yaml, node, 1e-9, INFINITY, &config->reference_radius);
+    if (!aob_yaml_number(yaml, node, 2, 65536, &spp))
+        return false;
+    config->spp = (int)spp;
+    return (spp == config->spp && config->spp % 2 == 0) ||
+           aob_yaml_fail(yaml, node, "spp must be an even whole number: it is traced as two halves");
+}
+
+static bool read_name(struct aob_yaml *yaml, const yaml_node_t *node, struct aob_config *config)
+{
+    const char *text;
+    if (!aob_yaml_text(yaml, node, &text))
+        return false;
+    if (strlen(text) > 60 || strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") != strlen(text))
+        return aob_yaml_fail(yaml, node, "a name is at most 60 letters, digits, - and _");
+    config->name = aob_strdup(text);
+    return true;
+}
+
+static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
+{
+    static const char *const measure_keys[] = {"time", "error", "images", "seconds", NULL};
+    static const char *const reference_keys[] = {"spp", "radius", NULL};
+    struct aob_config *config = user;
+    struct axes options = {&config->options, &config->option_count, &config->option_capacity};
+    if (strcmp(key, "name") == 0)
+        return read_name(yaml, node, config);
+    if (strcmp(key, "scenes") == 0)
+        return aob_yaml_sequence(yaml, node, read_scene, config);
+    if (strcmp(key, "resolutions") == 0)
+        return aob_yaml_sequence(yaml, node, read_size, config);
+    if (strcmp(key, "backends") == 0)
+        return aob_yaml_sequence(yaml, node, read_backend, config);
+    if (strcmp(key, "options") == 0)
+        return aob_yaml_mapping(yaml, node, NULL, read_named_axis, &options);
+    if (strcmp(key, "techniques") == 0)
+        return aob_yaml_sequence(yaml, node, read_technique, config);
+    if (strcmp(key, "measure") == 0)
+        return aob_yaml_mapping(yaml, node, measure_keys, read_measure_entry, config);
+    return aob_yaml_mapping(yaml, node, reference_keys, read_reference_entry, config);
+}
+
+static bool judge_config(const struct aob_config *config, struct aob_error *error)
+{
+    const char *missing = !config->name              ? "name"
+                          : !config->scene_count     ? "scenes"
+                          : !config->size_count      ? "resolutions"
+                          : !config->backend_count   ? "backends"
+                          : !config->technique_count ? "techniques"
+                                                     : NULL;
+    return !missing || aob_fail(error, "%s: '%s' is missing or empty", config->path, missing);
+}
+
+bool aob_config_read(struct aob_config *config, const char *path, struct aob_error *error)
+{
+    static const char *const keys[] = {"name",       "scenes",  "resolutions", "backends", "options",
+                                       "techniques", "measure", "reference",   NULL};
+    struct aob_yaml yaml;
+    size_t size;
+    aob_config_init(config);
+    char *text = aob_file_read(path, 1 << 20, &size, error);
+    if (!text)
+        return false;
+    bool ok = aob_yaml_load(&yaml, path, text, size, error);
+    if (ok) {
+        config->path = aob_strdup(path);
+        aob_hash_bytes(text, size, config->hash);
+        ok = aob_yaml_mapping(&yaml, yaml_document_get_root_node(&yaml.document), keys, read_config_entry, config) &&
+             judge_config(config, error);
+        aob_yaml_finish(&yaml);
+    }
+    free(text);
+    if (!ok)
+        aob_config_finish(config);
+    return ok;
+}
+
+static void free_axes(struct aob_axis *axes, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        for (size_t v = 0; v < axes[i].count; v++)
+            free(axes[i].values[v].text);
+        free(axes[i].values);
+        free(axes[i].name);
+    }
+    free(axes);
+}
+
+void aob_config_finish(struct aob_config *config)
+{
+    for (size_t i = 0; i < config->scene_count; i++) {
+        free(config->scenes[i].name);
+        free(config->scenes[i].file);
+        free(config->scenes[i].view);
+    }
+    for (size_t i = 0; i < config->backend_count; i++)
+        free(config->backends[i].text);
+    for (size_t i = 0; i < config->technique_count; i++) {
+        free(config->techniques[i].name.text);
+        free_axes(config->techniques[i].axes, config->techniques[i].axis_count);
+    }
+    free_axes(config->options, config->option_count);
+    free(config->scenes);
+    free(config->sizes);
+    free(config->backends);
+    free(config->techniques);
+    free(config->name);
+    free(config->path);
+    *config = (struct aob_config){0};
+}

@@ -1,0 +1,82 @@
+/* The config of a run, as text with positions: what the file says, in shape checked, in values not yet (values of
+ * parameters are judged by the plan, which knows the tables). Lengths in the scene's units.
+ *
+ *   name: demo                       # letters, digits, - and _
+ *   scenes:                          # a listed scene, with views (default: its first), or a mesh file
+ *     - {name: corner, views: [front, far]}
+ *     - {name: bunny, view: front}
+ *     - {file: my.ply, eye: [0, 1, 4], target: [0, 1, 0], fov_deg: 60}
+ *   resolutions: [480x270]
+ *   backends: [vulkan, gl-egl]
+ *   options: {guard_band: 64, fetch: [sampled, storage]}   # a list is an axis of the sweep
+ *   techniques:
+ *     - name: gtao
+ *       params: {blur: 0}            # fixed values
+ *       sweep:                       # axes, expanded as a product
+ *         - {param: radius, from: 0.25, to: 2, log2: 1}    # steps of a factor 2^1; or step: 0.25
+ *         - {param: slices, values: [1, 3]}
+ *   measure: {time: true, error: true, images: true, seconds: 1.5}   # seconds of timing a case, at most
+ *   reference: {spp: 256, radius: 1} # radius: for techniques without one; "inf" allowed
+ */
+#ifndef AOB_CONFIG_CONFIG_H
+#define AOB_CONFIG_CONFIG_H
+#include <stdbool.h>
+#include <stddef.h>
+#include "base/error.h"
+#include "base/hash.h"
+
+struct aob_value { /* one scalar of the file */
+    char *text;
+    int line, column; /* from 1; 0: from the command line */
+};
+struct aob_axis { /* values that a parameter or option takes in turn */
+    char *name;
+    struct aob_value *values;
+    size_t count;
+    int line, column;
+};
+struct aob_scene_choice {
+    char *name, *file;        /* one of the two */
+    char *view;               /* listed view, or NULL */
+    bool has_camera, ortho;
+    double eye[3], target[3];
+    double fov_deg, ortho_height;
+    int line, column;
+};
+struct aob_technique_choice {
+    struct aob_value name;
+    struct aob_axis *axes; /* fixed values are axes of one */
+    size_t axis_count, axis_capacity;
+};
+struct aob_config {
+    char *path; /* as given; for messages */
+    char *name;
+    char hash[AOB_KEY_SIZE]; /* of the file's bytes */
+    struct aob_scene_choice *scenes; /* one entry a view */
+    size_t scene_count, scene_capacity;
+    struct aob_size {
+        int width, height;
+    } *sizes;
+    size_t size_count, size_capacity;
+    struct aob_value *backends;
+    size_t backend_count, backend_capacity;
+    struct aob_axis *options;
+    size_t option_count, option_capacity;
+    struct aob_technique_choice *techniques;
+    size_t technique_count, technique_capacity;
+    bool measure_time, measure_error, images;
+    double seconds;          /* of timing, a case */
+    int spp;                 /* rays a pixel of the reference, even */
+    double reference_radius; /* scene units; 0: 1 metre in the scene's units */
+};
+
+/* A YAML file. On false the line is FILE:LINE:COLUMN: what, and what is allowed; the config is empty. */
+bool aob_config_read(struct aob_config *config, const char *path, struct aob_error *error);
+void aob_config_finish(struct aob_config *config);
+
+/* The defaults that a file starts from: nothing chosen, time, error and images measured, 1.5 s, 256 spp. */
+void aob_config_init(struct aob_config *config);
+
+/* Put one axis of one value; for the command line. */
+void aob_axis_add(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name, const char *value);
+#endif

@@ -1,0 +1,188 @@
+#include "frame.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "prelude.h"
+
+bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struct aob_gbuffer *gbuffer,
+                     struct aob_error *error)
+{
+    int w = gbuffer->projection.width, h = gbuffer->projection.height;
+    *screen = (struct aob_screen){.gpu = gpu, .gbuffer = gbuffer};
+    screen->depth = aob_gpu_texture_create(gpu, AOB_R32F, w, h, gbuffer->depth, error);
+    screen->normal = screen->depth ? aob_gpu_texture_create(gpu, AOB_RGBA32F, w, h, gbuffer->normal, error) : NULL;
+    if (!screen->normal) {
+        aob_screen_finish(screen);
+        return false;
+    }
+    return true;
+}
+
+void aob_screen_finish(struct aob_screen *screen)
+{
+    if (screen->gpu) {
+        aob_gpu_texture_destroy(screen->gpu, screen->normal);
+        aob_gpu_texture_destroy(screen->gpu, screen->depth);
+    }
+    *screen = (struct aob_screen){0};
+}
+
+static bool create_textures(struct aob_frame *frame, struct aob_error *error)
+{
+    const struct aob_projection *view = &frame->screen->gbuffer->projection;
+    for (int i = 0; i < frame->graph.texture_count; i++) {
+        const struct aob_graph_texture *texture = &frame->graph.textures[i];
+        int w, h;
+        if (!texture->used)
+            continue;
+        aob_graph_texture_size(texture, view->width, view->height, &w, &h);
+        frame->textures[i] = aob_gpu_texture_create(frame->screen->gpu, texture->format, w, h, NULL, error);
+        if (!frame->textures[i])
+            return aob_fail_in(error, "texture '%s'", texture->name);
+        frame->memory_bytes += (size_t)w * (size_t)h * aob_gpu_texel_size(texture->format);
+    }
+    return true;
+}
+
+static struct aob_gpu_bind make_bind(enum aob_gpu_bind_kind kind, int binding, enum aob_filter filter,
+                                     const struct aob_gpu_texture *texture)
+{
+    return (struct aob_gpu_bind){kind, (uint32_t)binding, filter, texture};
+}
+
+static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph_pass *pass, enum aob_fetch fetch,
+                           struct aob_gpu_bind binds[AOB_MAX_IN + 2])
+{
+    enum aob_gpu_bind_kind kind = fetch == AOB_FETCH_STORAGE ? AOB_GPU_STORAGE : AOB_GPU_SAMPLED;
+    size_t count = 0;
+    if (pass->reads & AOB_DEPTH)
+        binds[count++] = make_bind(kind, AOB_BINDING_DEPTH, AOB_NEAREST, frame->screen->depth);
+    if (pass->reads & AOB_NORMAL)
+        binds[count++] = make_bind(kind, AOB_BINDING_NORMAL, AOB_NEAREST, frame->screen->normal);
+    for (int i = 0; i < pass->in_count; i++)
+        binds[count++] = make_bind(pass->in[i].filter == AOB_BILINEAR ? AOB_GPU_SAMPLED : kind,
+                                   AOB_BINDING_FIRST_INPUT + i, pass->in[i].filter,
+                                   frame->textures[pass->in[i].texture]);
+    return count;
+}
+
+static bool create_pass(struct aob_frame *frame, int index, const void *values, enum aob_fetch fetch,
+                        struct aob_error *error)
+{
+    const struct aob_graph_pass *pass = &frame->graph.passes[index];
+    const struct aob_projection *view = &frame->screen->gbuffer->projection;
+    struct aob_text text = {0};
+    struct aob_gpu_bind binds[AOB_MAX_IN + 2];
+    const struct aob_gpu_texture *targets[AOB_MAX_OUT];
+    unsigned char block[AOB_UNIFORM_MAX];
+    aob_prelude_write(&(struct aob_prelude_desc){&frame->graph, pass, values, view->perspective, fetch}, &text);
+    frame->programs[index] = aob_gpu_program_create(frame->screen->gpu, text.data, error);
+    aob_text_finish(&text);
+    if (!frame->programs[index])
+        return aob_fail_in(error, "pass '%s', shader '%s'", pass->name, pass->shader);
+    for (int o = 0; o < pass->out_count; o++)
+        targets[o] = frame->textures[pass->out[o].texture];
+    frame->passes[index] = aob_gpu_pass_create(
+        frame->screen->gpu,
+        &(struct aob_gpu_pass_desc){.program = frame->programs[index],
+                                    .binds = binds,
+                                    .bind_count = gather_binds(frame, pass, fetch, binds),
+                                    .targets = targets,
+                                    .target_count = (size_t)pass->out_count,
+                                    .uniforms = block,
+                                    .uniform_size = aob_prelude_uniforms(&frame->graph, pass, values, view, block)},
+        error);
+    return frame->passes[index] || aob_fail_in(error, "pass '%s'", pass->name);
+}
+
+bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen, const struct aob_technique *technique,
+                    const void *values, enum aob_fetch fetch, struct aob_error *error)
+{
+    *frame = (struct aob_frame){.screen = screen};
+    bool ok = aob_graph_build(&frame->graph, technique, values, 1u << AOB_OUT_VISIBILITY, error);
+    if (!ok)
+        return false;
+    ok = create_textures(frame, error);
+    for (int i = 0; ok && i < frame->graph.pass_count; i++)
+        if (frame->graph.passes[i].live)
+            ok = create_pass(frame, i, values, fetch, error);
+    if (!ok) {
+        aob_fail_in(error, "%s", technique->name);
+        aob_frame_finish(frame);
+    }
+    return ok;
+}
+
+void aob_frame_finish(struct aob_frame *frame)
+{
+    if (!frame->screen)
+        return;
+    struct aob_gpu *gpu = frame->screen->gpu;
+    for (int i = 0; i < AOB_MAX_PASS; i++) {
+        aob_gpu_pass_destroy(gpu, frame->passes[i]);
+        aob_gpu_program_destroy(gpu, frame->programs[i]);
+    }
+    for (int i = 0; i < AOB_MAX_TEXTURE; i++)
+        aob_gpu_texture_destroy(gpu, frame->textures[i]);
+    frame->screen = NULL;
+}
+
+bool aob_frame_run(struct aob_frame *frame, struct aob_gpu_time *times, struct aob_error *error)
+{
+    for (int i = 0; i < frame->graph.pass_count; i++) {
+        if (times)
+            times[i] = (struct aob_gpu_time){0};
+        if (frame->passes[i] &&
+            !aob_gpu_pass_run(frame->screen->gpu, frame->passes[i], times ? &times[i] : NULL, error))
+            return aob_fail_in(error, "%s: pass '%s'", frame->graph.technique->name, frame->graph.passes[i].name);
+    }
+    return true;
+}
+
+/* Half precision has no C type here: the value by its definition (IEEE 754). */
+static float half_to_float(uint16_t half)
+{
+    uint32_t sign = (uint32_t)(half & 0x8000) << 16, exponent = half >> 10 & 31, mantissa = half & 1023;
+    float magnitude;
+    if (exponent == 0)
+        magnitude = (float)mantissa * 0x1p-24f;
+    else {
+        uint32_t bits = exponent == 31 ? 0x7f800000u | mantissa << 13 : (exponent + 112) << 23 | mantissa << 13;
+        memcpy(&magnitude, &bits, sizeof magnitude);
+    }
+    return sign ? -magnitude : magnitude;
+}
+
+static float first_component(const unsigned char *texel, enum aob_format format)
+{
+    uint16_t half;
+    float whole;
+    switch (format) {
+    case AOB_R8:
+    case AOB_RG8:
+    case AOB_RGBA8:
+        return (float)*texel / 255.0f;
+    case AOB_R16F:
+    case AOB_RG16F:
+    case AOB_RGBA16F:
+        memcpy(&half, texel, sizeof half);
+        return half_to_float(half);
+    default:
+        memcpy(&whole, texel, sizeof whole);
+        return whole;
+    }
+}
+
+bool aob_frame_read(struct aob_frame *frame, enum aob_output which, float *pixels, struct aob_error *error)
+{
+    const struct aob_gpu_texture *texture = frame->textures[frame->graph.outputs[which]];
+    size_t size = aob_gpu_texel_size(texture->format), w = (size_t)texture->width, h = (size_t)texture->height;
+    size_t guard = (size_t)frame->screen->gbuffer->guard, inner = w - 2 * guard;
+    unsigned char *texels = aob_alloc(w * h, size);
+    bool ok = aob_gpu_texture_read(frame->screen->gpu, texture, texels, error);
+    for (size_t y = guard; ok && y < h - guard; y++)
+        for (size_t x = guard; x < w - guard; x++)
+            pixels[(y - guard) * inner + x - guard] = first_component(texels + (y * w + x) * size, texture->format);
+    free(texels);
+    return ok;
+}

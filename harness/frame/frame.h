@@ -1,0 +1,39 @@
+/* A technique on a device: its graph's textures, programs and passes, ready to be run again and again. */
+#ifndef AOB_FRAME_FRAME_H
+#define AOB_FRAME_FRAME_H
+#include "base/error.h"
+#include "gbuffer.h"
+#include "gpu/gpu.h"
+#include "technique/graph.h"
+#include "technique/option.h"
+
+/* The G-buffer on a device; shared by all frames of a block. */
+struct aob_screen {
+    struct aob_gpu *gpu;
+    const struct aob_gbuffer *gbuffer; /* must outlive it */
+    struct aob_gpu_texture *depth, *normal;
+};
+bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struct aob_gbuffer *gbuffer,
+                     struct aob_error *error);
+void aob_screen_finish(struct aob_screen *screen);
+
+struct aob_frame {
+    const struct aob_screen *screen; /* must outlive it */
+    struct aob_pass_graph graph;
+    struct aob_gpu_texture *textures[AOB_MAX_TEXTURE]; /* NULL where unused */
+    struct aob_gpu_program *programs[AOB_MAX_PASS];
+    struct aob_gpu_pass *passes[AOB_MAX_PASS]; /* NULL where pruned */
+    size_t memory_bytes;                       /* of the technique's own textures */
+};
+
+/* Builds the graph (module code runs here), compiles and allocates. False leaves nothing behind. */
+bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen, const struct aob_technique *technique,
+                    const void *values, enum aob_fetch fetch, struct aob_error *error);
+void aob_frame_finish(struct aob_frame *frame);
+
+/* All live passes in order; times[] has graph.pass_count rows (pruned passes get zeros) or is NULL. */
+bool aob_frame_run(struct aob_frame *frame, struct aob_gpu_time *times, struct aob_error *error);
+
+/* First component of an output, guard band cropped: width x height floats, row 0 at the top. */
+bool aob_frame_read(struct aob_frame *frame, enum aob_output which, float *pixels, struct aob_error *error);
+#endif

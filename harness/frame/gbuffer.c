@@ -1,0 +1,75 @@
+#include "gbuffer.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+
+static const char *const normal_names[3] = {"N.X", "N.Y", "N.Z"};
+static const char *const shading_names[3] = {"S.X", "S.Y", "S.Z"};
+
+static void add_vectors(struct aob_image *image, const char *const names[3], const float (*vectors)[3],
+                        size_t count)
+{
+    for (int c = 0; c < 3; c++) {
+        float *channel = aob_image_add(image, names[c]);
+        for (size_t i = 0; i < count; i++)
+            channel[i] = vectors[i][c];
+    }
+}
+
+bool aob_gbuffer_store(const struct aob_hits *hits, const char *path, struct aob_error *error)
+{
+    struct aob_image image = {.width = hits->width, .height = hits->height};
+    size_t count = (size_t)hits->width * (size_t)hits->height;
+    memcpy(aob_image_add(&image, "Z"), hits->depth, count * sizeof(float));
+    add_vectors(&image, normal_names, (const float(*)[3])hits->normal, count);
+    add_vectors(&image, shading_names, (const float(*)[3])hits->shading, count);
+    float *primitive = aob_image_add(&image, "primitive");
+    for (size_t i = 0; i < count; i++)
+        primitive[i] = hits->primitive[i] == AOB_NO_PRIMITIVE ? -1.0f : (float)hits->primitive[i];
+    bool ok = aob_image_write(&image, path, error);
+    aob_image_finish(&image);
+    return ok;
+}
+
+static bool copy_channels(struct aob_gbuffer *gbuffer, const struct aob_image *image, size_t count)
+{
+    const float *z = aob_image_channel(image, "Z");
+    if (!z)
+        return false;
+    gbuffer->depth = AOB_NEW_ARRAY(float, count);
+    gbuffer->normal = AOB_NEW_ARRAY(float, 4 * count);
+    for (size_t i = 0; i < count; i++)
+        gbuffer->depth[i] = z[i] > 0 ? z[i] : AOB_GBUFFER_SKY;
+    for (int c = 0; c < 3; c++) {
+        const float *n = aob_image_channel(image, normal_names[c]);
+        if (!n)
+            return false;
+        for (size_t i = 0; i < count; i++)
+            gbuffer->normal[4 * i + (size_t)c] = n[i];
+    }
+    return true;
+}
+
+bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera, int width,
+                      int height, int guard, struct aob_error *error)
+{
+    struct aob_image image = {0};
+    *gbuffer = (struct aob_gbuffer){.projection = aob_camera_projection(camera, width, height, guard), .guard = guard};
+    if (!aob_image_read(&image, path, error))
+        return false;
+    bool fits = image.width == gbuffer->projection.width && image.height == gbuffer->projection.height;
+    bool ok = fits && copy_channels(gbuffer, &image, (size_t)image.width * (size_t)image.height);
+    aob_image_finish(&image);
+    if (!ok) {
+        aob_gbuffer_finish(gbuffer);
+        return aob_fail(error, "%s: not a G-buffer of %dx%d with a guard band of %d", path, width, height, guard);
+    }
+    return true;
+}
+
+void aob_gbuffer_finish(struct aob_gbuffer *gbuffer)
+{
+    free(gbuffer->depth);
+    free(gbuffer->normal);
+    *gbuffer = (struct aob_gbuffer){0};
+}

@@ -1,0 +1,181 @@
+#include "vk.h"
+#include "base/memory.h"
+#include "gpu/glsl.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const VkFormat formats[AOB_FORMAT_COUNT] = {
+    [AOB_R8] = VK_FORMAT_R8_UNORM,
+    [AOB_R16F] = VK_FORMAT_R16_SFLOAT,
+    [AOB_R32F] = VK_FORMAT_R32_SFLOAT,
+    [AOB_RG8] = VK_FORMAT_R8G8_UNORM,
+    [AOB_RG16F] = VK_FORMAT_R16G16_SFLOAT,
+    [AOB_RG32F] = VK_FORMAT_R32G32_SFLOAT,
+    [AOB_RGBA8] = VK_FORMAT_R8G8B8A8_UNORM,
+    [AOB_RGBA16F] = VK_FORMAT_R16G16B16A16_SFLOAT,
+    [AOB_RGBA32F] = VK_FORMAT_R32G32B32A32_SFLOAT,
+};
+
+VkFormat aob_vk_format(enum aob_format format)
+{
+    return formats[format];
+}
+
+static const char *explain(VkResult result)
+{
+    switch (result) {
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+        return "out of memory";
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+        return "out of device memory";
+    case VK_ERROR_DEVICE_LOST:
+        return "the device is lost (a crash or hang in the driver)";
+    case VK_ERROR_INITIALIZATION_FAILED:
+        return "the driver failed to start";
+    case VK_ERROR_FEATURE_NOT_PRESENT:
+        return "the device lacks a feature";
+    default:
+        return NULL;
+    }
+}
+
+bool aob_vk_ok(struct vk *vk, VkResult result, const char *what, struct aob_error *error)
+{
+    if (vk->complaint[0]) {
+        aob_fail(error, "vulkan: validation, on the way to %s: %s", what, vk->complaint);
+        vk->complaint[0] = '\0';
+        return false;
+    }
+    if (result == VK_SUCCESS)
+        return true;
+    const char *why = explain(result);
+    return why ? aob_fail(error, "vulkan: cannot %s: %s", what, why)
+               : aob_fail(error, "vulkan: cannot %s: VkResult %d", what, (int)result);
+}
+
+static bool create_device(struct vk *vk, struct aob_error *error)
+{
+    VkPhysicalDeviceFeatures has;
+    vkGetPhysicalDeviceFeatures(vk->physical, &has);
+    if (!has.shaderStorageImageExtendedFormats)
+        return aob_fail(error,
+                        "vulkan: %s lacks shaderStorageImageExtendedFormats: use another device or backend",
+                        vk->properties.deviceName);
+    VkPhysicalDeviceVulkan13Features features13 = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
+        .dynamicRendering = VK_TRUE,
+        .synchronization2 = VK_TRUE,
+    };
+    VkDeviceCreateInfo create = {
+        .sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+        .pNext = &features13,
+        .queueCreateInfoCount = 1,
+        .pQueueCreateInfos = &(VkDeviceQueueCreateInfo){.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                                        .queueFamilyIndex = vk->family,
+                                                        .queueCount = 1,
+                                                        .pQueuePriorities = &(float){1}},
+        .pEnabledFeatures = &(VkPhysicalDeviceFeatures){.shaderStorageImageExtendedFormats = VK_TRUE},
+    };
+    if (!aob_vk_ok(vk, vkCreateDevice(vk->physical, &create, NULL, &vk->device), "create a device", error))
+        return false;
+    vkGetDeviceQueue(vk->device, vk->family, 0, &vk->queue);
+    return true;
+}
+
+static bool create_commands(struct vk *vk, struct aob_error *error)
+{
+    VkCommandPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                    .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                                    .queueFamilyIndex = vk->family};
+    if (!aob_vk_ok(vk, vkCreateCommandPool(vk->device, &pool, NULL, &vk->pool), "create a command pool",
+                   error))
+        return false;
+    VkCommandBufferAllocateInfo scratch = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                           .commandPool = vk->pool,
+                                           .commandBufferCount = 1};
+    VkFenceCreateInfo fence = {.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    return aob_vk_ok(vk, vkAllocateCommandBuffers(vk->device, &scratch, &vk->scratch),
+                     "allocate a command buffer", error) &&
+           aob_vk_ok(vk, vkCreateFence(vk->device, &fence, NULL, &vk->fence), "create a fence", error);
+}
+
+static bool create_sampler(struct vk *vk, enum aob_filter filter, struct aob_error *error)
+{
+    VkFilter kind = filter == AOB_BILINEAR ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+    VkSamplerCreateInfo sampler = {
+        .sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+        .magFilter = kind,
+        .minFilter = kind,
+        .mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST,
+        .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+        .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+        .addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+    };
+    return aob_vk_ok(vk, vkCreateSampler(vk->device, &sampler, NULL, &vk->samplers[filter]),
+                     "create a sampler", error);
+}
+
+static bool create_triangle(struct vk *vk, struct aob_error *error)
+{
+    size_t count;
+    uint32_t *words =
+        aob_glsl_compile(aob_glsl_screen_triangle, AOB_GLSL_VERTEX, AOB_GLSL_VULKAN, &count, error);
+    if (!words)
+        return false;
+    vk->triangle = aob_vk_shader_create(vk, words, count, error);
+    free(words);
+    return vk->triangle;
+}
+
+static void describe(struct vk *vk)
+{
+    VkPhysicalDeviceDriverProperties driver = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+    VkPhysicalDeviceProperties2 all = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
+                                       .pNext = &driver};
+    vkGetPhysicalDeviceProperties2(vk->physical, &all);
+    uint32_t version = vk->properties.apiVersion;
+    snprintf(vk->driver, sizeof vk->driver, "%s %s, Vulkan %u.%u.%u", driver.driverName, driver.driverInfo,
+             VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version), VK_API_VERSION_PATCH(version));
+    vk->base.info = (struct aob_gpu_info){
+        .backend = vk->base.fns->name,
+        .device = vk->properties.deviceName,
+        .driver = vk->driver,
+        .software = vk->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU,
+    };
+}
+
+struct aob_gpu *aob_vk_open(const struct aob_gpu_desc *desc, struct aob_error *error)
+{
+    struct vk *vk = AOB_NEW(struct vk);
+    vk->base.fns = aob_gpu_find("vulkan");
+    if (aob_vk_instance_create(vk, desc->validate, error) && aob_vk_choose_device(vk, error) &&
+        create_device(vk, error) && create_commands(vk, error) && create_sampler(vk, AOB_NEAREST, error) &&
+        create_sampler(vk, AOB_BILINEAR, error) && create_triangle(vk, error)) {
+        describe(vk);
+        return &vk->base;
+    }
+    aob_vk_close(&vk->base);
+    return NULL;
+}
+
+static void destroy_device(struct vk *vk)
+{
+    vkDestroyShaderModule(vk->device, vk->triangle, NULL);
+    for (size_t i = 0; i < AOB_COUNT(vk->samplers); i++)
+        vkDestroySampler(vk->device, vk->samplers[i], NULL);
+    vkDestroyFence(vk->device, vk->fence, NULL);
+    vkDestroyCommandPool(vk->device, vk->pool, NULL);
+    vkDestroyDevice(vk->device, NULL);
+}
+
+void aob_vk_close(struct aob_gpu *gpu)
+{
+    struct vk *vk = (struct vk *)gpu;
+    if (vk->device)
+        destroy_device(vk);
+    if (vk->complaint[0])
+        aob_warn("vulkan: validation, on closing: %s", vk->complaint);
+    aob_vk_instance_destroy(vk);
+    free(vk);
+}

@@ -1,0 +1,45 @@
+#include "vk.h"
+#include "base/memory.h"
+#include "gpu/glsl.h"
+#include <stdlib.h>
+
+VkShaderModule aob_vk_shader_create(struct vk *vk, const uint32_t *words, size_t word_count,
+                                    struct aob_error *error)
+{
+    VkShaderModuleCreateInfo create = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                       .codeSize = word_count * sizeof *words,
+                                       .pCode = words};
+    VkShaderModule module = VK_NULL_HANDLE;
+    if (aob_vk_ok(vk, vkCreateShaderModule(vk->device, &create, NULL, &module), "create a shader", error))
+        return module;
+    vkDestroyShaderModule(vk->device, module, NULL);
+    return VK_NULL_HANDLE;
+}
+
+bool aob_vk_program_create(struct aob_gpu *gpu, const char *glsl, struct aob_gpu_program **program,
+                           struct aob_error *error)
+{
+    struct vk *vk = (struct vk *)gpu;
+    size_t count;
+    uint32_t *words = aob_glsl_compile(glsl, AOB_GLSL_FRAGMENT, AOB_GLSL_VULKAN, &count, error);
+    if (!words)
+        return aob_fail_in(error, "vulkan");
+    struct vk_program *made = AOB_NEW(struct vk_program);
+    made->base.bindings = aob_glsl_bindings(words, count);
+    made->module = aob_vk_shader_create(vk, words, count, error);
+    free(words);
+    if (made->module) {
+        *program = &made->base;
+        return true;
+    }
+    aob_vk_program_destroy(gpu, &made->base);
+    return false;
+}
+
+void aob_vk_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program)
+{
+    struct vk *vk = (struct vk *)gpu;
+    struct vk_program *made = (struct vk_program *)program;
+    vkDestroyShaderModule(vk->device, made->module, NULL);
+    free(made);
+}

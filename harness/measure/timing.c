@@ -1,0 +1,188 @@
+#include "timing.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/clock.h"
+#include "base/memory.h"
+
+enum { SLOT_FIXED, SLOT_CONTROL, SLOT_CASES, SLOT_MAX = SLOT_CASES + AOB_BLOCK_MAX };
+
+/* One block while it is measured: rounds x slots of times. */
+struct run {
+    const struct aob_timing_desc *desc;
+    size_t slots, rounds;
+    int repeats; /* frames a slot */
+    double cpu[SLOT_MAX][AOB_ROUNDS_MAX], wall[SLOT_MAX][AOB_ROUNDS_MAX];
+    bool clean[SLOT_MAX][AOB_ROUNDS_MAX];
+    double pass_cpu[AOB_BLOCK_MAX][AOB_MAX_PASS][AOB_ROUNDS_MAX];
+    uint64_t random;
+    size_t order[SLOT_MAX];
+};
+
+static struct aob_frame *slot_frame(const struct run *run, size_t slot)
+{
+    return slot < SLOT_CASES ? run->desc->fixed : &run->desc->frames[slot - SLOT_CASES];
+}
+
+static bool run_slot(struct run *run, size_t slot, size_t round, struct aob_error *error)
+{
+    struct aob_frame *frame = slot_frame(run, slot);
+    struct aob_gpu_time times[AOB_MAX_PASS];
+    double cpu = 0, wall = 0, pass_cpu[AOB_MAX_PASS] = {0};
+    int64_t preempted = aob_clock_preemptions();
+    for (int i = 0; i < run->repeats; i++) {
+        if (!aob_frame_run(frame, times, error))
+            return false;
+        for (int p = 0; p < frame->graph.pass_count; p++) {
+            cpu += (double)times[p].cpu_ns * 1e-6;
+            wall += (double)times[p].wall_ns * 1e-6;
+            pass_cpu[p] += (double)times[p].cpu_ns * 1e-6;
+        }
+    }
+    run->clean[slot][round] = aob_clock_preemptions() == preempted;
+    run->cpu[slot][round] = fmax(cpu / run->repeats, 1e-9);
+    run->wall[slot][round] = fmax(wall / run->repeats, 1e-9);
+    for (int p = 0; slot >= SLOT_CASES && p < frame->graph.pass_count; p++)
+        run->pass_cpu[slot - SLOT_CASES][p][round] = pass_cpu[p] / run->repeats;
+    return true;
+}
+
+static size_t random_below(struct run *run, size_t n)
+{
+    run->random = run->random * 6364136223846793005u + 1442695040888963407u;
+    return (size_t)(run->random >> 33) % n;
+}
+
+/* A new cyclic Latin square every `slots` rounds: a shuffled row, then rotated by one a round. */
+static void order_round(struct run *run, size_t round)
+{
+    if (round % run->slots == 0) {
+        for (size_t i = 0; i < run->slots; i++)
+            run->order[i] = i;
+        for (size_t i = run->slots - 1; i > 0; i--) {
+            size_t j = random_below(run, i + 1), moved = run->order[i];
+            run->order[i] = run->order[j];
+            run->order[j] = moved;
+        }
+        return;
+    }
+    size_t first = run->order[0];
+    memmove(run->order, run->order + 1, (run->slots - 1) * sizeof *run->order);
+    run->order[run->slots - 1] = first;
+}
+
+static bool run_round(struct run *run, size_t round, struct aob_error *error)
+{
+    order_round(run, round);
+    for (size_t i = 0; i < run->slots; i++)
+        if (!run_slot(run, run->order[i], round, error))
+            return false;
+    return true;
+}
+
+/* Until three successive fixed passes agree within 10 %, two rounds at least and ten at most. */
+static bool warm_up(struct run *run, struct aob_error *error)
+{
+    for (size_t round = 0; round < 10; round++) {
+        if (!run_round(run, round, error))
+            return false;
+        const double *cpu = &run->cpu[SLOT_FIXED][round];
+        if (round >= 2 && fabs(cpu[0] - cpu[-1]) < 0.1 * cpu[0] && fabs(cpu[-1] - cpu[-2]) < 0.1 * cpu[0])
+            break;
+    }
+    return true;
+}
+
+/* So many frames a slot that the cheapest takes 2 ms, as long as the dearest stays within 100 ms. */
+static void choose_repeats(struct run *run)
+{
+    double cheapest = INFINITY, dearest = 0;
+    for (size_t s = 0; s < run->slots; s++) {
+        cheapest = fmin(cheapest, run->cpu[s][1]);
+        dearest = fmax(dearest, run->cpu[s][1]);
+    }
+    double wanted = fmin(ceil(2 / cheapest), floor(100 / dearest));
+    run->repeats = wanted < 1 ? 1 : wanted > 16 ? 16 : (int)wanted;
+}
+
+static const double *judged(const struct run *run, size_t slot)
+{
+    return run->desc->wall ? run->wall[slot] : run->cpu[slot];
+}
+
+static bool is_check_point(size_t rounds)
+{
+    for (double n = 20; n < AOB_ROUNDS_MAX; n *= 1.5)
+        if ((size_t)n == rounds)
+            return true;
+    return false;
+}
+
+static bool narrow_enough(const struct run *run)
+{
+    for (size_t s = SLOT_CASES; s < run->slots; s++) {
+        struct aob_ratio r = aob_paired_ratio(judged(run, s), judged(run, SLOT_FIXED), run->rounds);
+        if (!r.bounded || r.high > r.ratio * 1.03 || r.low < r.ratio / 1.03)
+            return false;
+    }
+    return true;
+}
+
+static bool measure(struct run *run, struct aob_error *error)
+{
+    int64_t limit = aob_clock_wall_ns() + (int64_t)(run->desc->seconds * (double)run->desc->frame_count * 1e9);
+    for (run->rounds = 0; run->rounds < AOB_ROUNDS_MAX;) {
+        if (!run_round(run, run->rounds, error))
+            return false;
+        run->rounds++;
+        if (is_check_point(run->rounds) && narrow_enough(run))
+            break;
+        if (run->rounds >= 6 && aob_clock_wall_ns() > limit) /* six: the fewest that have an interval */
+            break;
+    }
+    return true;
+}
+
+static double total_seconds(const struct run *run, size_t slot)
+{
+    double sum = 0;
+    for (size_t r = 0; r < run->rounds; r++)
+        sum += run->wall[slot][r] * run->repeats * 1e-3;
+    return sum;
+}
+
+static void summarise(const struct run *run, size_t index, struct aob_timing *timing)
+{
+    size_t slot = SLOT_CASES + index;
+    double clean[AOB_ROUNDS_MAX];
+    *timing = (struct aob_timing){.rounds = run->rounds};
+    for (size_t r = 0; r < run->rounds; r++)
+        if (run->clean[slot][r])
+            clean[timing->clean_rounds++] = run->wall[slot][r];
+    timing->cpu_ms = aob_median(run->cpu[slot], run->rounds);
+    timing->wall_ms = timing->clean_rounds ? aob_median(clean, timing->clean_rounds) : NAN;
+    timing->to_fixed = aob_paired_ratio(judged(run, slot), judged(run, SLOT_FIXED), run->rounds);
+    timing->measured_s = total_seconds(run, slot);
+    for (int p = 0; p < run->desc->frames[index].graph.pass_count; p++)
+        timing->pass_cpu_ms[p] = aob_median(run->pass_cpu[index][p], run->rounds);
+}
+
+bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_block_timing *result, struct aob_error *error)
+{
+    struct run *run = AOB_NEW(struct run);
+    *run = (struct run){.desc = desc, .slots = SLOT_CASES + desc->frame_count, .repeats = 1, .random = desc->seed};
+    int64_t start = aob_clock_wall_ns();
+    bool ok = warm_up(run, error);
+    choose_repeats(run);
+    result->warmup_s = (double)(aob_clock_wall_ns() - start) * 1e-9;
+    ok = ok && measure(run, error);
+    for (size_t i = 0; ok && i < desc->frame_count; i++)
+        summarise(run, i, &result->cases[i]);
+    if (ok) {
+        result->control = aob_paired_ratio(judged(run, SLOT_CONTROL), judged(run, SLOT_FIXED), run->rounds);
+        result->fixed_cpu_ms = aob_median(run->cpu[SLOT_FIXED], run->rounds);
+        result->fixed_s = total_seconds(run, SLOT_FIXED) + total_seconds(run, SLOT_CONTROL);
+    }
+    free(run);
+    return ok;
+}

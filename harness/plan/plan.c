@@ -1,0 +1,320 @@
+#include "plan.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/memory.h"
+#include "gpu/gpu.h"
+#include "technique/param.h"
+
+static bool fail_at(const struct aob_config *config, int line, int column, struct aob_error *error)
+{
+    if (!config->path || !line)
+        return false;
+    return aob_fail_in(error, "%s:%d:%d", config->path, line, column);
+}
+
+static bool fail_value(const struct aob_config *config, const struct aob_value *value, struct aob_error *error)
+{
+    return fail_at(config, value->line, value->column, error);
+}
+
+static void list_scenes(struct aob_text *text)
+{
+    for (const struct aob_scene_info *const *s = aob_scenes; *s; s++)
+        aob_text_add(text, "%s%s", s == aob_scenes ? "" : ", ", (*s)->name);
+}
+
+static bool choose_view(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                        struct aob_error *error)
+{
+    const struct aob_view *view = aob_scene_view(scene->info, choice->view);
+    if (view) {
+        scene->camera = view->camera;
+        scene->view = aob_strdup(view->name);
+        return true;
+    }
+    struct aob_text all = {0};
+    for (size_t i = 0; i < scene->info->view_count; i++)
+        aob_text_add(&all, "%s%s", i ? ", " : "", scene->info->views[i].name);
+    aob_fail(error, "scene '%s' has no view '%s'; it has %s", scene->name, choice->view, all.data);
+    aob_text_finish(&all);
+    return false;
+}
+
+static bool choose_camera(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                          struct aob_error *error)
+{
+    if (choice->has_camera) {
+        scene->view = aob_strdup("camera");
+        scene->camera =
+            (struct aob_camera){.eye = aob_vec(choice->eye[0], choice->eye[1], choice->eye[2]),
+                                .target = aob_vec(choice->target[0], choice->target[1], choice->target[2]),
+                                .fov_deg = choice->fov_deg,
+                                .ortho_height = choice->ortho ? choice->ortho_height : 0};
+        return aob_camera_check(&scene->camera, error);
+    }
+    if (scene->info)
+        return choose_view(scene, choice, error);
+    scene->view = aob_strdup("framed");
+    scene->framed = true;
+    return true;
+}
+
+static bool choose_scene(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                         struct aob_error *error)
+{
+    scene->info = choice->name ? aob_scene_find(choice->name) : NULL;
+    scene->name = aob_strdup(choice->name ? choice->name : choice->file);
+    scene->metres_per_unit = scene->info ? scene->info->metres_per_unit : 1;
+    if (choice->name && !scene->info) {
+        struct aob_text all = {0};
+        list_scenes(&all);
+        aob_fail(error, "unknown scene '%s'; there are %s", choice->name, all.data);
+        aob_text_finish(&all);
+        return false;
+    }
+    const char *file = scene->info ? scene->info->file : choice->file;
+    scene->file = aob_strdup(file);
+    if (!file) {
+        struct aob_text source = {0};
+        aob_text_add(&source, "%s %s", scene->name, AOBUDGET_VERSION);
+        aob_hash_text(source.data, scene->digest);
+        aob_text_finish(&source);
+    } else if (!aob_hash_file(file, scene->digest, error))
+        return scene->info && scene->info->package && !aob_file_exists(file)
+                   ? aob_fail(error, "scene '%s' needs %s: apt-get install %s", scene->name, file,
+                              scene->info->package)
+                   : false;
+    return choose_camera(scene, choice, error);
+}
+
+static bool choose_scenes(struct aob_plan *plan, struct aob_error *error)
+{
+    const struct aob_config *config = plan->config;
+    plan->scene_count = config->scene_count;
+    plan->scenes = AOB_NEW_ARRAY(struct aob_plan_scene, config->scene_count);
+    for (size_t i = 0; i < config->scene_count; i++)
+        if (!choose_scene(&plan->scenes[i], &config->scenes[i], error))
+            return fail_at(config, config->scenes[i].line, config->scenes[i].column, error);
+    return true;
+}
+
+/* The axes of one technique and of the options, as indices into their tables with values parsed. */
+struct axis {
+    int row;
+    double *values;
+    size_t count, at;
+};
+struct axes {
+    struct axis *items;
+    size_t count;
+};
+
+static void free_axes(struct axes *axes)
+{
+    for (size_t i = 0; i < axes->count; i++)
+        free(axes->items[i].values);
+    free(axes->items);
+}
+
+static bool unknown_axis(const struct aob_axis *axis, const char *owner, const struct aob_param *params, size_t count,
+                         struct aob_error *error)
+{
+    struct aob_text all = {0};
+    for (size_t i = 0; i < count; i++)
+        aob_text_add(&all, "%s%s", i ? ", " : "", params[i].name);
+    aob_fail(error, "%s has no '%s'; known: %s", owner, axis->name, all.data ? all.data : "none");
+    aob_text_finish(&all);
+    return false;
+}
+
+static bool parse_axes(const struct aob_config *config, const char *owner, const struct aob_param *params,
+                       size_t param_count, const struct aob_axis *from, size_t count, struct axes *axes,
+                       struct aob_error *error)
+{
+    axes->items = AOB_NEW_ARRAY(struct axis, count);
+    for (size_t i = 0; i < count; i++) {
+        const struct aob_param *param = aob_param_find(params, param_count, from[i].name);
+        if (!param) {
+            unknown_axis(&from[i], owner, params, param_count, error);
+            return fail_at(config, from[i].line, from[i].column, error);
+        }
+        struct axis *axis = &axes->items[axes->count++];
+        axis->row = (int)(param - params);
+        axis->count = from[i].count;
+        axis->values = AOB_NEW_ARRAY(double, axis->count);
+        for (size_t other = 0; other + 1 < axes->count; other++)
+            if (axes->items[other].row == axis->row) {
+                aob_fail(error, "'%s' is given twice for %s", from[i].name, owner);
+                return fail_at(config, from[i].line, from[i].column, error);
+            }
+        for (size_t v = 0; v < axis->count; v++)
+            if (!aob_param_parse(param, from[i].values[v].text, &axis->values[v], error)) {
+                aob_fail_in(error, "%s", owner);
+                return fail_value(config, &from[i].values[v], error);
+            }
+    }
+    return true;
+}
+
+static bool next_combination(struct axes *axes)
+{
+    for (size_t i = axes->count; i-- > 0;) {
+        if (++axes->items[i].at < axes->items[i].count)
+            return true;
+        axes->items[i].at = 0;
+    }
+    return false;
+}
+
+static void set_row(const struct axes *axes, double *values)
+{
+    for (size_t i = 0; i < axes->count; i++)
+        values[axes->items[i].row] = axes->items[i].values[axes->items[i].at];
+}
+
+static double reference_radius(const struct aob_plan *plan, const struct aob_case *c)
+{
+    const struct aob_param *radius = aob_param_find(c->technique->params, c->technique->param_count, "radius");
+    if (plan->config->reference_radius > 0)
+        return plan->config->reference_radius;
+    return radius ? c->params[radius - c->technique->params] : 1 / c->scene->metres_per_unit;
+}
+
+static void make_key(const struct aob_plan *plan, struct aob_case *c)
+{
+    struct aob_text text = {0};
+    aob_case_describe(c, &text);
+    const struct aob_camera *camera = &c->scene->camera;
+    aob_text_add(&text, "\n%s %s %u\n%.17g %.17g %.17g  %.17g %.17g %.17g  %.17g %.17g\n%.9g %d %d%d%d %.9g %s",
+                 c->scene->digest, c->technique->digest, c->technique->revision, camera->eye.x, camera->eye.y,
+                 camera->eye.z, camera->target.x, camera->target.y, camera->target.z, camera->fov_deg,
+                 camera->ortho_height, c->reference_radius, plan->config->spp, plan->config->measure_time,
+                 plan->config->measure_error, plan->config->images, plan->config->seconds, AOBUDGET_VERSION);
+    aob_hash_text(text.data, c->key);
+    aob_text_finish(&text);
+}
+
+static bool key_is_new(const struct aob_plan *plan, const char *key)
+{
+    for (size_t i = plan->case_count; i-- > 0;)
+        if (strcmp(plan->cases[i].key, key) == 0)
+            return false;
+    return true;
+}
+
+static bool add_cases(struct aob_plan *plan, struct aob_case *base, struct axes *params, struct axes *options,
+                      struct aob_error *error)
+{
+    double values[AOB_MAX_PARAM];
+    aob_param_defaults(base->technique->params, base->technique->param_count, values);
+    base->params = values;
+    do {
+        set_row(params, values);
+        do {
+            set_row(options, base->options);
+            base->reference_radius = reference_radius(plan, base);
+            make_key(plan, base);
+            if (!key_is_new(plan, base->key))
+                continue;
+            if (plan->case_count == AOB_PLAN_MAX_CASES)
+                return aob_fail(error, "the sweep has more than %d cases", AOB_PLAN_MAX_CASES);
+            struct aob_case *copy = AOB_PUSH(plan->cases, plan->case_count, plan->case_capacity);
+            *copy = *base;
+            copy->params = AOB_NEW_ARRAY(double, AOB_MAX_PARAM);
+            memcpy(copy->params, values, sizeof values);
+        } while (next_combination(options));
+    } while (next_combination(params));
+    return true;
+}
+
+/* A case without its technique: scene, size and backend chosen. */
+static bool expand_techniques(struct aob_plan *plan, struct aob_case base,
+                              const struct aob_technique_list *techniques, struct aob_error *error)
+{
+    const struct aob_config *config = plan->config;
+    struct axes params = {0}, options = {0};
+    bool ok = parse_axes(config, "options", aob_option_params, AOB_OPTION_COUNT, config->options,
+                         config->option_count, &options, error);
+    for (size_t t = 0; ok && t < config->technique_count; t++) {
+        const struct aob_technique_choice *choice = &config->techniques[t];
+        base.technique = aob_technique_list_find(techniques, choice->name.text);
+        if (!base.technique) {
+            aob_fail(error, "unknown technique '%s'; see: aobudget list techniques", choice->name.text);
+            ok = fail_value(config, &choice->name, error);
+            break;
+        }
+        aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, base.options);
+        params = (struct axes){0};
+        ok = parse_axes(config, choice->name.text, base.technique->params, base.technique->param_count, choice->axes,
+                        choice->axis_count, &params, error) &&
+             add_cases(plan, &base, &params, &options, error);
+        free_axes(&params);
+    }
+    free_axes(&options);
+    return ok;
+}
+
+static bool expand(struct aob_plan *plan, const struct aob_technique_list *techniques, struct aob_error *error)
+{
+    const struct aob_config *config = plan->config;
+    for (size_t s = 0; s < plan->scene_count; s++)
+        for (size_t r = 0; r < config->size_count; r++)
+            for (size_t b = 0; b < config->backend_count; b++) {
+                const struct aob_gpu_fns *backend = aob_gpu_find(config->backends[b].text);
+                if (!backend) {
+                    aob_fail(error, "unknown backend '%s'; see: aobudget list backends", config->backends[b].text);
+                    return fail_value(config, &config->backends[b], error);
+                }
+                struct aob_case base = {.scene = &plan->scenes[s],
+                                        .width = config->sizes[r].width,
+                                        .height = config->sizes[r].height,
+                                        .backend = backend->name};
+                if (!expand_techniques(plan, base, techniques, error))
+                    return false;
+            }
+    return true;
+}
+
+/* Stable: cases of one block move up to its first case. */
+static void gather_blocks(struct aob_plan *plan)
+{
+    for (size_t i = 0; i < plan->case_count; i++) {
+        size_t end = i + 1;
+        for (size_t j = i + 1; j < plan->case_count; j++) {
+            if (!aob_case_same_block(&plan->cases[i], &plan->cases[j]))
+                continue;
+            struct aob_case moved = plan->cases[j];
+            memmove(&plan->cases[end + 1], &plan->cases[end], (j - end) * sizeof moved);
+            plan->cases[end++] = moved;
+        }
+        i = end - 1;
+    }
+}
+
+bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config, const struct aob_technique_list *techniques,
+                     struct aob_error *error)
+{
+    *plan = (struct aob_plan){.config = config};
+    if (!choose_scenes(plan, error) || !expand(plan, techniques, error)) {
+        aob_plan_finish(plan);
+        return false;
+    }
+    gather_blocks(plan);
+    return true;
+}
+
+void aob_plan_finish(struct aob_plan *plan)
+{
+    for (size_t i = 0; i < plan->case_count; i++)
+        free(plan->cases[i].params);
+    for (size_t i = 0; i < plan->scene_count; i++) {
+        free(plan->scenes[i].name);
+        free(plan->scenes[i].file);
+        free(plan->scenes[i].view);
+    }
+    free(plan->cases);
+    free(plan->scenes);
+    *plan = (struct aob_plan){0};
+}

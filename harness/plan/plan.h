@@ -1,0 +1,62 @@
+/* The plan: the sweep expanded into cases, each judged against the parameter tables and given a stable key. Needs no
+ * GPU, loads no scene and calls no module; files are read only for their digest. */
+#ifndef AOB_PLAN_PLAN_H
+#define AOB_PLAN_PLAN_H
+#include "base/error.h"
+#include "base/hash.h"
+#include "base/text.h"
+#include "config/config.h"
+#include "scene/scene.h"
+#include "technique/option.h"
+#include "technique/registry.h"
+
+struct aob_plan_scene { /* one view of one scene */
+    const struct aob_scene_info *info; /* NULL: a mesh file of the user's */
+    char *name;               /* "corner", or the file's path */
+    char *file;               /* mesh file to load, or NULL for a procedural scene */
+    char *view;               /* "front", "camera" or "framed" (from the mesh's box, once it is loaded) */
+    struct aob_camera camera; /* unset while framed */
+    bool framed;
+    double metres_per_unit;
+    char digest[AOB_KEY_SIZE]; /* of the geometry's source: file bytes, or name and program version */
+};
+struct aob_case {
+    const struct aob_plan_scene *scene;
+    int width, height;
+    const char *backend; /* from aob_gpu_backends */
+    const struct aob_technique_info *technique;
+    double *params;                   /* one a row of the technique's table */
+    double options[AOB_OPTION_COUNT]; /* one a row of aob_option_params */
+    double reference_radius;          /* scene units */
+    char key[AOB_KEY_SIZE];           /* of everything that decides the result; the same in every run */
+};
+struct aob_plan {
+    const struct aob_config *config; /* must outlive the plan, like the technique list */
+    struct aob_plan_scene *scenes;
+    size_t scene_count;
+    struct aob_case *cases; /* cases of one block lie together; no two have the same key */
+    size_t case_count, case_capacity;
+};
+
+enum { AOB_PLAN_MAX_CASES = 20000 };
+
+/* False: one line, FILE:LINE:COLUMN where the config has a position. */
+bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config, const struct aob_technique_list *techniques,
+                     struct aob_error *error);
+void aob_plan_finish(struct aob_plan *plan);
+
+/* Keep the cases whose description holds `filter` (plain text). */
+void aob_plan_filter(struct aob_plan *plan, const char *filter);
+
+/* "corner/front gtao radius=0.5 slices=3 ... vulkan 480x270 fetch=sampled": every parameter, in table order. */
+void aob_case_describe(const struct aob_case *c, struct aob_text *text);
+
+/* Whether two cases may be timed in one block: same view, size, guard band, backend and threads. */
+bool aob_case_same_block(const struct aob_case *a, const struct aob_case *b);
+
+/* Option by its struct: packed from c->options. */
+struct aob_options aob_case_options(const struct aob_case *c);
+
+/* Seconds that a run of the plan takes at most, roughly: timing as configured, references at 4 M rays/s. */
+double aob_plan_estimate_s(const struct aob_plan *plan);
+#endif

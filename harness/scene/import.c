@@ -1,0 +1,102 @@
+#include "mesh.h"
+#include <assimp/cimport.h>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include "base/memory.h"
+
+/* Materials go with the rest: they would only split the mesh. */
+static const int dropped = aiComponent_TEXCOORDS | aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS |
+                           aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES |
+                           aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_MATERIALS;
+static const unsigned steps = aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
+                              aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices |
+                              aiProcess_GenSmoothNormals | aiProcess_FindDegenerates |
+                              aiProcess_ValidateDataStructure;
+
+static const struct aiScene *import_scene(const char *path)
+{
+    struct aiPropertyStore *options = aiCreatePropertyStore();
+    aiSetImportPropertyInteger(options, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    aiSetImportPropertyInteger(options, AI_CONFIG_PP_RVC_FLAGS, dropped);
+    aiSetImportPropertyFloat(options, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 60);
+    const struct aiScene *scene = aiImportFileExWithProperties(path, steps, NULL, options);
+    aiReleasePropertyStore(options);
+    return scene;
+}
+
+static struct aob_vec3 from_assimp(struct aiVector3D v)
+{
+    return aob_vec(v.x, v.y, v.z);
+}
+
+/* A normal that the file left zero or not a number: up is as good as any, and the mesh stays usable. */
+static struct aob_vec3 unit_normal(struct aiVector3D v)
+{
+    struct aob_vec3 n = aob_vec_normalize(from_assimp(v));
+    return aob_vec_length(n) > 0.5 ? n : aob_vec(0, 1, 0);
+}
+
+static void append_part(struct aob_mesh *mesh, const struct aiMesh *part)
+{
+    size_t first = mesh->vertex_count;
+    for (unsigned i = 0; i < part->mNumVertices; i++) {
+        mesh->positions[first + i] = from_assimp(part->mVertices[i]);
+        if (mesh->normals)
+            mesh->normals[first + i] = unit_normal(part->mNormals[i]);
+    }
+    mesh->vertex_count += part->mNumVertices;
+    for (unsigned i = 0; i < part->mNumFaces; i++) {
+        const struct aiFace *face = &part->mFaces[i];
+        if (face->mNumIndices == 3)
+            for (int k = 0; k < 3; k++)
+                mesh->triangles[mesh->triangle_count][k] = (uint32_t)(first + face->mIndices[k]);
+        mesh->triangle_count += face->mNumIndices == 3;
+    }
+}
+
+static void gather(struct aob_mesh *mesh, const struct aiScene *scene)
+{
+    bool normals = true;
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        mesh->vertex_capacity += scene->mMeshes[i]->mNumVertices;
+        mesh->triangle_capacity += scene->mMeshes[i]->mNumFaces;
+        normals &= scene->mMeshes[i]->mNormals != NULL;
+    }
+    mesh->positions = aob_alloc(mesh->vertex_capacity, sizeof *mesh->positions);
+    mesh->normals = normals ? aob_alloc(mesh->vertex_capacity, sizeof *mesh->normals) : NULL;
+    mesh->triangles = aob_alloc(mesh->triangle_capacity, sizeof *mesh->triangles);
+    for (unsigned i = 0; i < scene->mNumMeshes; i++)
+        append_part(mesh, scene->mMeshes[i]);
+}
+
+static void warn_if_suspicious(const struct aob_mesh *mesh, const char *path)
+{
+    if (mesh->triangle_count * 10 < mesh->vertex_count)
+        aob_warn("%s: %zu vertices but only %zu triangles: much of the file was not understood (strips?)", path,
+                 mesh->vertex_count, mesh->triangle_count);
+    struct aob_vec3 low, high;
+    aob_mesh_bounds(mesh, &low, &high);
+    double extent = aob_vec_length(aob_vec_sub(high, low));
+    double away = aob_vec_length(aob_vec_add(low, high)) / 2;
+    if (away > 1e4 * extent)
+        aob_warn("%s: lies %g from the origin and is %g large: 32-bit floats have lost its detail; move it to the "
+                 "origin before exporting",
+                 path, away, extent);
+}
+
+bool aob_mesh_import(struct aob_mesh *mesh, const char *path, struct aob_error *error)
+{
+    *mesh = (struct aob_mesh){0};
+    const struct aiScene *scene = import_scene(path);
+    if (!scene)
+        return aob_fail(error, "%s: cannot load: %s", path, aiGetErrorString());
+    gather(mesh, scene);
+    aiReleaseImport(scene);
+    if (!aob_mesh_check(mesh, path, error)) {
+        aob_mesh_finish(mesh);
+        return false;
+    }
+    warn_if_suspicious(mesh, path);
+    return true;
+}

@@ -1,0 +1,149 @@
+#include "scene.h"
+#include <string.h>
+#include "base/memory.h"
+
+#define VIEW(name_, ex, ey, ez, tx, ty, tz, fov)                                                             \
+    {.name = name_, .camera = {.eye = {ex, ey, ez}, .target = {tx, ty, tz}, .fov_deg = fov}}
+
+static void add_floor(struct aob_mesh *mesh)
+{
+    aob_mesh_add_quad(mesh, aob_vec(-20, 0, -20), aob_vec(0, 0, 40), aob_vec(40, 0, 0));
+}
+
+static void build_plane(struct aob_mesh *mesh)
+{
+    add_floor(mesh);
+}
+
+static const struct aob_view plane_views[] = {
+    VIEW("front", 0, 2, 4, 0, 0, 0, 60),
+    VIEW("low", 0, 0.3, 6, 0, 0, 0, 60),
+    VIEW("top", 0, 5, 0, 0, 0, 0, 60),
+};
+static const struct aob_scene_info plane = {
+    .name = "plane",
+    .title = "Flat floor y = 0, 40 x 40 m about the origin: visibility is 1 everywhere",
+    .metres_per_unit = 1,
+    .views = plane_views,
+    .view_count = AOB_COUNT(plane_views),
+    .build = build_plane,
+};
+
+static void build_corner(struct aob_mesh *mesh)
+{
+    aob_mesh_add_quad(mesh, aob_vec(-20, 0, 0), aob_vec(0, 0, 40), aob_vec(40, 0, 0));
+    aob_mesh_add_quad(mesh, aob_vec(-20, 0, 0), aob_vec(40, 0, 0), aob_vec(0, 40, 0));
+}
+
+static const struct aob_view corner_views[] = {
+    VIEW("front", 0, 2, 4, 0, 0.8, 0, 60),
+    VIEW("far", 3, 4, 8, 0, 1, 0, 45),
+};
+static const struct aob_scene_info corner = {
+    .name = "corner",
+    .title = "Floor y = 0 (z 0..40) and wall z = 0 (y 0..40), x -20..20 m, meeting at 90 degrees: visibility in "
+             "closed form",
+    .metres_per_unit = 1,
+    .views = corner_views,
+    .view_count = AOB_COUNT(corner_views),
+    .build = build_corner,
+};
+
+/* Two balls on the floor touch when their centres are 2 sqrt(r1 r2) apart along it. */
+static void build_spheres(struct aob_mesh *mesh)
+{
+    add_floor(mesh);
+    aob_mesh_add_sphere(mesh, aob_vec(0, 1, 0), 1, 96);
+    aob_mesh_add_sphere(mesh, aob_vec(M_SQRT2, 0.5, 0), 0.5, 96);
+    aob_mesh_add_sphere(mesh, aob_vec(-0.6, 0.25, 0.8), 0.25, 96);
+    aob_mesh_add_sphere(mesh, aob_vec(0.5, 0.125, 1.5), 0.125, 96);
+    aob_mesh_add_sphere(mesh, aob_vec(-1.5, 0.6, 0.6), 0.4, 96);
+}
+
+static const struct aob_view spheres_views[] = {
+    VIEW("front", 0.5, 1.6, 4, 0, 0.6, 0, 50),
+    VIEW("close", 0.9, 0.6, 2.6, 0.6, 0.3, 0.4, 45),
+    VIEW("top", 0, 6, 0.01, 0, 0, 0, 50),
+};
+static const struct aob_scene_info spheres = {
+    .name = "spheres",
+    .title = "Floor y = 0, 40 x 40 m; spheres of radius 1 at (0, 1, 0), 0.5 at (1.41421, 0.5, 0), 0.25 at (-0.6, "
+             "0.25, 0.8), all touching, 0.125 at (0.5, 0.125, 1.5) on the floor, 0.4 at (-1.5, 0.6, 0.6) above it",
+    .metres_per_unit = 1,
+    .views = spheres_views,
+    .view_count = AOB_COUNT(spheres_views),
+    .build = build_spheres,
+};
+
+static void build_cornell(struct aob_mesh *mesh)
+{
+    struct aob_vec3 x = aob_vec(2, 0, 0), y = aob_vec(0, 2, 0), z = aob_vec(0, 0, 2);
+    aob_mesh_add_quad(mesh, aob_vec(-1, 0, -1), z, x); /* floor */
+    aob_mesh_add_quad(mesh, aob_vec(-1, 2, -1), x, z); /* ceiling */
+    aob_mesh_add_quad(mesh, aob_vec(-1, 0, -1), x, y); /* back */
+    aob_mesh_add_quad(mesh, aob_vec(-1, 0, -1), y, z); /* left */
+    aob_mesh_add_quad(mesh, aob_vec(1, 0, -1), z, y);  /* right */
+    aob_mesh_add_box(mesh, aob_vec(-0.65, 0, -0.6), aob_vec(-0.05, 1.2, 0), 18);
+    aob_mesh_add_box(mesh, aob_vec(0.05, 0, 0), aob_vec(0.65, 0.6, 0.6), -17);
+}
+
+static const struct aob_view cornell_views[] = {
+    VIEW("front", 0, 1, 3.4, 0, 1, 0, 45),
+    VIEW("blocks", 0.4, 1.2, 1.6, 0, 0.4, -0.2, 60),
+};
+static const struct aob_scene_info cornell = {
+    .name = "cornell",
+    .title = "Room x -1..1, y 0..2, z -1..1 m, open at z = 1; blocks 0.6 x 1.2 x 0.6 about (-0.35, 0.6, -0.3) "
+             "turned 18 degrees and 0.6 x 0.6 x 0.6 about (0.35, 0.3, 0.3) turned -17",
+    .metres_per_unit = 1,
+    .views = cornell_views,
+    .view_count = AOB_COUNT(cornell_views),
+    .build = build_cornell,
+};
+
+static const struct aob_view bunny_views[] = {
+    VIEW("front", 0, 0.4, 2.6, 0, -0.1, 0, 45),
+    VIEW("left", -2.4, 0.6, 0.8, 0, -0.1, 0, 45),
+    VIEW("ears", 0.4, 1.4, 1.4, -0.4, 0.3, -0.1, 45),
+};
+static const struct aob_scene_info bunny = {
+    .name = "bunny",
+    .title = "Stanford bunny, 69,666 triangles, box 2 x 1.98 x 1.55 units about the origin (the clay model is "
+             "0.156 m wide), without a floor",
+    .metres_per_unit = 0.078,
+    .views = bunny_views,
+    .view_count = AOB_COUNT(bunny_views),
+    .file = "/usr/share/glmark2/models/bunny.obj",
+    .package = "glmark2-data",
+};
+
+const struct aob_scene_info *const aob_scenes[] = {&plane, &corner, &spheres, &cornell, &bunny, NULL};
+
+const struct aob_scene_info *aob_scene_find(const char *name)
+{
+    for (const struct aob_scene_info *const *scene = aob_scenes; *scene; scene++)
+        if (!strcmp((*scene)->name, name))
+            return *scene;
+    return NULL;
+}
+
+const struct aob_view *aob_scene_view(const struct aob_scene_info *scene, const char *name)
+{
+    for (size_t i = 0; i < scene->view_count; i++)
+        if (!name || !strcmp(scene->views[i].name, name))
+            return &scene->views[i];
+    return NULL;
+}
+
+struct aob_camera aob_scene_framing(struct aob_vec3 low, struct aob_vec3 high)
+{
+    const double fov_deg = 60;
+    struct aob_vec3 centre = aob_vec_scale(aob_vec_add(low, high), 0.5);
+    double radius = aob_vec_length(aob_vec_sub(high, low)) / 2;
+    if (!(radius > 0))
+        radius = 1;
+    struct aob_vec3 out = aob_vec_normalize(aob_vec(0.35, 0.4, 1));
+    double distance = radius / sin(fov_deg * (M_PI / 360));
+    return (struct aob_camera){
+        .eye = aob_vec_add(centre, aob_vec_scale(out, distance)), .target = centre, .fov_deg = fov_deg};
+}
