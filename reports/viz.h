@@ -1,16 +1,16 @@
 /* Pictures and files drawn by VTK, behind plain C.
  *
- * Only the helper program aobudget-plot links this library: VTK brings some seventy shared libraries and its own
- * threads, which a program that measures must not load.
+ * Only the helper program aobudget-plot links this library: VTK brings some seventy shared libraries and its
+ * own threads, which a program that measures must not load.
  *
- * Every function writes one whole file, or none: it is written beside `path` and renamed. It returns 0, or -1 with
- * one line in `error`; no C++ exception leaves the library and nothing is printed. Texts are UTF-8; NULL is as good
- * as "". Text that does not fit is cut with an ellipsis. Images are width * height floats, row 0 at the top, and
- * stay the caller's; a value that is not finite is drawn grey. Figures have a white background and sizes of their
- * own. Same input, same machine: same bytes.
+ * Every function writes one whole file, or none: it is written beside `path` and renamed. It returns 0, or -1
+ * with one line in `error`; no C++ exception leaves the library and nothing is printed. Texts are UTF-8; NULL
+ * is as good as "". Text that does not fit is cut with an ellipsis. Images are width * height floats, row 0
+ * at the top, and stay the caller's; a value that is not finite is drawn grey. Figures have a white
+ * background and sizes of their own. Same input, same machine: same bytes.
  *
- * Maps, triptychs, SVG and .vti need no OpenGL. The PNG of a chart and the height field open an EGL context without
- * a surface and fail with a line where there is none. Use one thread only. */
+ * Maps, triptychs, SVG and .vti need no OpenGL. The PNG of a chart and the height field open an EGL context
+ * without a surface and fail with a line where there is none. Use one thread only. */
 #ifndef AOB_REPORTS_VIZ_H
 #define AOB_REPORTS_VIZ_H
 #include <stddef.h>
@@ -37,19 +37,21 @@ int aob_viz_map_png(const struct aob_viz_map *map, const char *path, char error[
 /* As a landscape, averaged and smoothed, seen from the front left. */
 int aob_viz_height_png(const struct aob_viz_map *map, const char *path, char error[AOB_VIZ_ERROR_SIZE]);
 
-/* Technique, reference and error side by side. Images wider than 720 pixels are averaged down by a whole factor,
- * small ones drawn as squares of whole pixels. */
+/* Technique, reference and error side by side. Images wider than 720 pixels are averaged down by a whole
+ * factor, small ones drawn as squares of whole pixels. */
 struct aob_viz_triptych {
     struct aob_viz_map map;
     const float *technique, *reference; /* visibility: 0 black, 1 white */
     const char *technique_name, *reference_name;
 };
-int aob_viz_triptych_png(const struct aob_viz_triptych *figure, const char *path, char error[AOB_VIZ_ERROR_SIZE]);
+int aob_viz_triptych_png(const struct aob_viz_triptych *figure, const char *path,
+                         char error[AOB_VIZ_ERROR_SIZE]);
 
 enum aob_viz_style {
     AOB_VIZ_CURVE,  /* markers joined by lines, in the order of the points */
     AOB_VIZ_POINTS, /* markers only */
-    AOB_VIZ_FRONT,  /* a grey staircase behind the rest: from each point level to the right, then down to the next */
+    AOB_VIZ_FRONT,  /* a grey staircase behind the rest: from each point level to the right, then down to the
+                       next */
 };
 
 /* Points that are not finite, or not positive on a logarithmic axis, are left out. */
@@ -76,8 +78,8 @@ struct aob_viz_chart {
 int aob_viz_chart_svg(const struct aob_viz_chart *chart, const char *path, char error[AOB_VIZ_ERROR_SIZE]);
 int aob_viz_chart_png(const struct aob_viz_chart *chart, const char *path, char error[AOB_VIZ_ERROR_SIZE]);
 
-/* Named float images as one VTK image file (.vti, zlib, appended raw): opens in ParaView. VTK's row 0 is at the
- * bottom, so the rows are turned over. */
+/* Named float images as one VTK image file (.vti, zlib, appended raw): opens in ParaView. VTK's row 0 is at
+ * the bottom, so the rows are turned over. */
 struct aob_viz_field {
     const char *name;
     const float *pixels;

@@ -1,10 +1,11 @@
-/* Charts: one painter in pixel coordinates, without matrices and clips, both of which VTK's SVG device gets wrong. */
+/* Charts: one painter in pixel coordinates, without matrices and clips, both of which VTK's SVG device gets
+ * wrong. */
 #include "viz_common.hpp"
+#include "viz_scale.hpp"
+#include "viz_svg.hpp"
 #include "viz_window.hpp"
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <vtkAssemblyPath.h>
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
 #include <vtkContextActor.h>
@@ -13,12 +14,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
-#include <vtkSVGContextDevice2D.h>
-#include <vtkTextRenderer.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkViewport.h>
-#include <vtkWindow.h>
-#include <vtkXMLDataElement.h>
+#include <vtkStdString.h>
 
 using namespace aob_viz;
 
@@ -27,7 +23,8 @@ namespace
 constexpr int WIDTH = 960, HEIGHT = 560, TOP = 92, BOTTOM = 70, LEGEND_LINE = 25, LEGEND_MAX = 290;
 constexpr unsigned GRID = 0xebecef, GRID_STRONG = 0xd4d6da, FRONT = 0x9a9aa4;
 /* Okabe and Ito's colours, apart for colour-blind eyes too; yellow is too pale for lines on white. */
-constexpr unsigned COLOUR[] = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00, 0x56b4e9, 0x7f3c8d, 0x444444};
+constexpr unsigned COLOUR[] = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7,
+                               0xe69f00, 0x56b4e9, 0x7f3c8d, 0x444444};
 const text_style TITLE = {20, face::bold}, SUBTITLE = {14, face::plain, GREY}, LEGEND = {14};
 
 struct point {
@@ -40,91 +37,9 @@ struct curve {
     std::vector<point> points;
 };
 
-/* One axis: what it spans and where its ticks are. */
-class scale
-{
-public:
-    scale(const aob_viz_axis &axis) : Log(axis.logarithmic != 0), Label(axis.label ? axis.label : "")
-    {
-    }
-    bool Takes(double value) const
-    {
-        return std::isfinite(value) && (!Log || value > 0);
-    }
-    void Include(double value)
-    {
-        if (Takes(value)) {
-            Low = std::min(Low, To(value));
-            High = std::max(High, To(value));
-        }
-    }
-    void Finish();
-    /* 0 at the low end, 1 at the high end. */
-    double Place(double value) const
-    {
-        return (To(value) - Low) / (High - Low);
-    }
-    struct mark {
-        double value;
-        bool strong;
-        std::string label;
-    };
-    std::vector<mark> Marks(int wanted) const;
-
-    const bool Log;
-    std::string Label;
-
-private:
-    double To(double value) const
-    {
-        return Log ? std::log10(value) : value;
-    }
-    std::vector<mark> Decades() const;
-
-    double Low = HUGE_VAL, High = -HUGE_VAL;
-};
-
-void scale::Finish()
-{
-    double low = Low, high = High, width = high - low;
-    if (!(width > 1e-9 * std::max(std::fabs(low), std::fabs(high))))
-        width = Log || low == 0 ? .6 : std::fabs(low), low -= width / 2, high += width / 2;
-    bool from_zero = !Log && Low >= 0 && Low < .4 * High;
-    Low = from_zero ? 0 : low - .04 * width;
-    High = high + .04 * width;
-}
-
-std::vector<scale::mark> scale::Decades() const
-{
-    std::vector<mark> marks;
-    bool few = High - Low < 3;
-    for (int e = static_cast<int>(std::floor(Low)); e <= static_cast<int>(std::ceil(High)); e++)
-        for (int digit = 1; digit < 10; digit++) {
-            double value = digit * std::pow(10, e);
-            if (To(value) < Low || To(value) > High)
-                continue;
-            bool labelled = digit == 1 || (few && (digit == 2 || digit == 5));
-            marks.push_back({value, digit == 1, labelled ? short_number(value) : ""});
-        }
-    return marks;
-}
-
-/* A short logarithmic axis gets round steps, as a linear one does. */
-std::vector<scale::mark> scale::Marks(int wanted) const
-{
-    if (Log && High - Low > 1)
-        return Decades();
-    double low = Log ? std::pow(10, Low) : Low, high = Log ? std::pow(10, High) : High;
-    double step = nice_step(high - low, wanted);
-    std::vector<mark> marks;
-    for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++)
-        marks.push_back({i * step, false, number_text(i * step, decimals_of(step), false)});
-    return marks;
-}
-
 class chart_item : public vtkContextItem
 {
-public:
+  public:
     static chart_item *New();
     vtkTypeMacro(chart_item, vtkContextItem);
     void Take(const aob_viz_chart &chart);
@@ -132,7 +47,7 @@ public:
 
     float K = 1; /* pixels drawn for each pixel of the figure */
 
-private:
+  private:
     void TakeSeries(const aob_viz_series &series);
     void Layout(const aob_viz_chart &chart);
     void OrderLegend();
@@ -156,7 +71,7 @@ private:
     void Legend();
 
     vtkContext2D *Painter = nullptr; /* while painting */
-    scale AxisX{{nullptr, 0}}, AxisY{{nullptr, 0}};
+    scale AxisX, AxisY;
     std::vector<curve> Curves;
     std::vector<const curve *> Order; /* of the legend */
     std::string Title, Subtitle;
@@ -208,10 +123,8 @@ void chart_item::OrderLegend()
 
 void chart_item::Take(const aob_viz_chart &chart)
 {
-    AxisX.~scale();
-    new (&AxisX) scale(chart.x);
-    AxisY.~scale();
-    new (&AxisY) scale(chart.y);
+    AxisX = scale(chart.x);
+    AxisY = scale(chart.y);
     for (size_t i = 0; i < chart.series_count; i++)
         TakeSeries(chart.series[i]);
     if (Curves.empty())
@@ -247,7 +160,7 @@ void chart_item::Marker(const curve &c, float x, float y)
     static const struct {
         int corners;
         float turn, size;
-    } shapes[] = {{28, 0, 4.6f},    {4, 45, 5.5f}, {4, 90, 5.9f}, {3, 90, 5.9f},
+    } shapes[] = {{28, 0, 4.6f},  {4, 45, 5.5f}, {4, 90, 5.9f}, {3, 90, 5.9f},
                   {3, -90, 5.9f}, {5, 90, 5.6f}, {6, 90, 5.4f}};
     const auto &shape = shapes[(c.colour + c.colour / 8) % 7];
     unsigned colour = COLOUR[c.colour % 8];
@@ -386,144 +299,12 @@ bool chart_item::Paint(vtkContext2D *painter)
     return true;
 }
 
-/* The SVG device asks its viewport's window for size and resolution, no more. */
-class paper : public vtkWindow
-{
-public:
-    static paper *New();
-    vtkTypeMacro(paper, vtkWindow);
-    void SetDisplayId(void *) override
-    {
-    }
-    void SetWindowId(void *) override
-    {
-    }
-    void SetParentId(void *) override
-    {
-    }
-    void *GetGenericDisplayId() override
-    {
-        return nullptr;
-    }
-    void *GetGenericWindowId() override
-    {
-        return nullptr;
-    }
-    void *GetGenericParentId() override
-    {
-        return nullptr;
-    }
-    void *GetGenericContext() override
-    {
-        return nullptr;
-    }
-    void *GetGenericDrawable() override
-    {
-        return nullptr;
-    }
-    void SetWindowInfo(const char *) override
-    {
-    }
-    void SetParentInfo(const char *) override
-    {
-    }
-    void Render() override
-    {
-    }
-    void ReleaseGraphicsResources(vtkWindow *) override
-    {
-    }
-    unsigned char *GetPixelData(int, int, int, int, int, int) override
-    {
-        return nullptr;
-    }
-    int GetPixelData(int, int, int, int, int, vtkUnsignedCharArray *, int) override
-    {
-        return 0;
-    }
-};
-vtkStandardNewMacro(paper);
-
-class paper_view : public vtkViewport
-{
-public:
-    static paper_view *New();
-    vtkTypeMacro(paper_view, vtkViewport);
-    vtkWindow *GetVTKWindow() override
-    {
-        return this->VTKWindow;
-    }
-    void LieOn(vtkWindow *window)
-    {
-        this->VTKWindow = window;
-        this->SetViewport(0, 0, 1, 1);
-    }
-    vtkAssemblyPath *PickProp(double, double) override
-    {
-        return nullptr;
-    }
-    vtkAssemblyPath *PickProp(double, double, double, double) override
-    {
-        return nullptr;
-    }
-    double GetPickedZ() override
-    {
-        return 0;
-    }
-};
-vtkStandardNewMacro(paper_view);
-
-/* Without fill="none" every line would be a black area. */
-vtkSmartPointer<vtkXMLDataElement> svg_root()
-{
-    auto root = vtkSmartPointer<vtkXMLDataElement>::New();
-    std::string box = "0 0 " + std::to_string(WIDTH) + " " + std::to_string(HEIGHT);
-    root->SetName("svg");
-    root->SetAttribute("xmlns", "http://www.w3.org/2000/svg");
-    root->SetAttribute("xmlns:xlink", "http://www.w3.org/1999/xlink");
-    root->SetAttribute("version", "1.1");
-    root->SetIntAttribute("width", WIDTH);
-    root->SetIntAttribute("height", HEIGHT);
-    root->SetAttribute("viewBox", box.c_str());
-    root->SetAttribute("fill", "none");
-    root->SetAttribute("stroke-linejoin", "round");
-    return root;
-}
-
-vtkXMLDataElement *add_element(vtkXMLDataElement *parent, const char *name)
-{
-    vtkNew<vtkXMLDataElement> element;
-    element->SetName(name);
-    parent->AddNestedElement(element);
-    return element;
-}
-
 void draw_svg(const aob_viz_chart &chart, const std::string &path)
 {
     vtkNew<chart_item> item;
     item->Take(chart);
-    auto root = svg_root();
-    vtkXMLDataElement *definitions = add_element(root, "defs"), *sheet = add_element(root, "rect");
-    sheet->SetAttribute("width", "100%");
-    sheet->SetAttribute("height", "100%");
-    sheet->SetAttribute("fill", "#ffffff");
-    vtkNew<paper> window;
-    window->SetSize(WIDTH, HEIGHT);
-    window->SetDPI(72);
-    vtkNew<paper_view> view;
-    view->LieOn(window);
-    vtkNew<vtkSVGContextDevice2D> device;
-    device->SetSVGContext(add_element(root, "g"), definitions);
-    vtkNew<vtkContext2D> painter;
-    device->Begin(view);
-    painter->Begin(device);
-    item->Paint(painter);
-    painter->End();
-    device->GenerateDefinitions();
-    std::ostringstream text;
-    text << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-    root->PrintXML(text, vtkIndent());
-    save_bytes(path, text.str().data(), text.str().size());
+    std::string text = svg_text(item, WIDTH, HEIGHT);
+    save_bytes(path, text.data(), text.size());
 }
 
 void draw_png(const aob_viz_chart &chart, const std::string &path)

@@ -170,9 +170,9 @@ image_ptr error_bar_image()
     return image;
 }
 
-std::vector<tick> error_ticks(double limit)
+std::vector<tick> error_ticks(double limit, double length)
 {
-    double step = nice_step(2 * limit, 8);
+    double step = nice_step(2 * limit, length < 340 ? 5 : 8);
     int count = static_cast<int>(std::floor(limit / step + 1e-6));
     std::vector<tick> ticks;
     for (int i = -count; i <= count; i++)
@@ -229,7 +229,7 @@ void save_png(vtkImageData *image, const std::string &path)
     vtkNew<vtkPNGWriter> writer;
     writer->SetInputData(image);
     writer->WriteToMemoryOn();
-    writer->SetCompressionLevel(6);
+    writer->SetCompressionLevel(4);
     writer->Write();
     vtkUnsignedCharArray *bytes = writer->GetResult();
     if (!bytes || bytes->GetNumberOfValues() == 0)

@@ -52,8 +52,8 @@ struct tick {
     double value;
     std::string label;
 };
-/* Ticks of a colour bar or height axis from -limit to +limit. */
-std::vector<tick> error_ticks(double limit);
+/* Ticks of a colour bar from -limit to +limit that is `length` pixels long. */
+std::vector<tick> error_ticks(double limit, double length);
 
 constexpr const char *ERROR_LABEL = "AO minus reference (blue: too dark, red: too bright)";
 

@@ -19,6 +19,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
+#include <vtkStdString.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
@@ -34,7 +35,7 @@ constexpr float K = OVERSAMPLING;
 /* Titles and colour bar in front of the landscape. */
 class overlay : public vtkContextItem
 {
-public:
+  public:
     static overlay *New();
     vtkTypeMacro(overlay, vtkContextItem);
     bool Paint(vtkContext2D *painter) override;
@@ -65,10 +66,11 @@ bool overlay::Paint(vtkContext2D *painter)
     painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
     painter->GetPen()->SetColor(FRAME >> 16, FRAME >> 8 & 255, FRAME & 255);
     painter->GetPen()->SetWidth(K);
-    float frame[] = {x * K, y * K, (x + width) * K, y * K, (x + width) * K, (y + height) * K,
-                     x * K, (y + height) * K, x * K, y * K};
+    float frame[] = {
+        x * K, y * K, (x + width) * K, y * K, (x + width) * K, (y + height) * K, x * K, (y + height) * K,
+        x * K, y * K};
     painter->DrawPoly(frame, 5);
-    for (const tick &t : error_ticks(Limit)) {
+    for (const tick &t : error_ticks(Limit, height)) {
         float at = y + static_cast<float>((t.value / Limit + 1) / 2) * height;
         painter->DrawLine((x + width) * K, at * K, (x + width + 5) * K, at * K);
         Text(painter, x + width + 10, at, t.label, {14, face::plain, INK, VTK_TEXT_LEFT, VTK_TEXT_CENTERED});
@@ -84,7 +86,8 @@ vtkSmartPointer<vtkLookupTable> colour_table(double limit)
     table->SetNumberOfTableValues(COLOURS);
     const auto &colours = error_colours();
     for (int i = 0; i < COLOURS; i++)
-        table->SetTableValue(i, colours[4 * i] / 255.0, colours[4 * i + 1] / 255.0, colours[4 * i + 2] / 255.0);
+        table->SetTableValue(i, colours[4 * i] / 255.0, colours[4 * i + 1] / 255.0,
+                             colours[4 * i + 2] / 255.0);
     table->SetTableRange(-limit, limit);
     return table;
 }
@@ -93,14 +96,16 @@ std::vector<float> without_holes(const aob_viz_map &map)
 {
     std::vector<float> values(map.error, map.error + static_cast<size_t>(map.width) * map.height);
     for (float &v : values)
-        v = std::isfinite(v) ? std::clamp(v, static_cast<float>(-map.limit), static_cast<float>(map.limit)) : 0;
+        v = std::isfinite(v) ? std::clamp(v, static_cast<float>(-map.limit), static_cast<float>(map.limit))
+                             : 0;
     return values;
 }
 
 /* Single pixels are unreadable as a surface: average, then smooth. */
 vtkSmartPointer<vtkPolyData> landscape(const aob_viz_map &map, double exaggeration)
 {
-    int shrink_by = std::max(1, static_cast<int>(std::lround(std::max(map.width, map.height) / double(GRID))));
+    int shrink_by =
+        std::max(1, static_cast<int>(std::lround(std::max(map.width, map.height) / double(GRID))));
     shrink_by = std::min(shrink_by, std::max(1, std::min(map.width, map.height) / 2));
     vtkNew<vtkImageShrink3D> shrink;
     shrink->SetInputData(float_image(map.width, map.height, without_holes(map).data(), "error"));
@@ -174,7 +179,6 @@ void add_axes(vtkRenderer *renderer, const aob_viz_map &map, double top)
 {
     vtkNew<vtkCubeAxesActor> axes;
     axes->SetBounds(0, map.width, 0, map.height, -top, top);
-    axes->SetYAxisRange(map.height, 0);
     axes->SetCamera(renderer->GetActiveCamera());
     axes->SetFlyModeToOuterEdges();
     axes->SetUse2DMode(1);

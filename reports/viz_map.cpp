@@ -21,7 +21,7 @@ const text_style TITLE = {22, face::bold}, SUBTITLE = {15, face::plain, GREY}, H
 /* A white sheet of RGB pixels. x, y count from the top left. */
 class canvas
 {
-public:
+  public:
     canvas(int width, int height) : Width(width), Height(height), Image(image_ptr::New())
     {
         Image->SetDimensions(width, height, 1);
@@ -57,7 +57,7 @@ public:
     const int Width, Height;
     const image_ptr Image;
 
-private:
+  private:
     void blend(int x, int y, const unsigned char *rgba);
 };
 
@@ -136,7 +136,7 @@ void draw_error_bar(canvas &sheet, int x, int y, int height, double limit, const
     for (int j = 0; j < height; j++)
         sheet.fill(x, y + j, BAR_WIDTH, 1, error_colour(1 - 2.0 * j / std::max(height - 1, 1), 1));
     sheet.frame(x, y, BAR_WIDTH, height);
-    for (const tick &t : error_ticks(limit)) {
+    for (const tick &t : error_ticks(limit, height)) {
         int at = y + static_cast<int>(std::lround((1 - t.value / limit) / 2 * (height - 1)));
         sheet.fill(x + BAR_WIDTH + 1, at, 5, 1, ink);
         sheet.text(x + BAR_WIDTH + 10, at, t.label, TICK);
@@ -154,7 +154,9 @@ void draw_titles(canvas &sheet, const aob_viz_map &map, int y)
 /* A bar shorter than its label needs gets a shorter one. */
 std::string bar_label(int height)
 {
-    return text_width(ERROR_LABEL, LABEL) <= height + 60 ? ERROR_LABEL : height >= 120 ? "AO minus reference" : "";
+    return text_width(ERROR_LABEL, LABEL) <= height + 60 ? ERROR_LABEL
+           : height >= 120                               ? "AO minus reference"
+                                                         : "";
 }
 
 void draw_map(const aob_viz_map &map, const std::string &path)
@@ -236,7 +238,8 @@ int aob_viz_triptych_png(const aob_viz_triptych *figure, const char *path, char 
     return guarded(error, [=] { draw_triptych(*figure, path); });
 }
 
-int aob_viz_vti(int width, int height, const aob_viz_field *fields, size_t count, const char *path, char *error)
+int aob_viz_vti(int width, int height, const aob_viz_field *fields, size_t count, const char *path,
+                char *error)
 {
     return guarded(error, [=] { write_vti(width, height, fields, count, path); });
 }

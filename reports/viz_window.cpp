@@ -17,7 +17,7 @@ namespace
 /* Debian's VTK only makes X windows, and aborts without an X server. This one stands on an EGL context. */
 class egl_window : public vtkGenericOpenGLRenderWindow
 {
-public:
+  public:
     static egl_window *New();
     vtkTypeMacro(egl_window, vtkGenericOpenGLRenderWindow);
 
@@ -40,12 +40,10 @@ public:
     {
         return 1;
     }
-    void Frame() override
-    {
-    }
+    void Frame() override {}
     void OpenGLInitContext() override;
 
-protected:
+  protected:
     /* No eglTerminate: the display belongs to everyone in the process. */
     ~egl_window() override
     {
@@ -56,7 +54,7 @@ protected:
         eglDestroyContext(Display, Context);
     }
 
-private:
+  private:
     void OpenDisplay();
 
     EGLDisplay Display = EGL_NO_DISPLAY;
@@ -73,7 +71,8 @@ void need(bool ok, const char *what)
 
 void egl_window::OpenDisplay()
 {
-    auto get = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    auto get =
+        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     need(get != nullptr, "eglGetPlatformDisplayEXT");
     Display = get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     EGLint major, minor;
@@ -82,8 +81,8 @@ void egl_window::OpenDisplay()
 
 void egl_window::Open()
 {
-    static const EGLint config_wish[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                                         EGL_NONE};
+    static const EGLint config_wish[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                                         EGL_OPENGL_BIT, EGL_NONE};
     static const EGLint context_wish[] = {EGL_CONTEXT_MAJOR_VERSION,
                                           3,
                                           EGL_CONTEXT_MINOR_VERSION,
@@ -106,8 +105,8 @@ void egl_window::Open()
     SetIsDirect(1);
 }
 
-/* Debian's GLEW is the GLX one: with no X it has loaded every entry point and then complains, which VTK would take
- * for failure. */
+/* Debian's GLEW is the GLX one: with no X it has loaded every entry point and then complains, which VTK would
+ * take for failure. */
 void egl_window::OpenGLInitContext()
 {
     this->ContextCreationTime.Modified();

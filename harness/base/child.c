@@ -267,6 +267,17 @@ static bool follow(pid_t pid, double timeout_s, struct stream *out, struct strea
     return false;
 }
 
+static void reap(pid_t pid, struct aob_child_result *result)
+{
+    int status = 0;
+    while (waitpid(pid, &status, 0) < 0 && errno == EINTR)
+        continue;
+    if (WIFEXITED(status))
+        result->exit_code = WEXITSTATUS(status);
+    else if (WIFSIGNALED(status))
+        result->signal = WTERMSIG(status);
+}
+
 bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *result,
                    struct aob_error *error)
 {
@@ -281,14 +292,8 @@ bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *r
 
     result->timed_out = follow(child.pid, desc->timeout_s, &out, &err);
     kill(-child.pid, SIGKILL);
-    int status = 0;
-    while (waitpid(child.pid, &status, 0) < 0 && errno == EINTR)
-        continue;
-    if (WIFEXITED(status))
-        result->exit_code = WEXITSTATUS(status);
-    else if (WIFSIGNALED(status))
-        result->signal = WTERMSIG(status);
-    stream_finish(&out, WIFEXITED(status) && !result->timed_out);
+    reap(child.pid, result);
+    stream_finish(&out, !result->signal && !result->timed_out);
     stream_finish(&err, true);
     close_fd(&out.fd);
     close_fd(&err.fd);

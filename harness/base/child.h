@@ -1,6 +1,6 @@
 /* A program run in a process of its own, with a time and a memory limit. The child leads a process group that
- * is killed whole, at its end or at the limit, so nothing is left over; it also dies with the thread that runs it.
- * Threads: any; each call has its own child. */
+ * is killed whole, at its end or at the limit, so nothing is left over; it also dies with the thread that
+ * runs it. Threads: any; each call has its own child. */
 #ifndef AOB_BASE_CHILD_H
 #define AOB_BASE_CHILD_H
 #include <stdbool.h>
@@ -12,22 +12,24 @@ struct aob_child_desc {
     const char *const *env;  /* NULL, or NULL-ended "NAME=value" set on top of this process's environment */
     const char *input;       /* given on standard input; NULL: empty */
     size_t input_size;
-    double timeout_s;        /* of the whole run; 0: none */
-    size_t memory_limit;     /* bytes of address space; 0: none. Ignored under AddressSanitizer */
-    /* Each line of standard output, of any length, without the newline; may be NULL. A last line that lacks its
-     * newline counts only if the child exited by itself: a crash may have cut it. */
+    double timeout_s;    /* of the whole run; 0: none */
+    size_t memory_limit; /* bytes of address space; 0: none. Ignored under AddressSanitizer */
+    /* Each line of standard output, of any length, without the newline; may be NULL. A last line that lacks
+     * its newline counts only if the child exited by itself: a crash may have cut it. */
     void (*on_line)(void *user, const char *line);
     void *user;
 };
 struct aob_child_result {
-    int exit_code;     /* -1 unless it exited by itself */
-    int signal;        /* 0 unless a signal ended it */
+    int exit_code; /* -1 unless it exited by itself */
+    int signal;    /* 0 unless a signal ended it */
     bool timed_out;
-    char complaint[512]; /* the last line on standard error that says "error", else the last line; may be empty */
+    char complaint[512]; /* the last line on standard error that says "error", else the last line; may be
+                            empty */
 };
 
 /* False only if the child could not be started; how it ended is in *result. */
-bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *result, struct aob_error *error);
+bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *result,
+                   struct aob_error *error);
 
 /* "crashed (signal 11, segmentation fault): COMPLAINT", "took longer than 20 s", "exit code 2: COMPLAINT". */
 void aob_child_explain(const struct aob_child_desc *desc, const struct aob_child_result *result, char *text,

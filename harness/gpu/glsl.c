@@ -16,12 +16,10 @@ const char aob_glsl_screen_triangle[] = "void main()\n"
 static const char *const prefix[] = {
     [AOB_GLSL_VULKAN] = "#version 450\n"
                         "#define BIND(n) set = 0, binding = n\n"
-                        "#define VERTEX_ID gl_VertexIndex\n"
-                        "#line 1\n",
+                        "#define VERTEX_ID gl_VertexIndex\n",
     [AOB_GLSL_OPENGL] = "#version 450\n"
                         "#define BIND(n) binding = n\n"
-                        "#define VERTEX_ID gl_VertexID\n"
-                        "#line 1\n",
+                        "#define VERTEX_ID gl_VertexID\n",
 };
 
 static const char *const stage_names[] = {[AOB_GLSL_VERTEX] = "vertex", [AOB_GLSL_FRAGMENT] = "fragment"};
@@ -108,7 +106,7 @@ uint32_t *aob_glsl_compile(const char *text, enum aob_glsl_stage stage, enum aob
     static pthread_once_t once = PTHREAD_ONCE_INIT;
     pthread_once(&once, start_glslang);
     struct aob_text code = {0};
-    aob_text_add(&code, "%s%s", prefix[client], text);
+    aob_text_add(&code, "%s%s#line 1\n%s", prefix[client], aob_glsl_arithmetic, text);
     uint32_t *words = compile(code.data, stage, client, word_count, error);
     aob_text_finish(&code);
     return words;

@@ -2,7 +2,11 @@
  * The text must not say #version: it is put in front together with
  *   BIND(n)    the binding qualifier: set=0,binding=n for Vulkan, binding=n for GL
  *   VERTEX_ID  gl_VertexIndex or gl_VertexID
- * Threads: one at a time a process (glslang's process state is initialised on first use). */
+ *   dot, length, distance, normalize, reflect, mix
+ *              as in GLSL, in sums of one fixed order: drivers that lower the built-ins differently for the
+ * two APIs (Mesa 22.3 does) still give the same bits. So an array's .length() cannot be written, mix() takes
+ * floats and booleans only, and vector * matrix and refract() may differ by a last bit. Threads: one at a
+ * time a process (glslang's process state is initialised on first use). */
 #ifndef AOB_GPU_GLSL_H
 #define AOB_GPU_GLSL_H
 #include <stdbool.h>
@@ -20,6 +24,9 @@ uint32_t *aob_glsl_compile(const char *text, enum aob_glsl_stage stage, enum aob
 
 /* Bit n: the words declare BIND(n); a binding beyond 30 sets bit 31. */
 uint32_t aob_glsl_bindings(const uint32_t *words, size_t word_count);
+
+/* The functions above, put in front of every text. */
+extern const char aob_glsl_arithmetic[];
 
 /* The vertex program of every pass: one triangle that covers the target; the body of the text, as above. */
 extern const char aob_glsl_screen_triangle[];

@@ -158,8 +158,8 @@ static bool check_bindings(const char *name, const struct aob_gpu_pass_desc *des
 {
     uint32_t bound = 0;
     if (!desc->uniforms != !desc->uniform_size || desc->uniform_size > MAX_UNIFORM_SIZE)
-        return aob_fail(error, "%s: pass with a uniform block of %zu bytes%s: it must be 1..%d, or none", name,
-                        desc->uniform_size, desc->uniforms ? "" : " at NULL", MAX_UNIFORM_SIZE);
+        return aob_fail(error, "%s: pass with a uniform block of %zu bytes%s: it must have 1..%d, or be none",
+                        name, desc->uniform_size, desc->uniforms ? "" : " at NULL", MAX_UNIFORM_SIZE);
     if (desc->uniforms)
         bound |= 1;
     for (size_t i = 0; i < desc->bind_count; i++) {

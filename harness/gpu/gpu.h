@@ -1,8 +1,9 @@
-/* One device, one API: textures, programs, passes. Four backends behind one table of functions: vulkan, gl-egl,
- * gl-osmesa, null. Arguments are checked here, once, above the table; a backend trusts its input.
+/* One device, one API: textures, programs, passes. Four backends behind one table of functions: vulkan,
+ * gl-egl, gl-osmesa, null. Arguments are checked here, once, above the table; a backend trusts its input.
  * Ownership: create/destroy; destroy takes NULL. Everything a device made must be destroyed before it.
  * Threads: a device is used by the thread that opened it.
- * Environment: drivers read theirs when the process starts; a backend's `environment` says what a worker must set. */
+ * Environment: drivers read theirs when the process starts; a backend's `environment` says what a worker must
+ * set. */
 #ifndef AOB_GPU_GPU_H
 #define AOB_GPU_GPU_H
 #include <aobudget/technique.h>
@@ -16,15 +17,16 @@ struct aob_gpu_texture;
 struct aob_gpu_program;
 struct aob_gpu_pass;
 
-struct aob_gpu_info { /* for the record's fingerprint; strings live as long as the device */
-    const char *backend;  /* "vulkan" */
-    const char *device;   /* "llvmpipe (LLVM 15.0.6, 256 bits)" */
-    const char *driver;   /* "Mesa 22.3.6" and the API version */
-    bool software;        /* a processor does the work: costs are its CPU time */
+struct aob_gpu_info {    /* for the record's fingerprint; strings live as long as the device */
+    const char *backend; /* "vulkan" */
+    const char *device;  /* "llvmpipe (LLVM 15.0.6, 256 bits)" */
+    const char *driver;  /* "Mesa 22.3.6" and the API version */
+    bool software;       /* a processor does the work: costs are its CPU time */
 };
 
 struct aob_gpu_desc {
-    bool validate; /* Vulkan validation layer (core, synchronization): its first message fails the call it came from */
+    bool validate; /* Vulkan validation layer (core, synchronization): its first message fails the call it
+                      came from */
 };
 
 struct aob_gpu_time {
@@ -53,15 +55,16 @@ struct aob_gpu_pass_desc {
 
 /* One row per backend. All slots are required. */
 struct aob_gpu_fns {
-    const char *name;   /* the word in configs */
-    const char *title;  /* one line for `list backends` */
+    const char *name;               /* the word in configs */
+    const char *title;              /* one line for `list backends` */
     const char *const *environment; /* NULL-ended "NAME=value" that a worker's process must start with */
     struct aob_gpu *(*open)(const struct aob_gpu_desc *desc, struct aob_error *error);
     void (*close)(struct aob_gpu *gpu);
-    bool (*texture_create)(struct aob_gpu *gpu, enum aob_format format, int width, int height, const void *texels,
-                           struct aob_gpu_texture **texture, struct aob_error *error);
+    bool (*texture_create)(struct aob_gpu *gpu, enum aob_format format, int width, int height,
+                           const void *texels, struct aob_gpu_texture **texture, struct aob_error *error);
     void (*texture_destroy)(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
-    bool (*texture_read)(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels, struct aob_error *error);
+    bool (*texture_read)(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels,
+                         struct aob_error *error);
     bool (*program_create)(struct aob_gpu *gpu, const char *glsl, struct aob_gpu_program **program,
                            struct aob_error *error);
     void (*program_destroy)(struct aob_gpu *gpu, struct aob_gpu_program *program);
@@ -80,7 +83,7 @@ struct aob_gpu_texture { /* likewise */
     int width, height;
 };
 struct aob_gpu_program { /* likewise */
-    uint32_t bindings; /* bit n: it declares BIND(n), so a pass must bind it */
+    uint32_t bindings;   /* bit n: it declares BIND(n), so a pass must bind it */
 };
 
 extern const struct aob_gpu_fns *const aob_gpu_backends[]; /* NULL-ended, in the order of `list backends` */
@@ -92,18 +95,20 @@ void aob_gpu_close(struct aob_gpu *gpu);
 
 /* Tightly packed texels, row 0 at the top, in the format's own bits; NULL texels: undefined content. Every
  * texture can be sampled, read as a storage image, drawn to and read back. */
-struct aob_gpu_texture *aob_gpu_texture_create(struct aob_gpu *gpu, enum aob_format format, int width, int height,
-                                               const void *texels, struct aob_error *error);
+struct aob_gpu_texture *aob_gpu_texture_create(struct aob_gpu *gpu, enum aob_format format, int width,
+                                               int height, const void *texels, struct aob_error *error);
 void aob_gpu_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
 bool aob_gpu_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels,
                           struct aob_error *error);
 
 /* A fragment program from whole GLSL 4.50 text (prelude included, with BIND(n) macros: see gpu/glsl.h), drawn
  * over the full target by one triangle. A compile error's first line, with its line number, is the reason. */
-struct aob_gpu_program *aob_gpu_program_create(struct aob_gpu *gpu, const char *glsl, struct aob_error *error);
+struct aob_gpu_program *aob_gpu_program_create(struct aob_gpu *gpu, const char *glsl,
+                                               struct aob_error *error);
 void aob_gpu_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program);
 
-/* A pass is recorded once and run many times. It reads and writes whole textures; a texture must not be both. */
+/* A pass is recorded once and run many times. It reads and writes whole textures; a texture must not be both.
+ * Its program and textures must outlive it; binds, targets and uniforms are copied. */
 struct aob_gpu_pass *aob_gpu_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc,
                                          struct aob_error *error);
 void aob_gpu_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
@@ -112,7 +117,7 @@ void aob_gpu_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
 bool aob_gpu_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
                       struct aob_error *error);
 
-size_t aob_gpu_texel_size(enum aob_format format);  /* bytes */
-int aob_gpu_texel_components(enum aob_format format); /* 1, 2 or 4 */
+size_t aob_gpu_texel_size(enum aob_format format);         /* bytes */
+int aob_gpu_texel_components(enum aob_format format);      /* 1, 2 or 4 */
 const char *aob_gpu_format_layout(enum aob_format format); /* GLSL image layout word: "r32f" */
 #endif

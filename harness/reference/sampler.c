@@ -123,7 +123,8 @@ static inline struct pair turn(uint32_t angle)
     uint32_t quadrant = angle >> 30;
     float a = ((float)(int)(angle >> 7 & 0x7fffff) - 4194303.5f) * (float)(M_PI / 16777216);
     float b = a * a;
-    union word s = {.number = a * (1 + b * (-1 / 6.f + b * (1 / 120.f + b * (-1 / 5040.f + b * (1 / 362880.f)))))};
+    union word s = {.number =
+                        a * (1 + b * (-1 / 6.f + b * (1 / 120.f + b * (-1 / 5040.f + b * (1 / 362880.f)))))};
     union word c = {.number = 1 + b * (-1 / 2.f + b * (1 / 24.f + b * (-1 / 720.f + b * (1 / 40320.f))))};
     uint32_t exchange = (s.bits ^ c.bits) & -(quadrant & 1);
     c.bits ^= exchange ^ ((quadrant + 1) & 2) << 30;
@@ -131,7 +132,8 @@ static inline struct pair turn(uint32_t angle)
     return (struct pair){c.number, s.number};
 }
 
-/* Of 0 < x < 4, to float rounding: Newton's steps on 1/sqrt(x). sqrtf may set errno and so is never vectorised. */
+/* Of 0 < x < 4, to float rounding: Newton's steps on 1/sqrt(x). sqrtf may set errno and so is never
+ * vectorised. */
 static inline float root(float x)
 {
     union word guess = {.number = x};

@@ -1,10 +1,10 @@
 /* Directions over the hemisphere: Owen-scrambled Sobol points in two dimensions, mapped about a normal.
- * Points: Sobol' 1967, dimensions 1 and 2. Scramble: the hash of Laine and Karras 2011 ("Stratified Sampling for
- * Stochastic Transparency") on bit-reversed numbers, with the multipliers of Burley 2020 ("Practical Hash-based
- * Owen Scrambling", JCGT 9(4)). Each set of `count` points is a prefix of the sequence under a scramble of its
- * own, so two sets with different seeds are independent, unbiased estimates.
- * Order: sixteen neighbours in the arrays lie in one cell of azimuth x height (a scramble keeps such cells
- * together), because rays close in direction are traced faster. Thread-safe once created. */
+ * Points: Sobol' 1967, dimensions 1 and 2. Scramble: the hash of Laine and Karras 2011 ("Stratified Sampling
+ * for Stochastic Transparency") on bit-reversed numbers, with the multipliers of Burley 2020 ("Practical
+ * Hash-based Owen Scrambling", JCGT 9(4)). Each set of `count` points is a prefix of the sequence under a
+ * scramble of its own, so two sets with different seeds are independent, unbiased estimates. Order: sixteen
+ * neighbours in the arrays lie in one cell of azimuth x height (a scramble keeps such cells together),
+ * because rays close in direction are traced faster. Thread-safe once created. */
 #ifndef AOB_REFERENCE_SAMPLER_H
 #define AOB_REFERENCE_SAMPLER_H
 #include <stdbool.h>
@@ -19,7 +19,8 @@ struct aob_sampler {
     uint32_t *azimuth, *height; /* padded: the unscrambled coordinates, bits reversed, in tracing order */
 };
 
-/* `mixture`: half cosine and half uniform over the hemisphere; serves both weightings with weights of at most 2. */
+/* `mixture`: half cosine and half uniform over the hemisphere; serves both weightings with weights of at
+ * most 2. */
 void aob_sampler_init(struct aob_sampler *sampler, size_t count, bool mixture);
 void aob_sampler_finish(struct aob_sampler *sampler);
 
@@ -28,8 +29,8 @@ struct aob_basis {
     float tangent[3], bitangent[3], normal[3];
 };
 
-/* One set; each array has `padded` elements. The cosine with the normal is at least 2^-12, far above rounding, so
- * that no direction lies below its own surface. */
+/* One set; each array has `padded` elements. The cosine with the normal is at least 2^-12, far above
+ * rounding, so that no direction lies below its own surface. */
 struct aob_directions {
     float *x, *y, *z, *cosine;
 };

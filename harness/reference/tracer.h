@@ -1,7 +1,7 @@
 /* The ray tracer: a mesh in Embree, primary hits, and visibility of many definitions from one set of rays.
- * Units: everything given and returned is in scene units; the tracer recentres and rescales inside (the mesh's
- * box to unit size, in double precision) so that a scene's place and scale do not show.
- * Threads: a tracer is used by one thread at a time; its calls use all cores (OpenMP). */
+ * Units: everything given and returned is in scene units; the tracer recentres and rescales inside (the
+ * mesh's box to unit size, in double precision) so that a scene's place and scale do not show. Threads: a
+ * tracer is used by one thread at a time; its calls use all cores (OpenMP). */
 #ifndef AOB_REFERENCE_TRACER_H
 #define AOB_REFERENCE_TRACER_H
 #include <stdbool.h>
@@ -13,31 +13,37 @@
 
 struct aob_tracer;
 
-/* Keeps its own copy of what it needs. NULL after an error line. */
+/* Keeps its own copy of what it needs. Triangles without an area are skipped; the others keep their numbers.
+ * NULL after an error line: a mesh that aob_mesh_check refuses, of zero extent, or without any area. */
 struct aob_tracer *aob_tracer_create(const struct aob_mesh *mesh, struct aob_error *error);
 void aob_tracer_destroy(struct aob_tracer *tracer);
 
 enum { AOB_NO_PRIMITIVE = 0xffffffffu }; /* sky */
 
-/* What the camera sees at pixel centres. Row 0 is the top. */
+/* What the camera sees at pixel centres. Row 0 is the top. Both sides of a triangle are seen alike. */
 struct aob_hits {
-    int width, height;      /* guard band included */
-    uint32_t *primitive;    /* triangle, or AOB_NO_PRIMITIVE */
-    float *u, *v;           /* barycentric: p = (1-u-v) p0 + u p1 + v p2 */
-    float *depth;           /* scene units along the view axis, exact to float rounding; 0 where sky */
-    float (*normal)[3];     /* geometric, view space, unit, turned to the camera; 0 where sky */
-    float (*shading)[3];    /* shading normal likewise; the geometric one where the mesh has none */
+    int width, height;   /* guard band included */
+    uint32_t *primitive; /* triangle, or AOB_NO_PRIMITIVE */
+    float *u, *v;        /* barycentric: p = (1-u-v) p0 + u p1 + v p2 */
+    float *depth;        /* scene units along the view axis, exact to float rounding; 0 where sky */
+    float (*normal)[3];  /* geometric, view space, unit, turned to the camera; 0 where sky */
+    float (*shading)[3]; /* shading normal, on the geometric one's side; the geometric one where the mesh has
+                            none */
 };
+
+/* Embree decides which triangle is hit; the place on it, depth and normals are computed in double precision
+ * on the pixel's own ray. `camera` must have passed aob_camera_check. Allocates the arrays of `hits`. */
 void aob_tracer_cast(const struct aob_tracer *tracer, const struct aob_camera *camera,
                      const struct aob_projection *projection, struct aob_hits *hits);
 void aob_hits_finish(struct aob_hits *hits);
 
-/* One visibility to compute: V = map(1 - mean over directions of [hit within radius] * falloff(distance/radius)). */
+/* One visibility to compute: V = map(1 - mean over directions of [hit within radius] *
+ * falloff(distance/radius)). */
 struct aob_visibility_term {
     double radius;        /* scene units; INFINITY allowed (then falloff must be NULL) */
     bool uniform;         /* weighting of directions: uniform over the hemisphere, else cosine */
     const float *falloff; /* table of `falloff_count` values over t = 0..1, linear between; NULL: 1 */
-    size_t falloff_count;
+    size_t falloff_count; /* >= 1 with a table; 1: that value throughout */
 };
 struct aob_visibility_desc {
     const struct aob_visibility_term *terms;
@@ -46,14 +52,22 @@ struct aob_visibility_desc {
     int spp;                   /* rays a pixel: two independent halves of spp/2; even, 2..65536 */
     uint32_t seed;
 };
-struct aob_visibility {        /* width * height floats each, scene part only; sky pixels are 1 with se 0 */
-    float *ao;                 /* (A+B)/2, before any map */
-    float *se;                 /* |A-B|/2: the standard error's estimate of the pixel; pool it as an RMS */
+struct aob_visibility { /* width * height floats each, scene part only; sky pixels are 1 with se 0 */
+    float *ao;          /* (A+B)/2, before any map */
+    float *se;          /* |A-B|/2: the standard error's estimate of the pixel; pool it as an RMS */
 };
-/* Fills result[term_count] (its arrays are allocated here; aob_visibility_finish frees). One closest-hit trace,
- * to the largest radius, serves all terms (design.md, References 1): cosine-distributed directions about the
- * geometric normal, Owen-scrambled Sobol, each pixel and half scrambled by its own hash. Rays start at the
- * barycentric hit point, moved along the normal by Waechter-Binder's offset (Ray Tracing Gems ch. 6). */
+/* Fills result[term_count] (its arrays are allocated here; aob_visibility_finish frees). False and one line
+ * for bad spp, part, radius or falloff; nothing is allocated then. `camera` is the one that cast the hits.
+ * One closest-hit trace, to the largest radius, serves all terms (design.md, References 1): directions about
+ * the geometric normal, Owen-scrambled Sobol, each pixel and half scrambled by its own hash of place and
+ * seed; the same result for any number of threads. Directions are cosine-distributed if all terms are. If any
+ * is `uniform`, all are drawn from the density (cos + 1/2) / (2 pi), half of each kind, and weighted: cos /
+ * (cos + 1/2) or 1 / (cos + 1/2), over the sum of the weights, which is the balance heuristic (Veach
+ * 1997, 9.2) in one stratified set. So a cosine term traced beside a uniform one has another (equally good)
+ * noise than alone: a cache key has to say which it was. Rays start at the barycentric hit point, 2^-23 of
+ * the mesh's longest side above it along the normal (Waechter and Binder's offset, Ray Tracing Gems ch. 6, is
+ * up to 128 times that); hits so near that rounding could have made them are checked again in double
+ * precision, so that a plane and a convex solid are open exactly. */
 bool aob_tracer_visibility(const struct aob_tracer *tracer, const struct aob_camera *camera,
                            const struct aob_hits *hits, const struct aob_visibility_desc *desc,
                            struct aob_visibility *result, struct aob_error *error);

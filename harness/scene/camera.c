@@ -11,9 +11,11 @@ bool aob_camera_check(const struct aob_camera *camera, struct aob_error *error)
         return aob_fail(error, "camera: eye and target must be finite numbers");
     double distance = aob_vec_length(aob_vec_sub(camera->target, camera->eye));
     if (!(distance > 0) || !isfinite(distance))
-        return aob_fail(error, "camera: eye and target are the same point (or too far apart): move one of them");
+        return aob_fail(error,
+                        "camera: eye and target are the same point (or too far apart): move one of them");
     if (!(camera->ortho_height >= 0) || !isfinite(camera->ortho_height))
-        return aob_fail(error, "camera: ortho height %g: must be finite and not negative", camera->ortho_height);
+        return aob_fail(error, "camera: ortho height %g: must be finite and not negative",
+                        camera->ortho_height);
     if (camera->ortho_height > 0)
         return true;
     if (!(camera->fov_deg >= 1 && camera->fov_deg <= 170))
@@ -49,12 +51,13 @@ struct aob_projection aob_camera_projection(const struct aob_camera *camera, int
     };
 }
 
-void aob_camera_ray(const struct aob_camera *camera, const struct aob_projection *projection, double qx, double qy,
-                    struct aob_vec3 *origin, struct aob_vec3 *direction)
+void aob_camera_ray(const struct aob_camera *camera, const struct aob_projection *projection, double qx,
+                    double qy, struct aob_vec3 *origin, struct aob_vec3 *direction)
 {
     struct aob_frame_axes axes = aob_camera_axes(camera);
     struct aob_vec3 across = aob_vec_scale(axes.right, (qx - projection->cx) * projection->sx);
-    struct aob_vec3 offset = aob_vec_sub(across, aob_vec_scale(axes.up, (qy - projection->cy) * projection->sy));
+    struct aob_vec3 offset =
+        aob_vec_sub(across, aob_vec_scale(axes.up, (qy - projection->cy) * projection->sy));
     if (projection->perspective) {
         *origin = camera->eye;
         *direction = aob_vec_sub(offset, axes.back);

@@ -26,12 +26,16 @@ struct aob_frame_axes {
 
 /* eye != target, finite, fov in 1..170; else one line. */
 bool aob_camera_check(const struct aob_camera *camera, struct aob_error *error);
-struct aob_frame_axes aob_camera_axes(const struct aob_camera *camera); /* looking straight up or down is fine */
+struct aob_frame_axes
+aob_camera_axes(const struct aob_camera *camera); /* looking straight up or down is fine */
 
-/* Of an image of width x height pixels with `guard` more on each side: the inner image keeps its field of view. */
-struct aob_projection aob_camera_projection(const struct aob_camera *camera, int width, int height, int guard);
+/* Of an image of width x height pixels with `guard` more on each side: the inner image keeps its field of
+ * view. */
+struct aob_projection aob_camera_projection(const struct aob_camera *camera, int width, int height,
+                                            int guard);
 
-/* Ray through image position q: origin, and direction scaled so that distance along it is depth. World space. */
-void aob_camera_ray(const struct aob_camera *camera, const struct aob_projection *projection, double qx, double qy,
-                    struct aob_vec3 *origin, struct aob_vec3 *direction);
+/* Ray through image position q: origin, and direction scaled so that distance along it is depth. World space.
+ */
+void aob_camera_ray(const struct aob_camera *camera, const struct aob_projection *projection, double qx,
+                    double qy, struct aob_vec3 *origin, struct aob_vec3 *direction);
 #endif

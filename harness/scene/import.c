@@ -17,7 +17,8 @@ static const unsigned steps = aiProcess_RemoveComponent | aiProcess_Triangulate 
 static const struct aiScene *import_scene(const char *path)
 {
     struct aiPropertyStore *options = aiCreatePropertyStore();
-    aiSetImportPropertyInteger(options, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    aiSetImportPropertyInteger(options, AI_CONFIG_PP_SBP_REMOVE,
+                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     aiSetImportPropertyInteger(options, AI_CONFIG_PP_RVC_FLAGS, dropped);
     aiSetImportPropertyFloat(options, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 60);
     const struct aiScene *scene = aiImportFileExWithProperties(path, steps, NULL, options);
@@ -73,16 +74,17 @@ static void gather(struct aob_mesh *mesh, const struct aiScene *scene)
 static void warn_if_suspicious(const struct aob_mesh *mesh, const char *path)
 {
     if (mesh->triangle_count * 10 < mesh->vertex_count)
-        aob_warn("%s: %zu vertices but only %zu triangles: much of the file was not understood (strips?)", path,
-                 mesh->vertex_count, mesh->triangle_count);
+        aob_warn("%s: %zu vertices but only %zu triangles: much of the file was not understood (strips?)",
+                 path, mesh->vertex_count, mesh->triangle_count);
     struct aob_vec3 low, high;
     aob_mesh_bounds(mesh, &low, &high);
     double extent = aob_vec_length(aob_vec_sub(high, low));
     double away = aob_vec_length(aob_vec_add(low, high)) / 2;
     if (away > 1e4 * extent)
-        aob_warn("%s: lies %g from the origin and is %g large: 32-bit floats have lost its detail; move it to the "
-                 "origin before exporting",
-                 path, away, extent);
+        aob_warn(
+            "%s: lies %g from the origin and is %g large: 32-bit floats have lost its detail; move it to the "
+            "origin before exporting",
+            path, away, extent);
 }
 
 bool aob_mesh_import(struct aob_mesh *mesh, const char *path, struct aob_error *error)

@@ -4,8 +4,8 @@
 #include "base/file.h"
 #include "base/memory.h"
 
-/* A flat file: this header, positions, normals if any, triangles. Only this machine reads it, so its own number
- * formats serve. */
+/* A flat file: this header, positions, normals if any, triangles. Only this machine reads it, so its own
+ * number formats serve. */
 struct flat_header {
     char magic[8];
     uint64_t vertex_count, triangle_count, has_normals;
@@ -43,13 +43,13 @@ bool aob_mesh_check(const struct aob_mesh *mesh, const char *name, struct aob_er
         return aob_fail(error, "%s: no triangles in it: nothing to render", name);
     for (size_t i = 0; i < mesh->vertex_count; i++)
         if (!finite_vec(mesh->positions[i]) || (mesh->normals && !finite_vec(mesh->normals[i])))
-            return aob_fail(error, "%s: vertex %zu is not finite: the file is damaged or was exported wrongly", name,
-                            i);
+            return aob_fail(
+                error, "%s: vertex %zu is not finite: the file is damaged or was exported wrongly", name, i);
     for (size_t i = 0; i < mesh->triangle_count; i++)
         for (int k = 0; k < 3; k++)
             if (mesh->triangles[i][k] >= mesh->vertex_count)
-                return aob_fail(error, "%s: triangle %zu names vertex %u of %zu: the file is damaged", name, i,
-                                mesh->triangles[i][k], mesh->vertex_count);
+                return aob_fail(error, "%s: triangle %zu names vertex %u of %zu: the file is damaged", name,
+                                i, mesh->triangles[i][k], mesh->vertex_count);
     return true;
 }
 
@@ -97,7 +97,8 @@ static bool header_fits(const struct flat_header *header, size_t size)
     if (header->vertex_count > size || header->triangle_count > size) /* so that the sum below cannot wrap */
         return false;
     uint64_t per_vertex = sizeof(struct aob_vec3) * (1 + header->has_normals);
-    return size == sizeof *header + header->vertex_count * per_vertex + header->triangle_count * 3 * sizeof(uint32_t);
+    return size ==
+           sizeof *header + header->vertex_count * per_vertex + header->triangle_count * 3 * sizeof(uint32_t);
 }
 
 /* The next `count` elements of the file, in memory of their own. */
@@ -128,7 +129,7 @@ bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error 
         if (header.has_normals)
             mesh->normals = take(&at, mesh->vertex_count, sizeof *mesh->normals);
         mesh->triangles = take(&at, mesh->triangle_count, sizeof *mesh->triangles);
-        char key[AOB_KEY_SIZE];
+        char key[sizeof header.key] = "";
         aob_mesh_digest(mesh, key);
         ok = !memcmp(key, header.key, sizeof key);
     }
@@ -136,5 +137,6 @@ bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error 
     if (ok && aob_mesh_check(mesh, path, error))
         return true;
     aob_mesh_finish(mesh);
-    return ok ? false : aob_fail(error, "%s: not a whole mesh file of this program: delete it and load again", path);
+    return ok ? false
+              : aob_fail(error, "%s: not a whole mesh file of this program: delete it and load again", path);
 }

@@ -19,10 +19,14 @@ void aob_mesh_finish(struct aob_mesh *mesh);
 /* Building: shapes are added with faces of their own vertices. All lengths in scene units. */
 uint32_t aob_mesh_add_vertex(struct aob_mesh *mesh, struct aob_vec3 position);
 void aob_mesh_add_triangle(struct aob_mesh *mesh, uint32_t a, uint32_t b, uint32_t c);
-void aob_mesh_add_quad(struct aob_mesh *mesh, struct aob_vec3 corner, struct aob_vec3 edge_u, struct aob_vec3 edge_v); /* front: u x v */
-void aob_mesh_add_box(struct aob_mesh *mesh, struct aob_vec3 low, struct aob_vec3 high, double turn_y_deg); /* about its own centre */
-void aob_mesh_add_sphere(struct aob_mesh *mesh, struct aob_vec3 centre, double radius, int segments); /* >= 3 round the equator */
-void aob_mesh_add_disc(struct aob_mesh *mesh, struct aob_vec3 centre, struct aob_vec3 normal, double radius, int segments);
+void aob_mesh_add_quad(struct aob_mesh *mesh, struct aob_vec3 corner, struct aob_vec3 edge_u,
+                       struct aob_vec3 edge_v); /* front: u x v */
+void aob_mesh_add_box(struct aob_mesh *mesh, struct aob_vec3 low, struct aob_vec3 high,
+                      double turn_y_deg); /* about its own centre */
+void aob_mesh_add_sphere(struct aob_mesh *mesh, struct aob_vec3 centre, double radius,
+                         int segments); /* >= 3 round the equator */
+void aob_mesh_add_disc(struct aob_mesh *mesh, struct aob_vec3 centre, struct aob_vec3 normal, double radius,
+                       int segments);
 
 /* Bounds of all vertices; an empty mesh gives zeros. */
 void aob_mesh_bounds(const struct aob_mesh *mesh, struct aob_vec3 *low, struct aob_vec3 *high);
@@ -39,7 +43,8 @@ bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_err
 bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error *error);
 
 /* Any mesh file by assimp (OBJ, PLY, glTF, 3DS, ...): triangulated, node transforms applied, shading normals
- * kept or made (60 degrees). Runs hostile parsers over hostile bytes: only ever call it in a child process with
- * limits. Warns (one line each) of a file that loads suspiciously: < 0.1 triangles a vertex, |centre| > 1e4 extents. */
+ * kept or made (60 degrees). Runs hostile parsers over hostile bytes: only ever call it in a child process
+ * with limits. Warns (one line each) of a file that loads suspiciously: < 0.1 triangles a vertex, |centre| >
+ * 1e4 extents. */
 bool aob_mesh_import(struct aob_mesh *mesh, const char *path, struct aob_error *error);
 #endif

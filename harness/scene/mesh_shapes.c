@@ -15,7 +15,8 @@ void aob_mesh_add_triangle(struct aob_mesh *mesh, uint32_t a, uint32_t b, uint32
     triangle[2] = c;
 }
 
-void aob_mesh_add_quad(struct aob_mesh *mesh, struct aob_vec3 corner, struct aob_vec3 edge_u, struct aob_vec3 edge_v)
+void aob_mesh_add_quad(struct aob_mesh *mesh, struct aob_vec3 corner, struct aob_vec3 edge_u,
+                       struct aob_vec3 edge_v)
 {
     uint32_t first = aob_mesh_add_vertex(mesh, corner);
     aob_mesh_add_vertex(mesh, aob_vec_add(corner, edge_u));
@@ -98,5 +99,6 @@ void aob_mesh_add_disc(struct aob_mesh *mesh, struct aob_vec3 centre, struct aob
         aob_mesh_add_vertex(mesh, aob_vec_add(centre, aob_vec_scale(out, radius)));
     }
     for (int i = 0; i < segments; i++)
-        aob_mesh_add_triangle(mesh, middle, middle + 1 + (uint32_t)i, middle + 1 + (uint32_t)((i + 1) % segments));
+        aob_mesh_add_triangle(mesh, middle, middle + 1 + (uint32_t)i,
+                              middle + 1 + (uint32_t)((i + 1) % segments));
 }

@@ -3,7 +3,9 @@
 #include "base/memory.h"
 
 #define VIEW(name_, ex, ey, ez, tx, ty, tz, fov)                                                             \
-    {.name = name_, .camera = {.eye = {ex, ey, ez}, .target = {tx, ty, tz}, .fov_deg = fov}}
+    {                                                                                                        \
+        .name = name_, .camera = {.eye = {ex, ey, ez}, .target = {tx, ty, tz}, .fov_deg = fov }              \
+    }
 
 static void add_floor(struct aob_mesh *mesh)
 {
@@ -41,8 +43,9 @@ static const struct aob_view corner_views[] = {
 };
 static const struct aob_scene_info corner = {
     .name = "corner",
-    .title = "Floor y = 0 (z 0..40) and wall z = 0 (y 0..40), x -20..20 m, meeting at 90 degrees: visibility in "
-             "closed form",
+    .title =
+        "Floor y = 0 (z 0..40) and wall z = 0 (y 0..40), x -20..20 m, meeting at 90 degrees: visibility in "
+        "closed form",
     .metres_per_unit = 1,
     .views = corner_views,
     .view_count = AOB_COUNT(corner_views),
@@ -67,8 +70,9 @@ static const struct aob_view spheres_views[] = {
 };
 static const struct aob_scene_info spheres = {
     .name = "spheres",
-    .title = "Floor y = 0, 40 x 40 m; spheres of radius 1 at (0, 1, 0), 0.5 at (1.41421, 0.5, 0), 0.25 at (-0.6, "
-             "0.25, 0.8), all touching, 0.125 at (0.5, 0.125, 1.5) on the floor, 0.4 at (-1.5, 0.6, 0.6) above it",
+    .title =
+        "Floor y = 0, 40 x 40 m; spheres of radius 1 at (0, 1, 0), 0.5 at (1.41421, 0.5, 0), 0.25 at (-0.6, "
+        "0.25, 0.8), all touching, 0.125 at (0.5, 0.125, 1.5) on the floor, 0.4 at (-1.5, 0.6, 0.6) above it",
     .metres_per_unit = 1,
     .views = spheres_views,
     .view_count = AOB_COUNT(spheres_views),
@@ -93,8 +97,9 @@ static const struct aob_view cornell_views[] = {
 };
 static const struct aob_scene_info cornell = {
     .name = "cornell",
-    .title = "Room x -1..1, y 0..2, z -1..1 m, open at z = 1; blocks 0.6 x 1.2 x 0.6 about (-0.35, 0.6, -0.3) "
-             "turned 18 degrees and 0.6 x 0.6 x 0.6 about (0.35, 0.3, 0.3) turned -17",
+    .title =
+        "Room x -1..1, y 0..2, z -1..1 m, open at z = 1; blocks 0.6 x 1.2 x 0.6 about (-0.35, 0.6, -0.3) "
+        "turned 18 degrees and 0.6 x 0.6 x 0.6 about (0.35, 0.3, 0.3) turned -17",
     .metres_per_unit = 1,
     .views = cornell_views,
     .view_count = AOB_COUNT(cornell_views),
@@ -102,14 +107,15 @@ static const struct aob_scene_info cornell = {
 };
 
 static const struct aob_view bunny_views[] = {
-    VIEW("front", 0, 0.4, 2.6, 0, -0.1, 0, 45),
-    VIEW("left", -2.4, 0.6, 0.8, 0, -0.1, 0, 45),
+    VIEW("front", 0, 0.4, 3.3, 0, 0, 0, 45),
+    VIEW("left", -3, 0.6, 1, 0, 0, 0, 45),
     VIEW("ears", 0.4, 1.4, 1.4, -0.4, 0.3, -0.1, 45),
 };
 static const struct aob_scene_info bunny = {
     .name = "bunny",
-    .title = "Stanford bunny, 69,666 triangles, box 2 x 1.98 x 1.55 units about the origin (the clay model is "
-             "0.156 m wide), without a floor",
+    .title =
+        "Stanford bunny, 69,666 triangles, box 2 x 1.98 x 1.55 units about the origin (the clay model is "
+        "0.156 m wide), without a floor",
     .metres_per_unit = 0.078,
     .views = bunny_views,
     .view_count = AOB_COUNT(bunny_views),

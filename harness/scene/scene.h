@@ -24,8 +24,9 @@ struct aob_scene_info {
 /* NULL-ended, in the order that `list scenes` prints. */
 extern const struct aob_scene_info *const aob_scenes[];
 
-const struct aob_scene_info *aob_scene_find(const char *name);            /* NULL if unknown */
-const struct aob_view *aob_scene_view(const struct aob_scene_info *scene, const char *name); /* NULL name: the first; NULL if unknown */
+const struct aob_scene_info *aob_scene_find(const char *name); /* NULL if unknown */
+const struct aob_view *aob_scene_view(const struct aob_scene_info *scene,
+                                      const char *name); /* NULL name: the first; NULL if unknown */
 
 /* A camera that frames a mesh without views: from the front, above and a little to the right, 60 degrees. */
 struct aob_camera aob_scene_framing(struct aob_vec3 low, struct aob_vec3 high);

@@ -11,12 +11,25 @@ static json_t *choices_to_json(const char *const *choices)
     return names;
 }
 
-static json_t *param_to_json(const struct aob_param *param)
+/* The words of the enums, in their order. */
+static const char *const unit_words[] = {"none", "scene_units", "pixels", "radians", "count", NULL};
+static const char *const scale_words[] = {"linear", "log2", NULL};
+static const char *const stage_words[] = {"uniform", "constant", "host", NULL};
+
+static int word_index(const char *const *words, const char *word)
 {
-    json_t *p = json_pack("{s:s, s:s, s:s, s:i, s:i, s:i, s:f, s:f, s:f}", "name", param->name, "doc", param->doc,
-                          "type", param->type == AOB_INT ? "int" : "float", "unit", (int)param->unit, "scale",
-                          (int)param->scale, "stage", (int)param->stage, "min", param->min, "max", param->max,
-                          "initial", param->initial);
+    for (int i = 0; words[i]; i++)
+        if (strcmp(words[i], word) == 0)
+            return i;
+    return -1;
+}
+
+json_t *aob_param_to_json(const struct aob_param *param)
+{
+    json_t *p = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:f, s:f}", "name", param->name, "doc", param->doc,
+                          "type", param->type == AOB_INT ? "int" : "float", "unit", unit_words[param->unit], "scale",
+                          scale_words[param->scale], "stage", stage_words[param->stage], "min", param->min, "max",
+                          param->max, "initial", param->initial);
     if (param->choices)
         json_object_set_new(p, "choices", choices_to_json(param->choices));
     return p;
@@ -27,7 +40,7 @@ json_t *aob_technique_to_json(const struct aob_registry_entry *entry)
     const struct aob_technique *t = entry->technique;
     json_t *params = json_array();
     for (uint32_t i = 0; i < t->param_count; i++)
-        json_array_append_new(params, param_to_json(&t->params[i]));
+        json_array_append_new(params, aob_param_to_json(&t->params[i]));
     return json_pack("{s:s, s:s, s:s, s:i, s:s, s:s?, s:o}", "name", t->name, "title", t->title, "citation",
                      t->citation, "revision", (int)t->revision, "digest", entry->digest, "module", entry->module,
                      "params", params);
@@ -43,18 +56,19 @@ static const char *const *choices_from_json(const json_t *names)
 
 static bool param_from_json(json_t *p, struct aob_param *param)
 {
-    const char *name, *doc, *type;
-    int unit, scale, stage;
-    if (json_unpack(p, "{s:s, s:s, s:s, s:i, s:i, s:i, s:F, s:F, s:F}", "name", &name, "doc", &doc, "type", &type,
+    const char *name, *doc, *type, *unit, *scale, *stage;
+    if (json_unpack(p, "{s:s, s:s, s:s, s:s, s:s, s:s, s:F, s:F, s:F}", "name", &name, "doc", &doc, "type", &type,
                     "unit", &unit, "scale", &scale, "stage", &stage, "min", &param->min, "max", &param->max,
                     "initial", &param->initial) != 0)
+        return false;
+    if (word_index(unit_words, unit) < 0 || word_index(scale_words, scale) < 0 || word_index(stage_words, stage) < 0)
         return false;
     param->name = aob_strdup(name);
     param->doc = aob_strdup(doc);
     param->type = strcmp(type, "int") == 0 ? AOB_INT : AOB_FLOAT;
-    param->unit = (enum aob_unit)unit;
-    param->scale = (enum aob_scale)scale;
-    param->stage = (enum aob_stage)stage;
+    param->unit = (enum aob_unit)word_index(unit_words, unit);
+    param->scale = (enum aob_scale)word_index(scale_words, scale);
+    param->stage = (enum aob_stage)word_index(stage_words, stage);
     if (json_object_get(p, "choices"))
         param->choices = choices_from_json(json_object_get(p, "choices"));
     return true;
@@ -62,12 +76,11 @@ static bool param_from_json(json_t *p, struct aob_param *param)
 
 bool aob_technique_list_add(struct aob_technique_list *list, const json_t *described)
 {
-    const char *name, *title, *citation, *digest, *module = NULL;
+    const char *name, *title, *citation, *digest, *module = json_string_value(json_object_get(described, "module"));
     int revision;
     json_t *params;
-    if (json_unpack((json_t *)(uintptr_t)described, "{s:s, s:s, s:s, s:i, s:s, s?:s?, s:o}", "name", &name, "title",
-                    &title, "citation", &citation, "revision", &revision, "digest", &digest, "module", &module,
-                    "params", &params) != 0)
+    if (json_unpack((json_t *)(uintptr_t)described, "{s:s, s:s, s:s, s:i, s:s, s:o}", "name", &name, "title",
+                    &title, "citation", &citation, "revision", &revision, "digest", &digest, "params", &params) != 0)
         return false;
     list->items = aob_realloc(list->items, list->count + 1, sizeof *list->items);
     struct aob_technique_info *info = &list->items[list->count++];

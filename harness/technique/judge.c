@@ -16,7 +16,8 @@ static bool judge_param(const struct aob_technique *technique, const struct aob_
     if (!param->doc || !*param->doc)
         return aob_fail(error, "technique '%s': parameter '%s' has no sentence", technique->name, param->name);
     if ((param->type != AOB_FLOAT && param->type != AOB_INT) || (unsigned)param->stage > AOB_HOST ||
-        (unsigned)param->unit > AOB_UNIT_COUNT || param->offset % 4 || param->offset + 4 > technique->values_size)
+        (unsigned)param->unit > AOB_UNIT_COUNT || (unsigned)param->scale > AOB_LOG2 ||
+        param->offset % 4 || param->offset + 4 > technique->values_size)
         return aob_fail(error, "technique '%s': parameter '%s' has a bad type, stage, unit or offset",
                         technique->name, param->name);
     if (param->choices)

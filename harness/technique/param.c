@@ -39,7 +39,7 @@ bool aob_param_parse(const struct aob_param *param, const char *text, double *va
         return aob_fail(error, "%s: '%s' is not a whole number", param->name, text);
     if (v < param->min || v > param->max)
         return aob_fail(error, "%s: %s is outside %g .. %g", param->name, text, param->min, param->max);
-    *value = v;
+    *value = param->type == AOB_FLOAT ? (double)(float)v : v; /* what the shader will see */
     return true;
 }
 

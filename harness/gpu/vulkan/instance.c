@@ -12,7 +12,6 @@ static VKAPI_ATTR VkBool32 VKAPI_CALL keep_complaint(VkDebugUtilsMessageSeverity
                                                      const VkDebugUtilsMessengerCallbackDataEXT *data,
                                                      void *user)
 {
-    (void)severity;
     (void)type;
     struct vk *vk = user;
     if (!vk->complaint[0])
@@ -20,7 +19,8 @@ static VKAPI_ATTR VkBool32 VKAPI_CALL keep_complaint(VkDebugUtilsMessageSeverity
     for (char *c = vk->complaint; *c; c++)
         if (*c == '\n' || *c == '\r')
             *c = ' ';
-    return VK_FALSE;
+    /* True takes the call back before the driver sees it: lavapipe dies of some of these. */
+    return !!(severity & VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT);
 }
 
 static VkDebugUtilsMessengerCreateInfoEXT describe_messenger(struct vk *vk)

@@ -15,6 +15,22 @@ struct aob_gpu_pass {
 
 enum { MAX_SET = 16, FLUSH_EVERY = 8 };
 
+static const VkPipelineVertexInputStateCreateInfo no_vertices = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
+};
+static const VkPipelineInputAssemblyStateCreateInfo triangles = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
+    .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
+};
+static const VkPipelineRasterizationStateCreateInfo fill = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+    .lineWidth = 1,
+};
+static const VkPipelineMultisampleStateCreateInfo one_sample = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
+    .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT,
+};
+
 static VkDescriptorType descriptor_type(enum aob_gpu_bind_kind kind)
 {
     return kind == AOB_GPU_STORAGE ? VK_DESCRIPTOR_TYPE_STORAGE_IMAGE
@@ -133,16 +149,24 @@ static VkPipelineShaderStageCreateInfo describe_stage(VkShaderStageFlagBits stag
                                              .pName = "main"};
 }
 
+static VkPipelineColorBlendStateCreateInfo describe_output(uint32_t count)
+{
+    static const VkPipelineColorBlendAttachmentState overwrite[AOB_MAX_OUT] = {
+        {.colorWriteMask = 0xf}, {.colorWriteMask = 0xf}, {.colorWriteMask = 0xf}, {.colorWriteMask = 0xf}};
+    return (VkPipelineColorBlendStateCreateInfo){
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+        .attachmentCount = count,
+        .pAttachments = overwrite,
+    };
+}
+
 static bool create_pipeline(struct vk *vk, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass *pass,
                             struct aob_error *error)
 {
     uint32_t count = (uint32_t)desc->target_count;
     VkFormat formats[AOB_MAX_OUT];
-    VkPipelineColorBlendAttachmentState blend[AOB_MAX_OUT];
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; i++)
         formats[i] = aob_vk_format(desc->targets[i]->format);
-        blend[i] = (VkPipelineColorBlendAttachmentState){.colorWriteMask = 0xf};
-    }
     VkRect2D scissor = area(desc);
     VkViewport viewport = {
         .width = (float)scissor.extent.width, .height = (float)scissor.extent.height, .maxDepth = 1};
@@ -150,6 +174,14 @@ static bool create_pipeline(struct vk *vk, const struct aob_gpu_pass_desc *desc,
         describe_stage(VK_SHADER_STAGE_VERTEX_BIT, vk->triangle),
         describe_stage(VK_SHADER_STAGE_FRAGMENT_BIT, ((const struct vk_program *)desc->program)->module),
     };
+    VkPipelineViewportStateCreateInfo view = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
+        .viewportCount = 1,
+        .pViewports = &viewport,
+        .scissorCount = 1,
+        .pScissors = &scissor,
+    };
+    VkPipelineColorBlendStateCreateInfo output = describe_output(count);
     VkPipelineRenderingCreateInfo rendering = {.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
                                                .colorAttachmentCount = count,
                                                .pColorAttachmentFormats = formats};
@@ -158,31 +190,12 @@ static bool create_pipeline(struct vk *vk, const struct aob_gpu_pass_desc *desc,
         .pNext = &rendering,
         .stageCount = AOB_COUNT(stages),
         .pStages = stages,
-        .pVertexInputState =
-            &(VkPipelineVertexInputStateCreateInfo){
-                .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO},
-        .pInputAssemblyState =
-            &(VkPipelineInputAssemblyStateCreateInfo){
-                .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
-                .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST},
-        .pViewportState = &(
-            VkPipelineViewportStateCreateInfo){.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
-                                               .viewportCount = 1,
-                                               .pViewports = &viewport,
-                                               .scissorCount = 1,
-                                               .pScissors = &scissor},
-        .pRasterizationState =
-            &(VkPipelineRasterizationStateCreateInfo){
-                .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO, .lineWidth = 1},
-        .pMultisampleState =
-            &(VkPipelineMultisampleStateCreateInfo){
-                .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
-                .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT},
-        .pColorBlendState =
-            &(VkPipelineColorBlendStateCreateInfo){
-                .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
-                .attachmentCount = count,
-                .pAttachments = blend},
+        .pVertexInputState = &no_vertices,
+        .pInputAssemblyState = &triangles,
+        .pViewportState = &view,
+        .pRasterizationState = &fill,
+        .pMultisampleState = &one_sample,
+        .pColorBlendState = &output,
         .layout = pass->layout,
     };
     return aob_vk_ok(vk, vkCreateGraphicsPipelines(vk->device, NULL, 1, &create, NULL, &pass->pipeline),

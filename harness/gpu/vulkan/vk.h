@@ -1,5 +1,6 @@
-/* The Vulkan backend's own types. Vulkan 1.3 with dynamic rendering and synchronization2; one queue, one thread;
- * images stay in the GENERAL layout; every submit is waited for, so no object is ever in use between calls. */
+/* The Vulkan backend's own types. Vulkan 1.3 with dynamic rendering and synchronization2; one queue, one
+ * thread; images stay in the GENERAL layout; every submit is waited for, so no object is ever in use between
+ * calls. */
 #ifndef AOB_GPU_VULKAN_VK_H
 #define AOB_GPU_VULKAN_VK_H
 #include <vulkan/vulkan.h>
@@ -43,7 +44,8 @@ struct vk_program {
     VkShaderModule module;
 };
 
-/* True if `result` is success and the validation layer kept quiet; else one line: "vulkan: cannot WHAT: why". */
+/* True if `result` is success and the validation layer kept quiet; else one line: "vulkan: cannot WHAT: why".
+ */
 bool aob_vk_ok(struct vk *vk, VkResult result, const char *what, struct aob_error *error);
 
 /* instance.c: instance, messenger, choice of the physical device. */
@@ -59,7 +61,8 @@ VkFormat aob_vk_format(enum aob_format format);
 /* commands.c: begin, record, end, then submit and wait, with a time if wanted. */
 bool aob_vk_begin(struct vk *vk, VkCommandBuffer commands, struct aob_error *error);
 bool aob_vk_end(struct vk *vk, VkCommandBuffer commands, struct aob_error *error);
-bool aob_vk_submit(struct vk *vk, VkCommandBuffer commands, struct aob_gpu_time *time, struct aob_error *error);
+bool aob_vk_submit(struct vk *vk, VkCommandBuffer commands, struct aob_gpu_time *time,
+                   struct aob_error *error);
 void aob_vk_barrier(VkCommandBuffer commands); /* all earlier writes before all later reads and writes */
 
 /* memory.c */

@@ -1,0 +1,59 @@
+#include "json.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "file.h"
+#include "memory.h"
+
+json_t *aob_json_number(double value)
+{
+    if (isnan(value))
+        return json_null();
+    return isinf(value) ? json_string(value > 0 ? "inf" : "-inf") : json_real(value);
+}
+
+double aob_json_to_number(const json_t *value)
+{
+    if (json_is_number(value))
+        return json_number_value(value);
+    const char *text = json_string_value(value);
+    return text && strcmp(text, "inf") == 0 ? INFINITY : NAN;
+}
+
+json_t *aob_json_vector(const double *values, size_t count)
+{
+    json_t *array = json_array();
+    for (size_t i = 0; i < count; i++)
+        json_array_append_new(array, aob_json_number(values[i]));
+    return array;
+}
+
+bool aob_json_to_vector(const json_t *array, double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        values[i] = aob_json_to_number(json_array_get(array, i));
+        if (!isfinite(values[i]))
+            return false;
+    }
+    return json_array_size(array) == count;
+}
+
+char *aob_json_line(const json_t *value)
+{
+    return json_dumps(value, JSON_COMPACT | JSON_REAL_PRECISION(9) | JSON_ENCODE_ANY);
+}
+
+bool aob_json_write(const json_t *document, const char *path, struct aob_error *error)
+{
+    char *text = json_dumps(document, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+    size_t size = strlen(text);
+    text = aob_realloc(text, size + 2, 1);
+    memcpy(text + size, "\n", 2);
+    bool ok = strcmp(path, "-") == 0 ? fputs(text, stdout) != EOF && fflush(stdout) == 0
+                                     : aob_file_write(path, text, size + 1, error);
+    if (!ok && strcmp(path, "-") == 0)
+        aob_fail(error, "standard output: cannot write");
+    free(text);
+    return ok;
+}

@@ -1,0 +1,19 @@
+/* Numbers and vectors in JSON (jansson). JSON has no infinity: it travels as the text "inf"; NAN as null. */
+#ifndef AOB_BASE_JSON_H
+#define AOB_BASE_JSON_H
+#include <jansson.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include "error.h"
+
+json_t *aob_json_number(double value);
+double aob_json_to_number(const json_t *value); /* NAN unless a number or "inf" */
+json_t *aob_json_vector(const double *values, size_t count);
+bool aob_json_to_vector(const json_t *array, double *values, size_t count); /* false: not so many finite numbers */
+
+/* Compact, one line, reals with 9 digits; free() it. */
+char *aob_json_line(const json_t *value);
+
+/* One indented document into a file, whole or not at all; "-" is standard output. */
+bool aob_json_write(const json_t *document, const char *path, struct aob_error *error);
+#endif

@@ -1,0 +1,79 @@
+#include "dispatch.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/child.h"
+#include "base/json.h"
+
+struct answers {
+    const struct aob_job_desc *desc;
+    bool garbled;
+};
+
+static void pass_on(void *user, const char *line)
+{
+    struct answers *answers = user;
+    json_t *answer = json_loads(line, JSON_REJECT_DUPLICATES, NULL);
+    if (!answer)
+        answers->garbled = true;
+    else if (answers->desc->on_answer)
+        answers->desc->on_answer(answers->desc->user, answer);
+    json_decref(answer);
+}
+
+bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_desc *desc, struct aob_error *error)
+{
+    char *input = aob_json_line(desc->job), text[700];
+    struct answers answers = {.desc = desc};
+    struct aob_child_result result = {0};
+    struct aob_child_desc child = {.argv = (const char *const[]){dispatch->program, "worker", NULL},
+                                   .env = desc->env,
+                                   .input = input,
+                                   .input_size = strlen(input),
+                                   .timeout_s = desc->timeout_s,
+                                   .memory_limit = desc->memory_limit,
+                                   .on_line = pass_on,
+                                   .user = &answers};
+    bool ok = aob_child_run(&child, &result, error);
+    free(input);
+    json_decref(desc->job);
+    if (!ok)
+        return false;
+    if (result.exit_code == 0 && !result.timed_out)
+        return !answers.garbled || aob_fail(error, "the worker's answer is garbled");
+    const char *said = strstr(result.complaint, "aobudget: error: ");
+    if (result.exit_code == AOB_EXIT_USAGE && said)
+        return aob_fail(error, "%s", said + strlen("aobudget: error: "));
+    aob_child_explain(&child, &result, text, sizeof text);
+    return aob_fail(error, "%s", text);
+}
+
+json_t *aob_dispatch_modules(const struct aob_dispatch *dispatch)
+{
+    json_t *modules = json_array();
+    for (size_t i = 0; i < dispatch->module_count; i++)
+        json_array_append_new(modules, json_string(dispatch->modules[i]));
+    return modules;
+}
+
+static void add_technique(void *user, json_t *answer)
+{
+    aob_technique_list_add(user, answer);
+}
+
+bool aob_dispatch_describe(const struct aob_dispatch *dispatch, struct aob_technique_list *list,
+                           struct aob_error *error)
+{
+    *list = (struct aob_technique_list){0};
+    struct aob_job_desc desc = {
+        .job = json_pack("{s:s, s:o}", "job", "describe", "modules", aob_dispatch_modules(dispatch)),
+        .timeout_s = 60,
+        .memory_limit = (size_t)4 << 30,
+        .on_answer = add_technique,
+        .user = list};
+    if (aob_dispatch_job(dispatch, &desc, error) && list->count)
+        return true;
+    if (!*error->text)
+        aob_fail(error, "the worker describes no technique");
+    aob_technique_list_finish(list);
+    return false;
+}

@@ -1,0 +1,153 @@
+#include "gl.h"
+#include "base/memory.h"
+#include "gpu/glsl.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Code from a disk cache may have been made under other settings, and hides what a compile costs. */
+const char *const aob_gl_environment[] = {
+    "MESA_SHADER_CACHE_DISABLE=true",
+    "__GL_SHADER_DISK_CACHE=0",
+    NULL,
+};
+
+static const char *explain(GLenum code)
+{
+    switch (code) {
+    case GL_OUT_OF_MEMORY:
+        return "out of memory";
+    case GL_INVALID_ENUM:
+        return "invalid enumerator";
+    case GL_INVALID_VALUE:
+        return "invalid value";
+    case GL_INVALID_OPERATION:
+        return "invalid operation";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+        return "incomplete framebuffer";
+    default:
+        return "context lost or unknown error";
+    }
+}
+
+bool aob_gl_ok(struct aob_gpu *gpu, const char *what, struct aob_error *error)
+{
+    GLenum code = ((struct gl *)gpu)->api.GetError();
+    return code == GL_NO_ERROR ||
+           aob_fail(error, "%s: cannot %s: %s (GL error 0x%x)", gpu->info.backend, what, explain(code), code);
+}
+
+const struct gl_api *aob_gl_use(struct aob_gpu *gpu)
+{
+    struct gl *gl = (struct gl *)gpu;
+    gl->context->fns->make_current(gl->context);
+    return &gl->api;
+}
+
+static bool load_functions(struct gl *gl, struct aob_error *error)
+{
+    struct gl_context *context = gl->context;
+#define X(type, name)                                                                                        \
+    gl->api.name = (type)context->fns->find(context, "gl" #name);                                            \
+    if (!gl->api.name)                                                                                       \
+        return aob_fail(error, "%s: the driver lacks gl%s: it needs OpenGL 4.5 and ARB_gl_spirv",            \
+                        gl->base.info.backend, #name);
+    AOB_GL_FUNCTIONS(X)
+#undef X
+    return true;
+}
+
+static bool check_extension(struct gl *gl, const char *wanted, struct aob_error *error)
+{
+    GLint count = 0;
+    gl->api.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; i++)
+        if (!strcmp((const char *)gl->api.GetStringi(GL_EXTENSIONS, (GLuint)i), wanted))
+            return true;
+    return aob_fail(error, "%s: %s lacks %s: use a newer driver", gl->base.info.backend, gl->base.info.device,
+                    wanted);
+}
+
+static bool is_software(const char *renderer)
+{
+    static const char *const names[] = {"llvmpipe", "softpipe", "swrast"};
+    for (size_t i = 0; i < AOB_COUNT(names); i++)
+        if (strstr(renderer, names[i]))
+            return true;
+    return false;
+}
+
+static void describe(struct gl *gl)
+{
+    const char *renderer = (const char *)gl->api.GetString(GL_RENDERER);
+    snprintf(gl->driver, sizeof gl->driver, "%s, OpenGL %s", (const char *)gl->api.GetString(GL_VENDOR),
+             (const char *)gl->api.GetString(GL_VERSION));
+    gl->base.info.device = renderer;
+    gl->base.info.driver = gl->driver;
+    gl->base.info.software = is_software(renderer);
+    gl->api.GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->max_texture_size);
+    gl->api.GetIntegerv(GL_MAX_IMAGE_UNITS, &gl->max_image_units);
+}
+
+static void create_samplers(struct gl *gl)
+{
+    static const GLint filters[] = {[AOB_NEAREST] = GL_NEAREST, [AOB_BILINEAR] = GL_LINEAR};
+    gl->api.CreateSamplers(AOB_COUNT(gl->samplers), gl->samplers);
+    for (size_t i = 0; i < AOB_COUNT(gl->samplers); i++) {
+        gl->api.SamplerParameteri(gl->samplers[i], GL_TEXTURE_MIN_FILTER, filters[i]);
+        gl->api.SamplerParameteri(gl->samplers[i], GL_TEXTURE_MAG_FILTER, filters[i]);
+        gl->api.SamplerParameteri(gl->samplers[i], GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        gl->api.SamplerParameteri(gl->samplers[i], GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
+}
+
+static bool create_triangle(struct gl *gl, struct aob_error *error)
+{
+    size_t count;
+    uint32_t *words =
+        aob_glsl_compile(aob_glsl_screen_triangle, AOB_GLSL_VERTEX, AOB_GLSL_OPENGL, &count, error);
+    if (!words)
+        return false;
+    gl->triangle = aob_gl_shader_create(&gl->base, GL_VERTEX_SHADER, words, count, error);
+    free(words);
+    return gl->triangle;
+}
+
+static bool set_up(struct gl *gl, struct aob_error *error)
+{
+    if (!load_functions(gl, error))
+        return false;
+    describe(gl);
+    if (!check_extension(gl, "GL_ARB_gl_spirv", error))
+        return false;
+    gl->api.Disable(GL_DITHER);
+    gl->api.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    gl->api.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl->api.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    create_samplers(gl);
+    gl->api.CreateVertexArrays(1, &gl->vertex_array);
+    gl->api.BindVertexArray(gl->vertex_array);
+    return create_triangle(gl, error) && aob_gl_ok(&gl->base, "set up the context", error);
+}
+
+struct aob_gpu *aob_gl_open(const struct aob_gpu_fns *fns, const struct gl_context_fns *context_fns,
+                            struct aob_error *error)
+{
+    struct gl *gl = AOB_NEW(struct gl);
+    gl->base.fns = fns;
+    gl->base.info.backend = fns->name;
+    gl->context = context_fns->create(error);
+    if (gl->context && set_up(gl, error))
+        return &gl->base;
+    aob_gl_close(&gl->base);
+    return NULL;
+}
+
+/* What the device itself made dies with its context. */
+void aob_gl_close(struct aob_gpu *gpu)
+{
+    struct gl *gl = (struct gl *)gpu;
+    if (gl->context)
+        gl->context->fns->destroy(gl->context);
+    free(gl);
+}

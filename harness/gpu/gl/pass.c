@@ -1,0 +1,121 @@
+#include "gl.h"
+#include "base/clock.h"
+#include "base/memory.h"
+#include <stdlib.h>
+#include <string.h>
+
+struct aob_gpu_pass {
+    GLuint framebuffer, uniforms, program;
+    struct aob_gpu_bind *binds;
+    size_t bind_count;
+    GLint width, height;
+};
+
+static bool check_units(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_error *error)
+{
+    GLint units = ((struct gl *)gpu)->max_image_units;
+    for (size_t i = 0; i < desc->bind_count; i++)
+        if (desc->binds[i].kind == AOB_GPU_STORAGE && (GLint)desc->binds[i].binding >= units)
+            return aob_fail(error,
+                            "%s: pass with a storage image at %u: this device has 0..%d: use sampled reads",
+                            gpu->info.backend, desc->binds[i].binding, units - 1);
+    return true;
+}
+
+static void create_framebuffer(const struct gl_api *api, const struct aob_gpu_pass_desc *desc,
+                               struct aob_gpu_pass *pass)
+{
+    GLenum buffers[AOB_MAX_OUT];
+    api->CreateFramebuffers(1, &pass->framebuffer);
+    for (size_t i = 0; i < desc->target_count; i++) {
+        const struct gl_texture *target = (const struct gl_texture *)desc->targets[i];
+        buffers[i] = GL_COLOR_ATTACHMENT0 + (GLenum)i;
+        api->NamedFramebufferTexture(pass->framebuffer, buffers[i], target->name, 0);
+    }
+    api->NamedFramebufferDrawBuffers(pass->framebuffer, (GLsizei)desc->target_count, buffers);
+    pass->width = desc->targets[0]->width;
+    pass->height = desc->targets[0]->height;
+}
+
+static void create_uniforms(const struct gl_api *api, const struct aob_gpu_pass_desc *desc,
+                            struct aob_gpu_pass *pass)
+{
+    /* std140 rounds a block up to 16 bytes, and its reader may not. */
+    size_t size = (desc->uniform_size + 15) / 16 * 16;
+    unsigned char *block = aob_alloc(size, 1);
+    memcpy(block, desc->uniforms, desc->uniform_size);
+    api->CreateBuffers(1, &pass->uniforms);
+    api->NamedBufferStorage(pass->uniforms, (GLsizeiptr)size, block, 0);
+    free(block);
+}
+
+bool aob_gl_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass **pass,
+                        struct aob_error *error)
+{
+    const struct gl_api *api = aob_gl_use(gpu);
+    if (!check_units(gpu, desc, error))
+        return false;
+    struct aob_gpu_pass *made = AOB_NEW(struct aob_gpu_pass);
+    made->program = ((const struct gl_program *)desc->program)->name;
+    made->bind_count = desc->bind_count;
+    made->binds = AOB_NEW_ARRAY(struct aob_gpu_bind, desc->bind_count);
+    for (size_t i = 0; i < desc->bind_count; i++)
+        made->binds[i] = desc->binds[i];
+    create_framebuffer(api, desc, made);
+    if (desc->uniforms)
+        create_uniforms(api, desc, made);
+    if (api->CheckNamedFramebufferStatus(made->framebuffer, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        aob_fail(error, "%s: the driver cannot draw to these targets together", gpu->info.backend);
+    else if (aob_gl_ok(gpu, "create a pass", error)) {
+        *pass = made;
+        return true;
+    }
+    aob_gl_pass_destroy(gpu, made);
+    return false;
+}
+
+void aob_gl_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass)
+{
+    const struct gl_api *api = aob_gl_use(gpu);
+    api->DeleteFramebuffers(1, &pass->framebuffer);
+    api->DeleteBuffers(1, &pass->uniforms);
+    free(pass->binds);
+    free(pass);
+}
+
+static void bind_texture(const struct gl *gl, const struct aob_gpu_bind *bind)
+{
+    GLuint name = ((const struct gl_texture *)bind->texture)->name;
+    if (bind->kind == AOB_GPU_STORAGE) {
+        gl->api.BindImageTexture(bind->binding, name, 0, GL_FALSE, 0, GL_READ_ONLY,
+                                 aob_gl_format(bind->texture->format)->internal);
+    } else {
+        gl->api.BindTextureUnit(bind->binding, name);
+        gl->api.BindSampler(bind->binding, gl->samplers[bind->filter]);
+    }
+}
+
+static void bind_pass(const struct gl *gl, const struct aob_gpu_pass *pass)
+{
+    gl->api.BindFramebuffer(GL_DRAW_FRAMEBUFFER, pass->framebuffer);
+    gl->api.Viewport(0, 0, pass->width, pass->height);
+    gl->api.UseProgram(pass->program);
+    if (pass->uniforms)
+        gl->api.BindBufferBase(GL_UNIFORM_BUFFER, 0, pass->uniforms);
+    for (size_t i = 0; i < pass->bind_count; i++)
+        bind_texture(gl, &pass->binds[i]);
+}
+
+bool aob_gl_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
+                     struct aob_error *error)
+{
+    const struct gl_api *api = aob_gl_use(gpu);
+    bind_pass((struct gl *)gpu, pass);
+    api->Finish();
+    int64_t cpu = aob_clock_cpu_ns(), wall = aob_clock_wall_ns();
+    api->DrawArrays(GL_TRIANGLES, 0, 3);
+    api->Finish();
+    time->wall_ns = aob_clock_wall_ns() - wall;
+    time->cpu_ns = aob_clock_cpu_ns() - cpu;
+    return aob_gl_ok(gpu, "run a pass", error);
+}

@@ -1,0 +1,27 @@
+#include "glsl.h"
+
+/* Each function is the formula of the GLSL specification; only the order of its additions is chosen here. */
+const char aob_glsl_arithmetic[] =
+    "float aob_dot(float a, float b) { return a * b; }\n"
+    "float aob_dot(vec2 a, vec2 b) { return a.x * b.x + a.y * b.y; }\n"
+    "float aob_dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }\n"
+    "float aob_dot(vec4 a, vec4 b) { return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w; }\n"
+    "#define AOB_FOR_VECTORS(T)                                          \\\n"
+    "    float aob_length(T v) { return sqrt(aob_dot(v, v)); }           \\\n"
+    "    T aob_normalize(T v) { return v * inversesqrt(aob_dot(v, v)); } \\\n"
+    "    T aob_reflect(T i, T n) { return i - 2.0 * aob_dot(n, i) * n; }\n"
+    "float aob_length(float v) { return abs(v); }\n"
+    "float aob_normalize(float v) { return sign(v); }\n"
+    "float aob_reflect(float i, float n) { return i - 2.0 * n * i * n; }\n"
+    "AOB_FOR_VECTORS(vec2) AOB_FOR_VECTORS(vec3) AOB_FOR_VECTORS(vec4)\n"
+    "#define AOB_MIX(T, A) T aob_mix(T x, T y, A a) { return x * (1.0 - a) + y * a; }\n"
+    "#define AOB_CHOOSE(T, A) T aob_mix(T x, T y, A a) { return mix(x, y, a); }\n"
+    "AOB_MIX(float, float) AOB_MIX(vec2, float) AOB_MIX(vec3, float) AOB_MIX(vec4, float)\n"
+    "AOB_MIX(vec2, vec2) AOB_MIX(vec3, vec3) AOB_MIX(vec4, vec4)\n"
+    "AOB_CHOOSE(float, bool) AOB_CHOOSE(vec2, bvec2) AOB_CHOOSE(vec3, bvec3) AOB_CHOOSE(vec4, bvec4)\n"
+    "#define dot(a, b) aob_dot(a, b)\n"
+    "#define length(v) aob_length(v)\n"
+    "#define distance(a, b) aob_length((a) - (b))\n"
+    "#define normalize(v) aob_normalize(v)\n"
+    "#define reflect(i, n) aob_reflect(i, n)\n"
+    "#define mix(x, y, a) aob_mix(x, y, a)\n";

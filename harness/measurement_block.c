@@ -1,0 +1,175 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "gpu/gpu.h"
+#include "measure/timing.h"
+#include "measurement.h"
+#include "technique/param.h"
+
+static json_t *values_to_json(const struct aob_param *params, size_t count, const double *values)
+{
+    json_t *object = json_object();
+    for (size_t i = 0; i < count; i++)
+        json_object_set_new(object, params[i].name,
+                            params[i].choices            ? json_string(params[i].choices[(int)values[i]])
+                            : params[i].type == AOB_INT ? json_integer((json_int_t)values[i])
+                                                        : json_real(values[i]));
+    return object;
+}
+
+json_t *aob_record_create(const struct aob_case *c, const char *status, const char *reason, const json_t *answer)
+{
+    json_t *record = json_pack(
+        "{s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:s, s:i, s:i, s:o, s:s}", "key", c->key, "scene", c->scene->name, "view",
+        c->scene->view, "technique", c->technique->name, "revision", (int)c->technique->revision, "params",
+        values_to_json(c->technique->params, c->technique->param_count, c->params), "options",
+        values_to_json(aob_option_params, AOB_OPTION_COUNT, c->options), "backend", c->backend, "width", c->width,
+        "height", c->height, "reference_radius", aob_json_number(c->reference_radius), "status", status);
+    if (reason && *reason)
+        json_object_set_new(record, "reason", json_string(reason));
+    const char *name;
+    json_t *value;
+    json_object_foreach((json_t *)(uintptr_t)answer, name, value)
+        if (strcmp(name, "index") != 0)
+            json_object_set(record, name, value);
+    return record;
+}
+
+/* A block under way: what its worker has answered. */
+struct block {
+    struct aob_measurement *m;
+    const size_t *indices;
+    size_t count;
+    bool answered[AOB_BLOCK_MAX];
+};
+
+static void finish_case(struct block *block, size_t i, const char *status, const char *reason, const json_t *answer)
+{
+    size_t index = block->indices[i];
+    json_t *record = aob_record_create(&block->m->plan->cases[index], status, reason, answer);
+    block->answered[i] = true;
+    block->m->states[index].stage = AOB_DONE;
+    block->m->on_record(block->m->user, index, record);
+    json_decref(record);
+}
+
+static char *image_name(const struct aob_measurement *m, size_t index)
+{
+    char name[AOB_KEY_SIZE + 16];
+    snprintf(name, sizeof name, "images/%s.exr", m->plan->cases[index].key);
+    return aob_strdup(name);
+}
+
+static void add_image(const struct block *block, size_t i, json_t *answer)
+{
+    char *name = image_name(block->m, block->indices[i]);
+    char *path = block->m->folder ? aob_path_join(block->m->folder, name) : NULL;
+    if (path && aob_file_exists(path))
+        json_object_set_new(answer, "image", json_string(name));
+    free(path);
+    free(name);
+}
+
+static void take_answer(void *user, json_t *answer)
+{
+    struct block *block = user;
+    const json_t *shares = json_object_get(answer, "shares"), *index = json_object_get(answer, "index");
+    if (shares) {
+        block->m->shares.measured += json_number_value(json_object_get(shares, "measured_s"));
+        block->m->shares.warmup += json_number_value(json_object_get(shares, "warmup_s"));
+        block->m->shares.images += json_number_value(json_object_get(shares, "images_s"));
+    }
+    size_t i = (size_t)json_integer_value(index);
+    const char *status = json_string_value(json_object_get(answer, "status"));
+    if (!index || i >= block->count || block->answered[i] || !status)
+        return;
+    add_image(block, i, answer);
+    finish_case(block, i, status, json_string_value(json_object_get(answer, "reason")), answer);
+}
+
+static json_t *case_job(const struct block *block, size_t i, const struct aob_view_files *files)
+{
+    const struct aob_case *c = &block->m->plan->cases[block->indices[i]];
+    json_t *job = json_pack("{s:s, s:o, s:i, s:o, s:s?, s:s?}", "technique", c->technique->name, "params",
+                            aob_json_vector(c->params, c->technique->param_count), "fetch",
+                            (int)aob_case_options(c).fetch, "radius", aob_json_number(c->reference_radius), "reference",
+                            files->reference[i], "definition", files->definition[i]);
+    if (block->m->image)
+        json_object_set_new(job, "image", json_string(block->m->image));
+    else if (block->m->folder && block->m->plan->config->images) {
+        char *name = image_name(block->m, block->indices[i]), *path = aob_path_join(block->m->folder, name);
+        json_object_set_new(job, "image", json_string(path));
+        free(path);
+        free(name);
+    }
+    return job;
+}
+
+static json_t *block_job(const struct block *block, const struct aob_view_files *files)
+{
+    const struct aob_case *c = &block->m->plan->cases[block->indices[0]];
+    const struct aob_config *config = block->m->plan->config;
+    json_t *cases = json_array();
+    for (size_t i = 0; i < block->count; i++)
+        json_array_append_new(cases, case_job(block, i, files));
+    return json_pack("{s:s, s:o, s:s, s:o, s:i, s:i, s:i, s:s, s:f, s:b, s:b, s:b, s:o}", "job", "block", "modules",
+                     aob_dispatch_modules(block->m->dispatch), "backend", c->backend, "camera",
+                     aob_camera_to_json(&c->scene->camera), "width", c->width, "height", c->height, "guard",
+                     (int)aob_case_options(c).guard_band, "gbuffer", files->gbuffer, "seconds", config->seconds, "time",
+                     config->measure_time, "error", config->measure_error, "validate", block->m->dispatch->validate,
+                     "cases", cases);
+}
+
+static bool run_worker(struct block *block, const struct aob_view_files *files, struct aob_error *error)
+{
+    enum { ROOM = 32 };
+    const struct aob_case *c = &block->m->plan->cases[block->indices[0]];
+    const char *env[ROOM] = {0};
+    char threads[40];
+    size_t used = 0;
+    for (const char *const *e = aob_gpu_find(c->backend)->environment; *e && used < ROOM - 2; e++)
+        env[used++] = *e;
+    snprintf(threads, sizeof threads, "LP_NUM_THREADS=%d", (int)aob_case_options(c).threads);
+    if (aob_case_options(c).threads)
+        env[used++] = threads;
+    struct aob_job_desc desc = {.job = block_job(block, files),
+                                .env = env,
+                                .timeout_s = 120 + 10 * block->m->plan->config->seconds * (double)block->count,
+                                .on_answer = take_answer,
+                                .user = block};
+    return aob_dispatch_job(block->m->dispatch, &desc, error);
+}
+
+static void fail_rest(struct block *block, const char *reason)
+{
+    for (size_t i = 0; i < block->count; i++)
+        if (!block->answered[i])
+            finish_case(block, i, "failed", reason, NULL);
+}
+
+static void retry_alone(struct block *block)
+{
+    for (size_t i = 0; i < block->count; i++)
+        if (!block->answered[i])
+            aob_measurement_block(block->m, &block->indices[i], 1);
+}
+
+void aob_measurement_block(struct aob_measurement *m, const size_t *indices, size_t count)
+{
+    struct block block = {.m = m, .indices = indices, .count = count};
+    struct aob_view_files files;
+    struct aob_error error = {{0}};
+    if (!aob_view_prepare(m, indices, count, &files, &error)) {
+        fail_rest(&block, error.text);
+        return;
+    }
+    bool ok = run_worker(&block, &files, &error);
+    aob_view_files_finish(&files);
+    if (!ok && count > 1)
+        retry_alone(&block);
+    else
+        fail_rest(&block, ok ? "the worker gave no answer for this case" : error.text);
+}

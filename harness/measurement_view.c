@@ -1,0 +1,181 @@
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/clock.h"
+#include "base/file.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "measurement.h"
+#include "reference/tracer.h"
+
+json_t *aob_camera_to_json(const struct aob_camera *camera)
+{
+    return json_pack("{s:[fff], s:[fff], s:f, s:f}", "eye", camera->eye.x, camera->eye.y, camera->eye.z, "target",
+                     camera->target.x, camera->target.y, camera->target.z, "fov_deg", camera->fov_deg, "ortho_height",
+                     camera->ortho_height);
+}
+
+static char *cache_path(const struct aob_measurement *m, const char *kind, const char *what, const char *suffix)
+{
+    char key[AOB_KEY_SIZE], name[AOB_KEY_SIZE + 32];
+    aob_hash_text(what, key);
+    snprintf(name, sizeof name, "%s-%s%s", kind, key, suffix);
+    return aob_path_join(m->cache, name);
+}
+
+static void take_box(void *user, json_t *answer)
+{
+    struct aob_vec3 *box = user;
+    double low[3], high[3];
+    if (aob_json_to_vector(json_object_get(answer, "low"), low, 3) &&
+        aob_json_to_vector(json_object_get(answer, "high"), high, 3)) {
+        box[0] = aob_vec(low[0], low[1], low[2]);
+        box[1] = aob_vec(high[0], high[1], high[2]);
+    }
+}
+
+/* The parser runs with 4 GiB and 60 s: hostile files allocate or loop without end. */
+static char *load_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, struct aob_error *error)
+{
+    struct aob_vec3 box[2] = {{0}};
+    char *path = cache_path(m, "mesh", scene->digest, ".mesh");
+    struct aob_job_desc desc = {.job = json_pack("{s:s, s:s, s:s}", "job", "mesh", "file", scene->file, "out", path),
+                                .timeout_s = 60,
+                                .memory_limit = (size_t)4 << 30,
+                                .on_answer = take_box,
+                                .user = box};
+    if ((scene->framed || !aob_file_exists(path)) && !aob_dispatch_job(m->dispatch, &desc, error)) {
+        if (!strstr(error->text, scene->file))
+            aob_fail_in(error, "%s: the mesh loader", scene->file);
+        free(path);
+        return NULL;
+    }
+    if (scene->framed)
+        scene->camera = aob_scene_framing(box[0], box[1]);
+    return path;
+}
+
+static void describe_view(const struct aob_case *c, int guard, struct aob_text *text)
+{
+    const struct aob_camera *camera = &c->scene->camera;
+    aob_text_add(text, "%s %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %dx%d+%d %s", c->scene->digest, camera->eye.x,
+                 camera->eye.y, camera->eye.z, camera->target.x, camera->target.y, camera->target.z, camera->fov_deg,
+                 camera->ortho_height, c->width, c->height, guard, aob_tracer_version);
+}
+
+static char *term_path(const struct aob_measurement *m, const struct aob_case *c, json_t *term)
+{
+    struct aob_text text = {0};
+    char *line = aob_json_line(term);
+    describe_view(c, 0, &text); /* the guard band does not change the truth */
+    aob_text_add(&text, " %d %s", m->plan->config->spp, line);
+    char *path = cache_path(m, "visibility", text.data, ".exr");
+    free(line);
+    aob_text_finish(&text);
+    return path;
+}
+
+static json_t *truth_term(double radius)
+{
+    return json_pack("{s:o, s:b, s:n}", "radius", aob_json_number(radius), "uniform", 0, "falloff");
+}
+
+/* Adds the term to the view's job unless its file is there already; returns that file. */
+static char *want_term(struct aob_measurement *m, const struct aob_case *c, json_t *term, json_t *missing)
+{
+    char *path = term_path(m, c, term);
+    bool wanted = aob_file_exists(path);
+    for (size_t i = 0; i < json_array_size(missing) && !wanted; i++)
+        wanted = strcmp(json_string_value(json_object_get(json_array_get(missing, i), "out")), path) == 0;
+    if (!wanted) {
+        json_object_set_new(term, "out", json_string(path));
+        json_array_append(missing, term);
+    }
+    json_decref(term);
+    return path;
+}
+
+static bool same_view(const struct aob_case *a, const struct aob_case *b)
+{
+    return a->scene == b->scene && a->width == b->width && a->height == b->height;
+}
+
+static void take_progress(void *user, json_t *answer)
+{
+    (void)user;
+    (void)answer;
+}
+
+static bool trace_view(struct aob_measurement *m, const struct aob_case *c, const char *mesh, const char *gbuffer,
+                       json_t *missing, struct aob_error *error)
+{
+    int guard = aob_case_options(c).guard_band;
+    double rays = (double)c->width * c->height * m->plan->config->spp;
+    json_t *job = json_pack("{s:s, s:s, s:o, s:i, s:i, s:i, s:i, s:s, s:O}", "job", "view", mesh ? "mesh" : "scene",
+                            mesh ? mesh : c->scene->name, "camera", aob_camera_to_json(&c->scene->camera), "width",
+                            c->width, "height", c->height, "guard", guard, "spp", m->plan->config->spp, "gbuffer",
+                            gbuffer, "terms", missing);
+    struct aob_job_desc desc = {.job = job, .timeout_s = 300 + rays / 1e5, .on_answer = take_progress};
+    return aob_dispatch_job(m->dispatch, &desc, error) || aob_fail_in(error, "scene '%s'", c->scene->name);
+}
+
+/* All terms of the view that the plan still needs are traced at once: one set of rays serves them all. */
+static void want_whole_view(struct aob_measurement *m, const struct aob_case *c, json_t *missing)
+{
+    for (size_t i = 0; i < m->plan->case_count; i++) {
+        const struct aob_case *other = &m->plan->cases[i];
+        if (m->states[i].stage != AOB_PENDING || !same_view(c, other))
+            continue;
+        free(want_term(m, other, truth_term(other->reference_radius), missing));
+        if (m->states[i].definition)
+            free(want_term(m, other, json_deep_copy(m->states[i].definition), missing));
+    }
+}
+
+bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t count, struct aob_view_files *files,
+                      struct aob_error *error)
+{
+    const struct aob_case *c = &m->plan->cases[indices[0]];
+    struct aob_plan_scene *scene = &m->plan->scenes[c->scene - m->plan->scenes];
+    int64_t start = aob_clock_wall_ns();
+    char *mesh = scene->file ? load_mesh(m, scene, error) : NULL;
+    if (scene->file && !mesh)
+        return false;
+    struct aob_text text = {0};
+    json_t *missing = json_array();
+    *files = (struct aob_view_files){.count = count};
+    files->reference = AOB_NEW_ARRAY(char *, count);
+    files->definition = AOB_NEW_ARRAY(char *, count);
+    describe_view(c, aob_case_options(c).guard_band, &text);
+    files->gbuffer = cache_path(m, "gbuffer", text.data, ".exr");
+    for (size_t i = 0; i < count && m->plan->config->measure_error; i++) {
+        files->reference[i] = want_term(m, c, truth_term(m->plan->cases[indices[i]].reference_radius), missing);
+        json_t *definition = m->states[indices[i]].definition;
+        files->definition[i] = definition ? want_term(m, c, json_deep_copy(definition), missing) : NULL;
+    }
+    bool ok = true;
+    if (json_array_size(missing))
+        want_whole_view(m, c, missing);
+    if (json_array_size(missing) || !aob_file_exists(files->gbuffer))
+        ok = trace_view(m, c, mesh, files->gbuffer, missing, error);
+    m->shares.reference += (double)(aob_clock_wall_ns() - start) * 1e-9;
+    json_decref(missing);
+    aob_text_finish(&text);
+    free(mesh);
+    if (!ok)
+        aob_view_files_finish(files);
+    return ok;
+}
+
+void aob_view_files_finish(struct aob_view_files *files)
+{
+    for (size_t i = 0; i < files->count; i++) {
+        free(files->reference[i]);
+        free(files->definition[i]);
+    }
+    free(files->reference);
+    free(files->definition);
+    free(files->gbuffer);
+    *files = (struct aob_view_files){0};
+}

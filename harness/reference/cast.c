@@ -1,0 +1,198 @@
+#include <math.h>
+#include <stdlib.h>
+#include "base/memory.h"
+#include "embree_mesh.h"
+#include "sampler.h"
+
+enum { LANES = AOB_PACKET };
+
+/* A primary ray: local space, the distance along it being depth. */
+struct primary {
+    struct aob_vec3 origin, direction;
+    double entry; /* where it enters the mesh's box; < 0: it misses it */
+};
+
+struct cast {
+    const struct aob_tracer *tracer;
+    const struct aob_camera *camera;
+    const struct aob_projection *projection;
+    struct aob_frame_axes axes;
+    struct aob_hits *hits;
+};
+
+static void clip(double origin, double direction, double half, double *near, double *far)
+{
+    double a = (-half - origin) / direction, b = (half - origin) / direction;
+    if (direction == 0) {
+        a = fabs(origin) <= half ? -INFINITY : INFINITY;
+        b = -a;
+    }
+    *near = fmax(*near, fmin(a, b));
+    *far = fmin(*far, fmax(a, b));
+}
+
+/* Rays start at the box, so that a camera far outside costs no precision. */
+static double box_entry(const struct aob_tracer *tracer, const struct primary *ray)
+{
+    double slack = 1e-4 / tracer->to_unit, near = 0, far = INFINITY;
+    clip(ray->origin.x, ray->direction.x, tracer->half.x + slack, &near, &far);
+    clip(ray->origin.y, ray->direction.y, tracer->half.y + slack, &near, &far);
+    clip(ray->origin.z, ray->direction.z, tracer->half.z + slack, &near, &far);
+    return near <= far ? near : -1;
+}
+
+static struct primary primary_ray(const struct cast *cast, int x, int y)
+{
+    struct primary ray;
+    aob_camera_ray(cast->camera, cast->projection, x + 0.5, y + 0.5, &ray.origin, &ray.direction);
+    ray.origin = aob_vec_sub(ray.origin, cast->tracer->centre);
+    ray.entry = box_entry(cast->tracer, &ray);
+    return ray;
+}
+
+static void set_lane(const struct cast *cast, const struct primary *ray, struct RTCRayHit16 *packet,
+                     int *valid, int k)
+{
+    double scale = cast->tracer->to_unit;
+    struct aob_vec3 start = aob_vec_add(ray->origin, aob_vec_scale(ray->direction, fmax(ray->entry, 0)));
+    packet->ray.org_x[k] = (float)(start.x * scale);
+    packet->ray.org_y[k] = (float)(start.y * scale);
+    packet->ray.org_z[k] = (float)(start.z * scale);
+    packet->ray.dir_x[k] = (float)ray->direction.x;
+    packet->ray.dir_y[k] = (float)ray->direction.y;
+    packet->ray.dir_z[k] = (float)ray->direction.z;
+    packet->ray.tfar[k] = INFINITY;
+    packet->ray.mask[k] = ~0u;
+    packet->hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+    valid[k] = ray->entry >= 0 ? -1 : 0;
+}
+
+/* Where the ray meets the triangle's plane, in double precision, kept within the triangle: Embree's floats
+ * decide only which triangle it is. */
+static void refine(const struct primary *ray, const struct aob_vec3 corner[3], struct aob_vec3 normal,
+                   double *u, double *v)
+{
+    double det = aob_vec_dot(normal, ray->direction);
+    struct aob_vec3 c = aob_vec_cross(aob_vec_sub(corner[0], ray->origin), ray->direction);
+    double a = aob_vec_dot(aob_vec_sub(corner[2], corner[0]), c) / det;
+    double b = aob_vec_dot(aob_vec_sub(corner[0], corner[1]), c) / det;
+    if (isfinite(a) && isfinite(b)) {
+        *u = a;
+        *v = b;
+    }
+    *u = fmin(fmax(*u, 0), 1);
+    *v = fmin(fmax(*v, 0), 1);
+    double sum = *u + *v;
+    if (sum > 1) {
+        *u /= sum;
+        *v /= sum;
+    }
+}
+
+static void to_view(const struct aob_frame_axes *axes, struct aob_vec3 n, float out[3])
+{
+    out[0] = (float)aob_vec_dot(n, axes->right);
+    out[1] = (float)aob_vec_dot(n, axes->up);
+    out[2] = (float)aob_vec_dot(n, axes->back);
+}
+
+static struct aob_vec3 blend(const struct aob_vec3 *values, const uint32_t *index, double u, double v)
+{
+    struct aob_vec3 ab =
+        aob_vec_add(aob_vec_scale(values[index[0]], 1 - u - v), aob_vec_scale(values[index[1]], u));
+    return aob_vec_add(ab, aob_vec_scale(values[index[2]], v));
+}
+
+/* The shading normal on the camera's side of the surface. */
+static struct aob_vec3 shading_normal(const struct aob_tracer *tracer, uint32_t triangle, double u, double v,
+                                      struct aob_vec3 geometric)
+{
+    if (!tracer->normals)
+        return geometric;
+    struct aob_vec3 n = aob_vec_normalize(blend(tracer->normals, tracer->triangles[triangle], u, v));
+    if (!(aob_vec_length(n) > 0.5))
+        return geometric;
+    return aob_vec_dot(n, geometric) < 0 ? aob_vec_scale(n, -1) : n;
+}
+
+static void store_hit(const struct cast *cast, const struct primary *ray, uint32_t triangle, double u,
+                      double v, size_t pixel)
+{
+    struct aob_vec3 corner[3];
+    struct aob_vec3 normal = aob_tracer_corners(cast->tracer, triangle, corner);
+    refine(ray, corner, normal, &u, &v);
+    struct aob_vec3 p = blend(cast->tracer->points, cast->tracer->triangles[triangle], u, v);
+    normal = aob_vec_normalize(normal);
+    if (aob_vec_dot(normal, ray->direction) > 0)
+        normal = aob_vec_scale(normal, -1);
+    struct aob_hits *hits = cast->hits;
+    hits->primitive[pixel] = triangle;
+    hits->u[pixel] = (float)u;
+    hits->v[pixel] = (float)v;
+    hits->depth[pixel] = (float)-aob_vec_dot(aob_vec_sub(p, ray->origin), cast->axes.back);
+    to_view(&cast->axes, normal, hits->normal[pixel]);
+    to_view(&cast->axes, shading_normal(cast->tracer, triangle, u, v, normal), hits->shading[pixel]);
+}
+
+static void cast_packet(const struct cast *cast, int x0, int y)
+{
+    int width = cast->hits->width, count = width - x0 < LANES ? width - x0 : LANES;
+    struct primary rays[LANES];
+    struct RTCRayHit16 packet __attribute__((aligned(64))) = {.ray.tnear = {0}};
+    int valid[LANES] __attribute__((aligned(64))) = {0};
+    for (int k = 0; k < count; k++) {
+        rays[k] = primary_ray(cast, x0 + k, y);
+        set_lane(cast, &rays[k], &packet, valid, k);
+    }
+    struct RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, cast->tracer->scene, &context, &packet);
+    for (int k = 0; k < count; k++) {
+        size_t pixel = (size_t)y * (size_t)width + (size_t)(x0 + k);
+        if (valid[k] && packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID)
+            store_hit(cast, &rays[k], cast->tracer->triangle_of[packet.hit.primID[k]], packet.hit.u[k],
+                      packet.hit.v[k], pixel);
+        else
+            cast->hits->primitive[pixel] = AOB_NO_PRIMITIVE;
+    }
+}
+
+static void hits_init(struct aob_hits *hits, int width, int height)
+{
+    size_t pixels = (size_t)width * (size_t)height;
+    *hits = (struct aob_hits){.width = width, .height = height};
+    hits->primitive = aob_alloc(pixels, sizeof *hits->primitive);
+    hits->u = aob_alloc(pixels, sizeof *hits->u);
+    hits->v = aob_alloc(pixels, sizeof *hits->v);
+    hits->depth = aob_alloc(pixels, sizeof *hits->depth);
+    hits->normal = aob_alloc(pixels, sizeof *hits->normal);
+    hits->shading = aob_alloc(pixels, sizeof *hits->shading);
+}
+
+void aob_hits_finish(struct aob_hits *hits)
+{
+    free(hits->primitive);
+    free(hits->u);
+    free(hits->v);
+    free(hits->depth);
+    free(hits->normal);
+    free(hits->shading);
+    *hits = (struct aob_hits){0};
+}
+
+void aob_tracer_cast(const struct aob_tracer *tracer, const struct aob_camera *camera,
+                     const struct aob_projection *projection, struct aob_hits *hits)
+{
+    hits_init(hits, projection->width, projection->height);
+    struct cast cast = {tracer, camera, projection, aob_camera_axes(camera), hits};
+#pragma omp parallel
+    {
+        unsigned mode = aob_float_mode_begin();
+#pragma omp for schedule(dynamic)
+        for (int y = 0; y < projection->height; y++)
+            for (int x = 0; x < projection->width; x += LANES)
+                cast_packet(&cast, x, y);
+        aob_float_mode_end(mode);
+    }
+}

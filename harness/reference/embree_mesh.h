@@ -1,0 +1,30 @@
+/* The mesh as Embree holds it, and as double precision knows it: what the files of the tracer share.
+ * Two spaces: *local* is scene units less the box's centre (double); *unit* is local * to_unit (float,
+ * Embree's), the longest side of the box being 1. */
+#ifndef AOB_REFERENCE_EMBREE_MESH_H
+#define AOB_REFERENCE_EMBREE_MESH_H
+#include <embree3/rtcore.h>
+#include "tracer.h"
+
+struct aob_tracer {
+    RTCDevice device;
+    RTCScene scene;
+    float (*unit_points)[3];       /* Embree's, padded by one */
+    uint32_t (*unit_triangles)[3]; /* Embree's: those with an area */
+    uint32_t *triangle_of;         /* Embree's primitive -> triangle of the mesh */
+    struct aob_vec3 *points;       /* local, vertex_count */
+    struct aob_vec3 *normals;      /* shading, or NULL */
+    uint32_t (*triangles)[3];      /* triangle_count */
+    size_t vertex_count, triangle_count, unit_count;
+    struct aob_vec3 centre, half; /* of the box, scene units */
+    double to_unit;
+};
+
+/* Embree wants denormals flushed; restore with aob_float_mode_end. One pair a thread. */
+unsigned aob_float_mode_begin(void);
+void aob_float_mode_end(unsigned mode);
+
+/* Corners of a triangle, local space, and its normal (counter-clockwise), not normalised. */
+struct aob_vec3 aob_tracer_corners(const struct aob_tracer *tracer, uint32_t triangle,
+                                   struct aob_vec3 corner[3]);
+#endif

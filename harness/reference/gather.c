@@ -1,0 +1,132 @@
+#include "gather.h"
+#include <float.h>
+#include <string.h>
+
+/* How far rays start above their surface, unit space: twice what the rounding of the start (half an ulp of at
+ * most 0.5) and of a curved surface's corners asks for. */
+#define LIFT FLT_EPSILON
+
+/* Embree's triangle test errs by an ulp of the distance to the triangle's corners, so a triangle as large as
+ * the scene can seem to lie above a start on its own plane. Such a false hit is nearer than error / least
+ * cosine; hits nearer than this are looked at again in double precision. */
+static const float near_hit = 1 / 1024.f;
+
+/* Duff et al. 2017, "Building an Orthonormal Basis, Revisited". */
+static void build_basis(struct aob_vec3 n, struct aob_basis *basis)
+{
+    double sign = copysign(1, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
+    *basis = (struct aob_basis){
+        .tangent = {(float)(1 + sign * n.x * n.x * a), (float)(sign * b), (float)(-sign * n.x)},
+        .bitangent = {(float)b, (float)(sign + n.y * n.y * a), (float)-n.y},
+        .normal = {(float)n.x, (float)n.y, (float)n.z},
+    };
+}
+
+void aob_surface_at(const struct aob_tracer *tracer, const struct aob_frame_axes *axes,
+                    const struct aob_hits *hits, size_t pixel, struct aob_surface *surface)
+{
+    struct aob_vec3 c[3];
+    struct aob_vec3 n = aob_vec_normalize(aob_tracer_corners(tracer, hits->primitive[pixel], c));
+    const float *seen = hits->normal[pixel];
+    if (aob_vec_dot(n, axes->right) * seen[0] + aob_vec_dot(n, axes->up) * seen[1] +
+            aob_vec_dot(n, axes->back) * seen[2] <
+        0)
+        n = aob_vec_scale(n, -1);
+    double u = hits->u[pixel], v = hits->v[pixel], s = tracer->to_unit;
+    struct aob_vec3 p = aob_vec_add(aob_vec_scale(c[0], s * (1 - u - v)),
+                                    aob_vec_add(aob_vec_scale(c[1], s * u), aob_vec_scale(c[2], s * v)));
+    p = aob_vec_add(p, aob_vec_scale(n, LIFT));
+    surface->origin[0] = (float)p.x;
+    surface->origin[1] = (float)p.y;
+    surface->origin[2] = (float)p.z;
+    build_basis(n, &surface->basis);
+}
+
+/* A ray that leaves the plane of the triangle that it is said to hit. */
+static bool is_false_hit(const struct aob_tracer *tracer, const struct RTCRay *ray, unsigned primitive)
+{
+    struct aob_vec3 corner[3];
+    struct aob_vec3 n = aob_tracer_corners(tracer, tracer->triangle_of[primitive], corner);
+    struct aob_vec3 start = aob_vec(ray->org_x, ray->org_y, ray->org_z);
+    double height = aob_vec_dot(n, aob_vec_sub(start, aob_vec_scale(corner[0], tracer->to_unit)));
+    double climb = aob_vec_dot(n, aob_vec(ray->dir_x, ray->dir_y, ray->dir_z));
+    return height * climb >= 0;
+}
+
+/* The first true hit of one ray of a packet, from its near hit on; `reach` if none. */
+static float true_distance(const struct aob_tracer *tracer, struct RTCIntersectContext *context,
+                           const struct RTCRayHit16 *packet, int k, float near, float reach)
+{
+    struct RTCRayHit one = {
+        .ray = {.org_x = packet->ray.org_x[k],
+                .org_y = packet->ray.org_y[k],
+                .org_z = packet->ray.org_z[k],
+                .dir_x = packet->ray.dir_x[k],
+                .dir_y = packet->ray.dir_y[k],
+                .dir_z = packet->ray.dir_z[k],
+                .tfar = packet->ray.tfar[k],
+                .mask = ~0u},
+        .hit = {.primID = packet->hit.primID[k]},
+    };
+    while (one.ray.tfar < near && is_false_hit(tracer, &one.ray, one.hit.primID)) {
+        one.ray.tnear = 2 * one.ray.tfar + FLT_EPSILON;
+        one.ray.tfar = reach;
+        one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(tracer->scene, context, &one);
+    }
+    return one.ray.tfar;
+}
+
+static bool any_below(const float distance[AOB_PACKET], float near)
+{
+    int below = 0;
+    for (int k = 0; k < AOB_PACKET; k++)
+        below |= distance[k] < near;
+    return below;
+}
+
+static void check_near_hits(const struct aob_tracer *tracer, struct RTCIntersectContext *context,
+                            const int *valid, struct RTCRayHit16 *packet, float reach)
+{
+    float near = reach < near_hit ? reach : near_hit;
+    if (!any_below(packet->ray.tfar, near))
+        return;
+    for (int k = 0; k < AOB_PACKET; k++)
+        if (valid[k] && packet->ray.tfar[k] < near)
+            packet->ray.tfar[k] = true_distance(tracer, context, packet, k, near, reach);
+}
+
+static void fill(float lanes[AOB_PACKET], float value)
+{
+    for (int k = 0; k < AOB_PACKET; k++)
+        lanes[k] = value;
+}
+
+/* rtcIntersect16 serves on every machine: with AVX2 alone it was measured at 0.92 of its speed with AVX-512.
+ */
+void aob_gather_distances(const struct aob_tracer *tracer, const float origin[3],
+                          const struct aob_directions *directions, size_t count, float reach, float *distance)
+{
+    struct RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT; /* the sampler sees to it */
+    struct RTCRayHit16 packet __attribute__((aligned(64)));
+    int valid[AOB_PACKET] __attribute__((aligned(64)));
+    memset(&packet, 0, sizeof packet);
+    memset(packet.ray.mask, 0xff, sizeof packet.ray.mask);
+    fill(packet.ray.org_x, origin[0]);
+    fill(packet.ray.org_y, origin[1]);
+    fill(packet.ray.org_z, origin[2]);
+    for (size_t i = 0; i < count; i += AOB_PACKET) {
+        memcpy(packet.ray.dir_x, directions->x + i, sizeof packet.ray.dir_x);
+        memcpy(packet.ray.dir_y, directions->y + i, sizeof packet.ray.dir_y);
+        memcpy(packet.ray.dir_z, directions->z + i, sizeof packet.ray.dir_z);
+        fill(packet.ray.tfar, reach);
+        memset(packet.hit.geomID, 0xff, sizeof packet.hit.geomID); /* RTC_INVALID_GEOMETRY_ID */
+        for (int k = 0; k < AOB_PACKET; k++)
+            valid[k] = i + (size_t)k < count ? -1 : 0;
+        rtcIntersect16(valid, tracer->scene, &context, &packet);
+        check_near_hits(tracer, &context, valid, &packet, reach);
+        memcpy(distance + i, packet.ray.tfar, sizeof packet.ray.tfar);
+    }
+}

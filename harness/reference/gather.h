@@ -1,0 +1,23 @@
+/* The rays of one pixel: where they start, and their closest hits. The inner part of aob_tracer_visibility,
+ * apart so that the benchmark can trace the same rays. */
+#ifndef AOB_REFERENCE_GATHER_H
+#define AOB_REFERENCE_GATHER_H
+#include "embree_mesh.h"
+#include "sampler.h"
+
+/* Unit space: the lifted start, and the frame about the geometric normal. */
+struct aob_surface {
+    float origin[3];
+    struct aob_basis basis;
+};
+
+/* `axes` of the camera that cast the hits; the pixel must not be sky. */
+void aob_surface_at(const struct aob_tracer *tracer, const struct aob_frame_axes *axes,
+                    const struct aob_hits *hits, size_t pixel, struct aob_surface *surface);
+
+/* Closest hits of all directions from `origin` within `reach` (unit space): distance[i] < reach of a hit, and
+ * `reach` itself of a miss. `count` directions; the arrays are padded as the sampler's. */
+void aob_gather_distances(const struct aob_tracer *tracer, const float origin[3],
+                          const struct aob_directions *directions, size_t count, float reach,
+                          float *distance);
+#endif

@@ -1,0 +1,255 @@
+#include <math.h>
+#include <stdlib.h>
+#include "base/memory.h"
+#include "gather.h"
+#include "tracer.h"
+
+enum { TILE = 8 };
+
+/* A term in unit space. */
+struct term {
+    float radius;
+    bool uniform;
+    const float *falloff;
+    size_t falloff_count;
+    double scale; /* distance -> place in the table */
+};
+
+struct job {
+    const struct aob_tracer *tracer;
+    const struct aob_hits *hits;
+    struct aob_frame_axes axes;
+    struct aob_sampler sampler;
+    struct term *terms;
+    size_t term_count;
+    float reach;
+    int x0, y0, width, height;
+    uint32_t seed;
+    struct aob_visibility *result;
+};
+
+/* Of one thread. */
+struct scratch {
+    float *block; /* holds all the arrays */
+    struct aob_directions directions;
+    float *distance;
+    double *half; /* term_count occlusions of the first half */
+};
+
+static void scratch_init(struct scratch *scratch, const struct job *job)
+{
+    size_t n = job->sampler.padded;
+    scratch->block = aob_alloc(5 * n, sizeof *scratch->block);
+    float *b = scratch->block;
+    scratch->directions = (struct aob_directions){b, b + n, b + 2 * n, b + 3 * n};
+    scratch->distance = b + 4 * n;
+    scratch->half = aob_alloc(job->term_count, sizeof *scratch->half);
+}
+
+static void scratch_finish(struct scratch *scratch)
+{
+    free(scratch->block);
+    free(scratch->half);
+}
+
+__attribute__((target_clones("avx2", "default"))) static size_t count_within(const float *distance,
+                                                                             size_t count, float radius)
+{
+    int32_t within = 0;
+#pragma omp simd reduction(+ : within)
+    for (size_t i = 0; i < count; i++)
+        within += distance[i] < radius;
+    return (size_t)within;
+}
+
+static double falloff_at(const struct term *term, float distance)
+{
+    if (!term->falloff)
+        return 1;
+    double place = distance * term->scale;
+    size_t i = (size_t)place;
+    if (i + 1 >= term->falloff_count)
+        return term->falloff[term->falloff_count - 1];
+    double part = place - (double)i;
+    return term->falloff[i] * (1 - part) + term->falloff[i + 1] * part;
+}
+
+/* Weights for the mixture's density (c + 1/2) / (2 pi), divided by their own mean so that a closed point is
+ * exactly closed. */
+static double weighted_occlusion(const struct job *job, const struct term *term,
+                                 const struct scratch *scratch)
+{
+    const float *cosine = scratch->directions.cosine, *distance = scratch->distance;
+    double hit = 0, all = 0;
+    for (size_t i = 0; i < job->sampler.count; i++) {
+        double weight = (term->uniform ? 1 : cosine[i]) / (cosine[i] + 0.5);
+        all += weight;
+        if (distance[i] < term->radius)
+            hit += weight * falloff_at(term, distance[i]);
+    }
+    return hit / all;
+}
+
+static double plain_occlusion(const struct job *job, const struct term *term, const float *distance)
+{
+    size_t count = job->sampler.count;
+    if (!term->falloff)
+        return (double)count_within(distance, count, term->radius) / (double)count;
+    double hit = 0;
+    for (size_t i = 0; i < count; i++)
+        if (distance[i] < term->radius)
+            hit += falloff_at(term, distance[i]);
+    return hit / (double)count;
+}
+
+static double occlusion(const struct job *job, const struct term *term, const struct scratch *scratch)
+{
+    return job->sampler.mixture ? weighted_occlusion(job, term, scratch)
+                                : plain_occlusion(job, term, scratch->distance);
+}
+
+static void trace_half(const struct job *job, const struct aob_surface *surface, size_t pixel, int half,
+                       const struct scratch *scratch)
+{
+    uint64_t seed = aob_sampler_mix(pixel * 2 + (size_t)half, job->seed);
+    aob_sampler_directions(&job->sampler, &surface->basis, seed, &scratch->directions);
+    aob_gather_distances(job->tracer, surface->origin, &scratch->directions, job->sampler.count, job->reach,
+                         scratch->distance);
+}
+
+static void do_pixel(const struct job *job, int x, int y, const struct scratch *scratch)
+{
+    size_t out = (size_t)y * (size_t)job->width + (size_t)x;
+    size_t pixel = (size_t)(y + job->y0) * (size_t)job->hits->width + (size_t)(x + job->x0);
+    if (job->hits->primitive[pixel] == AOB_NO_PRIMITIVE) {
+        for (size_t k = 0; k < job->term_count; k++)
+            job->result[k].ao[out] = 1;
+        return;
+    }
+    struct aob_surface surface;
+    aob_surface_at(job->tracer, &job->axes, job->hits, pixel, &surface);
+    trace_half(job, &surface, pixel, 0, scratch);
+    for (size_t k = 0; k < job->term_count; k++)
+        scratch->half[k] = occlusion(job, &job->terms[k], scratch);
+    trace_half(job, &surface, pixel, 1, scratch);
+    for (size_t k = 0; k < job->term_count; k++) {
+        double a = scratch->half[k], b = occlusion(job, &job->terms[k], scratch);
+        job->result[k].ao[out] = (float)(1 - (a + b) / 2);
+        job->result[k].se[out] = (float)(fabs(a - b) / 2);
+    }
+}
+
+static void do_tile(const struct job *job, int tile, const struct scratch *scratch)
+{
+    int across = (job->width + TILE - 1) / TILE;
+    int x0 = tile % across * TILE, y0 = tile / across * TILE;
+    for (int y = y0; y < y0 + TILE && y < job->height; y++)
+        for (int x = x0; x < x0 + TILE && x < job->width; x++)
+            do_pixel(job, x, y, scratch);
+}
+
+static void do_all(const struct job *job)
+{
+    int tiles = ((job->width + TILE - 1) / TILE) * ((job->height + TILE - 1) / TILE);
+#pragma omp parallel
+    {
+        unsigned mode = aob_float_mode_begin();
+        struct scratch scratch;
+        scratch_init(&scratch, job);
+#pragma omp for schedule(dynamic)
+        for (int tile = 0; tile < tiles; tile++)
+            do_tile(job, tile, &scratch);
+        scratch_finish(&scratch);
+        aob_float_mode_end(mode);
+    }
+}
+
+static bool check_term(const struct aob_visibility_term *term, size_t index, struct aob_error *error)
+{
+    if (!(term->radius >= 0))
+        return aob_fail(error, "visibility: term %zu: radius %g: must be 0 or more", index, term->radius);
+    if (!term->falloff)
+        return true;
+    if (isinf(term->radius))
+        return aob_fail(error, "visibility: term %zu: a falloff needs a finite radius", index);
+    if (!term->falloff_count)
+        return aob_fail(error, "visibility: term %zu: its falloff table is empty", index);
+    for (size_t i = 0; i < term->falloff_count; i++)
+        if (!isfinite(term->falloff[i]))
+            return aob_fail(error, "visibility: term %zu: falloff value %zu is not finite", index, i);
+    return true;
+}
+
+static bool check_desc(const struct aob_visibility_desc *desc, const struct aob_hits *hits,
+                       struct aob_error *error)
+{
+    if (desc->spp < 2 || desc->spp > 65536 || desc->spp % 2)
+        return aob_fail(error, "visibility: %d rays a pixel: must be even, 2 to 65536", desc->spp);
+    if (desc->x0 < 0 || desc->y0 < 0 || desc->width < 0 || desc->height < 0 ||
+        desc->width > hits->width - desc->x0 || desc->height > hits->height - desc->y0)
+        return aob_fail(error, "visibility: part %dx%d at (%d, %d) is not within the image of %dx%d",
+                        desc->width, desc->height, desc->x0, desc->y0, hits->width, hits->height);
+    for (size_t i = 0; i < desc->term_count; i++)
+        if (!check_term(&desc->terms[i], i, error))
+            return false;
+    return true;
+}
+
+static struct term unit_term(const struct aob_visibility_term *from, double to_unit)
+{
+    struct term term = {.radius = (float)(from->radius * to_unit),
+                        .uniform = from->uniform,
+                        .falloff = from->falloff,
+                        .falloff_count = from->falloff_count};
+    if (term.radius > 0 && from->falloff)
+        term.scale = (double)(from->falloff_count - 1) / term.radius;
+    return term;
+}
+
+static void job_init(struct job *job, const struct aob_tracer *tracer, const struct aob_camera *camera,
+                     const struct aob_hits *hits, const struct aob_visibility_desc *desc,
+                     struct aob_visibility *result)
+{
+    bool all = desc->width == 0 || desc->height == 0, uniform = false;
+    *job = (struct job){.tracer = tracer,
+                        .hits = hits,
+                        .axes = aob_camera_axes(camera),
+                        .terms = aob_alloc(desc->term_count, sizeof *job->terms),
+                        .term_count = desc->term_count,
+                        .x0 = all ? 0 : desc->x0,
+                        .y0 = all ? 0 : desc->y0,
+                        .width = all ? hits->width : desc->width,
+                        .height = all ? hits->height : desc->height,
+                        .seed = desc->seed,
+                        .result = result};
+    size_t pixels = (size_t)job->width * (size_t)job->height;
+    for (size_t i = 0; i < desc->term_count; i++) {
+        job->terms[i] = unit_term(&desc->terms[i], tracer->to_unit);
+        job->reach = fmaxf(job->reach, job->terms[i].radius);
+        uniform |= desc->terms[i].uniform;
+        result[i].ao = aob_alloc(pixels, sizeof *result[i].ao);
+        result[i].se = aob_alloc(pixels, sizeof *result[i].se);
+    }
+    aob_sampler_init(&job->sampler, (size_t)desc->spp / 2, uniform);
+}
+
+bool aob_tracer_visibility(const struct aob_tracer *tracer, const struct aob_camera *camera,
+                           const struct aob_hits *hits, const struct aob_visibility_desc *desc,
+                           struct aob_visibility *result, struct aob_error *error)
+{
+    if (!check_desc(desc, hits, error))
+        return false;
+    struct job job;
+    job_init(&job, tracer, camera, hits, desc, result);
+    do_all(&job);
+    free(job.terms);
+    aob_sampler_finish(&job.sampler);
+    return true;
+}
+
+void aob_visibility_finish(struct aob_visibility *visibility)
+{
+    free(visibility->ao);
+    free(visibility->se);
+    *visibility = (struct aob_visibility){0};
+}

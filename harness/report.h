@@ -1,0 +1,19 @@
+/* `aobudget report`: the page of one or more runs, from their folders alone. */
+#ifndef AOB_REPORT_H
+#define AOB_REPORT_H
+#include <stdbool.h>
+#include <stddef.h>
+#include "base/error.h"
+
+struct aob_report_desc {
+    const char *program;        /* of the running executable; the plot helper lies beside it */
+    const char *const *folders; /* folder_count */
+    size_t folder_count;
+    const char *out;            /* folder of the page; NULL: report/ in the first folder */
+    const char *json;           /* summary document; NULL: none */
+    bool quiet;
+};
+
+/* PART: a journal lacks cases of its run's plan; the page says so. */
+enum aob_exit aob_report(const struct aob_report_desc *desc, struct aob_error *error);
+#endif

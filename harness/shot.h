@@ -1,0 +1,19 @@
+/* `aobudget shot`: one case, measured and scored like a case of a run. */
+#ifndef AOB_SHOT_H
+#define AOB_SHOT_H
+#include <stdbool.h>
+#include <stddef.h>
+#include "base/error.h"
+#include "dispatch.h"
+
+struct aob_shot_desc { /* texts as given on the command line; NULL: not given */
+    struct aob_dispatch dispatch;
+    const char *technique, *scene; /* scene: a listed one or a mesh file */
+    const char *view, *eye, *target, *fov, *ortho, *size, *backend, *reference_spp, *reference_radius;
+    const char *const *params; /* "name=value": parameters of the technique and run options */
+    size_t param_count;
+    const char *out, *json;
+    bool quiet;
+};
+enum aob_exit aob_shot(const struct aob_shot_desc *desc, struct aob_error *error);
+#endif

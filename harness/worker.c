@@ -1,0 +1,193 @@
+#include "worker.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "base/file.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "scene/camera.h"
+#include "scene/mesh.h"
+#include "technique/graph.h"
+#include "technique/param.h"
+
+enum { FALLOFF_ROWS = 1025 }; /* of a tabulated falloff: linear between, fine enough for Alchemy's peak at r/50 */
+
+void aob_worker_reply(struct aob_worker *worker, json_t *answer)
+{
+    char *line = aob_json_line(answer);
+    size_t size = strlen(line), sent = 0;
+    line[size++] = '\n';
+    while (sent < size) {
+        ssize_t n = write(worker->reply, line + sent, size - sent);
+        if (n <= 0)
+            exit(AOB_EXIT_USAGE); /* nobody listens any more */
+        sent += (size_t)n;
+    }
+    free(line);
+    json_decref(answer);
+}
+
+bool aob_worker_registry(struct aob_worker *worker, struct aob_registry *registry, struct aob_error *error)
+{
+    const json_t *modules = json_object_get(worker->job, "modules");
+    aob_registry_init(registry);
+    for (size_t i = 0; i < json_array_size(modules); i++)
+        if (!aob_registry_load(registry, json_string_value(json_array_get(modules, i)), error)) {
+            aob_registry_finish(registry);
+            return false;
+        }
+    return true;
+}
+
+bool aob_worker_params(const struct aob_technique *technique, const json_t *numbers, void *values,
+                       struct aob_error *error)
+{
+    double params[AOB_MAX_PARAM];
+    if (!aob_json_to_vector(numbers, params, technique->param_count))
+        return aob_fail(error, "%s: the job has not %u parameters", technique->name, technique->param_count);
+    aob_param_pack(technique->params, technique->param_count, params, values, 4 * AOB_MAX_PARAM);
+    return true;
+}
+
+bool aob_worker_camera(const json_t *object, struct aob_camera *camera, struct aob_error *error)
+{
+    double eye[3], target[3];
+    if (!aob_json_to_vector(json_object_get(object, "eye"), eye, 3) ||
+        !aob_json_to_vector(json_object_get(object, "target"), target, 3))
+        return aob_fail(error, "the job has no camera");
+    camera->eye = aob_vec(eye[0], eye[1], eye[2]);
+    camera->target = aob_vec(target[0], target[1], target[2]);
+    camera->fov_deg = json_number_value(json_object_get(object, "fov_deg"));
+    camera->ortho_height = json_number_value(json_object_get(object, "ortho_height"));
+    return aob_camera_check(camera, error);
+}
+
+static bool describe(struct aob_worker *worker, struct aob_error *error)
+{
+    struct aob_registry registry;
+    if (!aob_worker_registry(worker, &registry, error))
+        return false;
+    for (size_t i = 0; i < registry.count; i++)
+        aob_worker_reply(worker, aob_technique_to_json(&registry.entries[i]));
+    aob_registry_finish(&registry);
+    return true;
+}
+
+static json_t *falloff_to_json(const struct aob_definition *definition, const void *values)
+{
+    json_t *falloff = json_array();
+    bool hard = true;
+    for (int i = 0; i < FALLOFF_ROWS; i++) {
+        double share = (double)definition->falloff(values, (float)i / (FALLOFF_ROWS - 1));
+        hard = hard && share == 1;
+        json_array_append_new(falloff, aob_json_number(share));
+    }
+    if (!hard)
+        return falloff;
+    json_decref(falloff);
+    return json_null(); /* then the definition is the truth itself */
+}
+
+static json_t *definition_to_json(const struct aob_technique *technique, const void *values)
+{
+    const struct aob_definition *definition = &technique->definition;
+    const struct aob_param *row = aob_param_find(technique->params, technique->param_count, "radius");
+    float radius = NAN;
+    if (definition->radius)
+        radius = definition->radius(values);
+    else if (row && row->type == AOB_FLOAT)
+        memcpy(&radius, (const char *)values + row->offset, sizeof radius);
+    if (isnan(radius))
+        return json_null();
+    bool fades = definition->falloff && isfinite(radius);
+    json_t *falloff = fades ? falloff_to_json(definition, values) : json_null();
+    return json_pack("{s:o, s:b, s:o}", "radius", aob_json_number((double)radius), "uniform",
+                     definition->weight == AOB_WEIGHT_UNIFORM, "falloff", falloff);
+}
+
+static json_t *layout_case(const struct aob_technique *technique, const json_t *numbers, int index)
+{
+    struct aob_pass_graph *graph = AOB_NEW(struct aob_pass_graph);
+    struct aob_error error = {{0}};
+    unsigned char values[4 * AOB_MAX_PARAM];
+    char key[AOB_KEY_SIZE];
+    json_t *answer;
+    if (!aob_worker_params(technique, numbers, values, &error) ||
+        !aob_graph_build(graph, technique, values, 1u << AOB_OUT_VISIBILITY, &error))
+        answer = json_pack("{s:i, s:s, s:s}", "index", index, "status", "invalid", "reason", error.text);
+    else {
+        struct aob_text dot = {0};
+        aob_graph_digest(graph, values, key);
+        aob_graph_dot(graph, &dot);
+        answer = json_pack("{s:i, s:s, s:s, s:s, s:o}", "index", index, "status", "ok", "graph", key, "dot", dot.data,
+                           "definition", definition_to_json(technique, values));
+        aob_text_finish(&dot);
+    }
+    free(graph);
+    return answer;
+}
+
+static bool layout(struct aob_worker *worker, struct aob_error *error)
+{
+    struct aob_registry registry;
+    const char *name = json_string_value(json_object_get(worker->job, "technique"));
+    const json_t *cases = json_object_get(worker->job, "cases");
+    if (!aob_worker_registry(worker, &registry, error))
+        return false;
+    const struct aob_registry_entry *entry = aob_registry_find(&registry, name ? name : "");
+    for (size_t i = 0; entry && i < json_array_size(cases); i++)
+        aob_worker_reply(worker, layout_case(entry->technique, json_array_get(cases, i), (int)i));
+    aob_registry_finish(&registry);
+    return entry || aob_fail(error, "no technique '%s'", name);
+}
+
+static bool load_mesh(struct aob_worker *worker, struct aob_error *error)
+{
+    const char *file, *out;
+    struct aob_mesh mesh = {0};
+    struct aob_vec3 low, high;
+    if (json_unpack((json_t *)(uintptr_t)worker->job, "{s:s, s:s}", "file", &file, "out", &out) != 0)
+        return aob_fail(error, "a mesh job needs file and out");
+    bool ok = aob_file_exists(out) ? aob_mesh_restore(&mesh, out, error)
+                                   : aob_mesh_import(&mesh, file, error) && aob_mesh_save(&mesh, out, error);
+    if (!ok)
+        return false;
+    aob_mesh_bounds(&mesh, &low, &high);
+    aob_worker_reply(worker,
+                     json_pack("{s:[fff], s:[fff], s:I, s:I}", "low", low.x, low.y, low.z, "high", high.x, high.y,
+                               high.z, "vertices", (json_int_t)mesh.vertex_count, "triangles",
+                               (json_int_t)mesh.triangle_count));
+    aob_mesh_finish(&mesh);
+    return true;
+}
+
+static bool do_job(struct aob_worker *worker, struct aob_error *error)
+{
+    static const struct {
+        const char *name;
+        bool (*run)(struct aob_worker *, struct aob_error *);
+    } jobs[] = {{"describe", describe}, {"layout", layout},         {"mesh", load_mesh},
+                {"view", aob_worker_view}, {"block", aob_worker_block}};
+    const char *name = json_string_value(json_object_get(worker->job, "job"));
+    for (size_t i = 0; name && i < AOB_COUNT(jobs); i++)
+        if (strcmp(jobs[i].name, name) == 0)
+            return jobs[i].run(worker, error);
+    return aob_fail(error, "worker: no such job; this command is the program's own");
+}
+
+int aob_worker_main(void)
+{
+    struct aob_error error = {{0}};
+    json_error_t problem;
+    struct aob_worker worker = {.reply = dup(STDOUT_FILENO)};
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+    json_t *job = json_loadf(stdin, JSON_REJECT_DUPLICATES, &problem);
+    worker.job = job;
+    bool ok = job ? do_job(&worker, &error) : aob_fail(&error, "worker: standard input is not a job");
+    json_decref(job);
+    if (!ok)
+        aob_error_print(&error);
+    return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
+}

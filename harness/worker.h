@@ -1,0 +1,36 @@
+/* `aobudget worker`: one job in a process of its own. Reads one JSON document on standard input, answers with JSON
+ * lines on standard output. Only here are modules loaded, drivers opened, meshes parsed; so a crash costs this job.
+ *   describe {modules}                       -> a technique a line (aob_technique_to_json)
+ *   layout   {modules, technique, cases: [{params: [numbers]}]}
+ *            -> {index, status, reason, graph, passes, definition: {radius, uniform, falloff}} a line
+ *   mesh     {file, out}                     -> {low, high, vertices, triangles}
+ *   view     {scene | mesh, camera, width, height, guard, gbuffer, spp, terms: [{radius, uniform, falloff, out}]}
+ *            -> {gbuffer_s, trace_s, rays}
+ *   block    {modules, backend, camera, width, height, guard, gbuffer, seconds, time, error, folder,
+ *             cases: [{technique, params, fetch, radius, reference, definition, image}]}
+ *            -> {index, status, reason, time, error, memory_bytes, image, fingerprint} a line, then {shares}
+ * A job that cannot be done says so in one line on standard error and exits with 2. */
+#ifndef AOB_WORKER_H
+#define AOB_WORKER_H
+#include <jansson.h>
+#include <stdbool.h>
+#include "base/error.h"
+#include "technique/registry.h"
+
+int aob_worker_main(void); /* the exit code */
+
+struct aob_worker {
+    const json_t *job;
+    int reply; /* file descriptor of the answers; what drivers print on standard output goes to standard error */
+};
+void aob_worker_reply(struct aob_worker *worker, json_t *answer); /* takes the reference */
+
+bool aob_worker_registry(struct aob_worker *worker, struct aob_registry *registry, struct aob_error *error);
+bool aob_worker_params(const struct aob_technique *technique, const json_t *numbers, void *values,
+                       struct aob_error *error); /* into a buffer of 4 * AOB_MAX_PARAM bytes */
+struct aob_camera;
+bool aob_worker_camera(const json_t *object, struct aob_camera *camera, struct aob_error *error);
+
+bool aob_worker_view(struct aob_worker *worker, struct aob_error *error);
+bool aob_worker_block(struct aob_worker *worker, struct aob_error *error);
+#endif

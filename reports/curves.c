@@ -1,0 +1,298 @@
+#include "curves.h"
+#include "chart_job.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CURVE_LIMIT = 8 };
+
+/* What the x axis of a timing chart may be. */
+struct axis {
+    const char *name, *label, *title;
+    double (*value)(const struct aob_row *row); /* NaN: the row has none */
+    const char *const *words;                   /* parameters that make up the value */
+};
+
+struct sample {
+    double x;
+    const struct aob_row *row;
+};
+
+/* Cases that differ in nothing but the axis. */
+struct group {
+    const char *technique, *backend;
+    json_t *rest; /* what they share */
+    char *key;
+    struct sample *samples;
+    size_t count, capacity;
+    size_t turn; /* its place among the technique's groups */
+};
+struct groups {
+    struct group *list;
+    size_t count, capacity;
+};
+
+static double parameter(const struct aob_row *row, const char *name)
+{
+    return aob_member_number(json_object_get(row->json, "params"), name);
+}
+
+static double radius_of(const struct aob_row *row)
+{
+    return parameter(row, "radius");
+}
+
+static double samples_of(const struct aob_row *row)
+{
+    double samples = parameter(row, "samples"), slices = parameter(row, "slices"),
+           directions = parameter(row, "directions"), rays = parameter(row, "rays"),
+           steps = parameter(row, "steps");
+    if (isfinite(samples))
+        return samples;
+    if (isfinite(slices))
+        return 2 * slices * steps;
+    return directions * steps * (isfinite(rays) ? rays : 1);
+}
+
+static double megapixels_of(const struct aob_row *row)
+{
+    return row->width && row->height ? row->width * 1e-6 * row->height : NAN;
+}
+
+static const struct axis axes[] = {
+    {"radius", "radius (scene units", "Time over radius", radius_of, (const char *const[]){"radius", NULL}},
+    {"samples", "depth samples a pixel (count", "Time over sample count", samples_of,
+     (const char *const[]){"samples", "slices", "directions", "rays", "steps", NULL}},
+    {"megapixels", "resolution (megapixels", "Time over resolution", megapixels_of,
+     (const char *const[]){"size", NULL}},
+};
+
+/* Everything of the row that may make it another curve. */
+static json_t *rest_of(const struct aob_row *row, const struct axis *axis)
+{
+    json_t *rest = json_object(), *params = json_object_get(row->json, "params");
+    char size[32];
+    snprintf(size, sizeof size, "%d\u00d7%d", row->width, row->height);
+    if (json_is_object(params))
+        json_object_update(rest, params);
+    if (json_is_object(json_object_get(row->json, "options")))
+        json_object_update(rest, json_object_get(row->json, "options"));
+    json_object_set_new(rest, "size", json_string(size));
+    json_object_set_new(rest, "backend", json_string(row->backend));
+    for (const char *const *word = axis->words; *word; word++)
+        json_object_del(rest, *word);
+    return rest;
+}
+
+static struct group *group_of(struct groups *groups, const struct aob_row *row, const struct axis *axis)
+{
+    json_t *rest = rest_of(row, axis);
+    char *key = json_dumps(rest, JSON_SORT_KEYS | JSON_COMPACT);
+    for (size_t i = 0; key && i < groups->count; i++) {
+        struct group *g = &groups->list[i];
+        if (strcmp(g->technique, row->technique) == 0 && strcmp(g->key, key) == 0) {
+            json_decref(rest);
+            free(key);
+            return g;
+        }
+    }
+    struct group *g = AOB_PUSH(groups->list, groups->count, groups->capacity);
+    *g = (struct group){.technique = row->technique, .backend = row->backend, .rest = rest};
+    g->key = key ? key : aob_strdup("");
+    return g;
+}
+
+static void free_groups(struct groups *groups)
+{
+    for (size_t i = 0; i < groups->count; i++) {
+        json_decref(groups->list[i].rest);
+        free(groups->list[i].key);
+        free(groups->list[i].samples);
+    }
+    free(groups->list);
+}
+
+static int by_x(const void *a, const void *b)
+{
+    const struct sample *p = a, *q = b;
+    return p->x != q->x ? (p->x > q->x) - (p->x < q->x)
+                        : (p->row->cost_ms > q->row->cost_ms) - (p->row->cost_ms < q->row->cost_ms);
+}
+
+static bool is_curve(struct group *g)
+{
+    qsort(g->samples, g->count, sizeof *g->samples, by_x);
+    return g->count > 1 && g->samples[0].x < g->samples[g->count - 1].x;
+}
+
+/* The section's curves over the axis; groups with a single x are dropped. */
+static struct groups collect(const struct aob_gallery *gallery, size_t section, const struct axis *axis)
+{
+    struct groups all = {0}, curves = {0};
+    for (size_t i = 0; i < gallery->rows->count; i++) {
+        const struct aob_row *row = &gallery->rows->list[i];
+        double x = axis->value(row);
+        if (!aob_row_is_ok(row) || !isfinite(x) || !(row->cost_ms > 0) || !isfinite(row->cost_ms) ||
+            aob_gallery_section(gallery, row) != section)
+            continue;
+        struct group *g = group_of(&all, row, axis);
+        *AOB_PUSH(g->samples, g->count, g->capacity) = (struct sample){x, row};
+    }
+    for (size_t i = 0; i < all.count; i++) {
+        struct group *g = &all.list[i];
+        if (!is_curve(g))
+            continue;
+        *AOB_PUSH(curves.list, curves.count, curves.capacity) = *g;
+        *g = (struct group){0};
+    }
+    free_groups(&all);
+    return curves;
+}
+
+/* Each technique's first curve before any second one; within a technique as in the journal, so the first
+ * backend comes first. */
+static int by_turn(const void *a, const void *b)
+{
+    const struct group *p = a, *q = b;
+    return (p->turn > q->turn) - (p->turn < q->turn);
+}
+
+static void order_groups(struct groups *groups)
+{
+    for (size_t i = 0; i < groups->count; i++)
+        for (size_t j = 0; j < i; j++)
+            groups->list[i].turn += strcmp(groups->list[j].technique, groups->list[i].technique) == 0;
+    /* qsort may swap equals, so there are none while it runs. */
+    for (size_t i = 0; i < groups->count; i++)
+        groups->list[i].turn = groups->list[i].turn * groups->count + i;
+    qsort(groups->list, groups->count, sizeof *groups->list, by_turn);
+    for (size_t i = 0; i < groups->count; i++)
+        groups->list[i].turn /= groups->count;
+}
+
+static bool tells_apart(const struct groups *groups, const struct group *g, const char *name,
+                        const json_t *value)
+{
+    for (size_t i = 0; i < groups->count; i++) {
+        const json_t *other = json_object_get(groups->list[i].rest, name);
+        if (strcmp(groups->list[i].technique, g->technique) == 0 && (!other || !json_equal(other, value)))
+            return true;
+    }
+    return false;
+}
+
+/* Backend and size go into the subtitle where all curves shown share them. */
+static bool is_shared(const struct groups *groups, size_t shown, const char *name)
+{
+    for (size_t i = 1; i < shown; i++)
+        if (!json_equal(json_object_get(groups->list[i].rest, name),
+                        json_object_get(groups->list[0].rest, name)))
+            return false;
+    return true;
+}
+
+static bool is_place(const char *name)
+{
+    return strcmp(name, "backend") == 0 || strcmp(name, "size") == 0;
+}
+
+/* The technique, and what sets this curve apart from the technique's others, drawn or not. */
+static char *curve_name(const struct groups *groups, size_t shown, const struct group *g)
+{
+    struct aob_text text = {0};
+    const char *name;
+    json_t *value;
+    aob_text_add(&text, "%s", g->technique);
+    json_object_foreach(g->rest, name, value)
+    {
+        if (!tells_apart(groups, g, name, value) || (is_place(name) && is_shared(groups, shown, name)))
+            continue;
+        char *text_of_value = aob_member_show(value);
+        aob_text_add(&text, " %s%s%s", is_place(name) ? "" : name, is_place(name) ? "" : "=", text_of_value);
+        free(text_of_value);
+    }
+    return text.data;
+}
+
+/* The interval of the ratio, moved to the time. */
+static json_t *bar_end(const struct aob_row *row, double end)
+{
+    bool known = isfinite(end) && isfinite(row->ratio) && row->ratio > 0;
+    return known ? json_real(row->cost_ms * end / row->ratio) : json_null();
+}
+
+static json_t *curve_json(const struct aob_gallery *gallery, const struct groups *groups, size_t shown,
+                          const struct group *g)
+{
+    json_t *x = json_array(), *y = json_array(), *low = json_array(), *high = json_array();
+    for (size_t i = 0; i < g->count; i++) {
+        const struct aob_row *row = g->samples[i].row;
+        json_array_append_new(x, json_real(g->samples[i].x));
+        json_array_append_new(y, json_real(row->cost_ms));
+        json_array_append_new(low, bar_end(row, row->ci_low));
+        json_array_append_new(high, bar_end(row, row->ci_high));
+    }
+    char *name = curve_name(groups, shown, g);
+    size_t colour = aob_gallery_technique(gallery, g->technique) + g->turn * gallery->technique_count;
+    json_t *curve = json_pack("{s:s, s:s, s:I, s:o, s:o, s:o, s:o}", "name", name, "style", "curve", "colour",
+                              (json_int_t)colour, "x", x, "y", y, "low", low, "high", high);
+    free(name);
+    return curve;
+}
+
+static char *timing_subtitle(const struct groups *groups, size_t shown, const struct aob_section *section)
+{
+    static const char *const places[] = {"size", "backend"};
+    struct aob_text text = {0};
+    bool bars = false;
+    aob_text_add(&text, "%s \u00b7 %s", section->scene, section->view);
+    for (size_t i = 0; i < AOB_COUNT(places); i++) {
+        const char *place = aob_member_text(groups->list[0].rest, places[i]);
+        if (*place && is_shared(groups, shown, places[i]))
+            aob_text_add(&text, " \u00b7 %s", place);
+    }
+    for (size_t i = 0; i < shown; i++)
+        for (size_t k = 0; k < groups->list[i].count; k++)
+            bars = bars || isfinite(groups->list[i].samples[k].row->ci_low);
+    if (bars)
+        aob_text_add(&text, " \u00b7 bars: 95 %% interval");
+    if (shown < groups->count)
+        aob_text_add(&text, " \u00b7 %zu of %zu curves", shown, groups->count);
+    return text.data;
+}
+
+static void add_timing_chart(struct aob_gallery *gallery, size_t section, const struct axis *axis,
+                             const struct groups *groups)
+{
+    size_t shown = groups->count < CURVE_LIMIT ? groups->count : CURVE_LIMIT;
+    struct aob_span across = AOB_SPAN_EMPTY, up = AOB_SPAN_EMPTY;
+    json_t *series = json_array();
+    for (size_t i = 0; i < shown; i++) {
+        json_array_append_new(series, curve_json(gallery, groups, shown, &groups->list[i]));
+        for (size_t k = 0; k < groups->list[i].count; k++) {
+            aob_span_include(&across, groups->list[i].samples[k].x);
+            aob_span_include(&up, groups->list[i].samples[k].row->cost_ms);
+        }
+    }
+    char *subtitle = timing_subtitle(groups, shown, &gallery->sections[section]);
+    json_t *job = json_pack("{s:s, s:s, s:o, s:o, s:o}", "title", axis->title, "subtitle", subtitle, "x",
+                            aob_chart_axis(axis->label, across, 4), "y",
+                            aob_chart_axis("time a frame (ms", up, 5), "series", series);
+    aob_chart_add(gallery, section, axis->name, job);
+    free(subtitle);
+}
+
+void aob_curves_add_timing(struct aob_gallery *gallery, size_t section)
+{
+    for (size_t i = 0; i < AOB_COUNT(axes); i++) {
+        struct groups groups = collect(gallery, section, &axes[i]);
+        if (groups.count) {
+            order_groups(&groups);
+            add_timing_chart(gallery, section, &axes[i], &groups);
+        }
+        free_groups(&groups);
+    }
+}

@@ -1,0 +1,221 @@
+#include "figure.h"
+#include "base/memory.h"
+#include "viz.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *text_of(const json_t *object, const char *name, const char *otherwise)
+{
+    const char *text = json_string_value(json_object_get(object, name));
+    return text ? text : otherwise;
+}
+
+static const struct aob_image *load(struct aob_figure_cache *cache, const json_t *figure,
+                                    struct aob_error *error)
+{
+    const char *path = text_of(figure, "image", NULL);
+    if (!path) {
+        aob_fail(error, "the figure names no image");
+        return NULL;
+    }
+    if (cache->path && strcmp(cache->path, path) == 0)
+        return &cache->image;
+    aob_figure_cache_finish(cache);
+    if (!aob_image_read(&cache->image, path, error))
+        return NULL;
+    cache->path = aob_strdup(path);
+    return &cache->image;
+}
+
+void aob_figure_cache_finish(struct aob_figure_cache *cache)
+{
+    aob_image_finish(&cache->image);
+    free(cache->path);
+    cache->path = NULL;
+}
+
+static const float *channel(const struct aob_image *image, const json_t *figure, const char *role,
+                            const char *otherwise, struct aob_error *error)
+{
+    const char *name = text_of(figure, role, otherwise);
+    const float *pixels = aob_image_channel(image, name);
+    if (!pixels)
+        aob_fail(error, "%s: has no channel %s", text_of(figure, "image", "?"), name);
+    return pixels;
+}
+
+static bool take_map(const json_t *figure, const struct aob_image *image, struct aob_viz_map *map,
+                     struct aob_error *error)
+{
+    *map = (struct aob_viz_map){
+        .title = text_of(figure, "title", ""),
+        .subtitle = text_of(figure, "subtitle", ""),
+        .width = image->width,
+        .height = image->height,
+        .error = channel(image, figure, "error", "error.AO", error),
+        .limit = json_number_value(json_object_get(figure, "limit")),
+    };
+    return map->error != NULL;
+}
+
+typedef int map_drawer(const struct aob_viz_map *, const char *, char *);
+
+static bool draw_with(map_drawer *drawer, const json_t *figure, struct aob_figure_cache *cache,
+                      const char *out, struct aob_error *error)
+{
+    const struct aob_image *image = load(cache, figure, error);
+    struct aob_viz_map map;
+    char why[AOB_VIZ_ERROR_SIZE] = "";
+    if (!image || !take_map(figure, image, &map, error))
+        return false;
+    return drawer(&map, out, why) == 0 || aob_fail(error, "%s", why);
+}
+
+static bool draw_map(const json_t *figure, struct aob_figure_cache *cache, const char *out,
+                     struct aob_error *error)
+{
+    return draw_with(aob_viz_map_png, figure, cache, out, error);
+}
+
+static bool draw_height(const json_t *figure, struct aob_figure_cache *cache, const char *out,
+                        struct aob_error *error)
+{
+    return draw_with(aob_viz_height_png, figure, cache, out, error);
+}
+
+static bool draw_triptych(const json_t *figure, struct aob_figure_cache *cache, const char *out,
+                          struct aob_error *error)
+{
+    const struct aob_image *image = load(cache, figure, error);
+    struct aob_viz_triptych t = {.technique_name = text_of(figure, "technique_name", "Technique"),
+                                 .reference_name = text_of(figure, "reference_name", "Reference")};
+    char why[AOB_VIZ_ERROR_SIZE] = "";
+    if (!image || !take_map(figure, image, &t.map, error))
+        return false;
+    t.technique = channel(image, figure, "technique", "technique.AO", error);
+    t.reference = t.technique ? channel(image, figure, "reference", "reference.AO", error) : NULL;
+    if (!t.reference)
+        return false;
+    return aob_viz_triptych_png(&t, out, why) == 0 || aob_fail(error, "%s", why);
+}
+
+static bool draw_vti(const json_t *figure, struct aob_figure_cache *cache, const char *out,
+                     struct aob_error *error)
+{
+    const struct aob_image *image = load(cache, figure, error);
+    if (!image)
+        return false;
+    struct aob_viz_field fields[3] = {
+        {"AO", channel(image, figure, "technique", "technique.AO", error)},
+        {"reference", channel(image, figure, "reference", "reference.AO", error)},
+        {"error", channel(image, figure, "error", "error.AO", error)},
+    };
+    char why[AOB_VIZ_ERROR_SIZE] = "";
+    if (!fields[0].pixels || !fields[1].pixels || !fields[2].pixels)
+        return false;
+    return aob_viz_vti(image->width, image->height, fields, AOB_COUNT(fields), out, why) == 0 ||
+           aob_fail(error, "%s", why);
+}
+
+/* An absent or short list, or null within it, is NaN. */
+static double *numbers(const json_t *series, const char *name, size_t count)
+{
+    const json_t *list = json_object_get(series, name);
+    double *values = AOB_NEW_ARRAY(double, count);
+    for (size_t i = 0; i < count; i++) {
+        const json_t *value = json_array_get(list, i);
+        values[i] = json_is_number(value) ? json_number_value(value) : NAN;
+    }
+    return values;
+}
+
+static enum aob_viz_style style_of(const json_t *series)
+{
+    const char *style = text_of(series, "style", "curve");
+    if (strcmp(style, "points") == 0)
+        return AOB_VIZ_POINTS;
+    return strcmp(style, "front") == 0 ? AOB_VIZ_FRONT : AOB_VIZ_CURVE;
+}
+
+static struct aob_viz_series take_series(const json_t *from)
+{
+    size_t count = json_array_size(json_object_get(from, "x"));
+    json_int_t colour = json_integer_value(json_object_get(from, "colour"));
+    return (struct aob_viz_series){
+        .name = text_of(from, "name", ""),
+        .style = style_of(from),
+        .colour = (int)(colour < 0 ? 0 : colour & 0xffff),
+        .count = count,
+        .x = numbers(from, "x", count),
+        .y = numbers(from, "y", count),
+        .low = numbers(from, "low", count),
+        .high = numbers(from, "high", count),
+    };
+}
+
+static struct aob_viz_axis take_axis(const json_t *figure, const char *name)
+{
+    const json_t *axis = json_object_get(figure, name);
+    return (struct aob_viz_axis){text_of(axis, "label", ""), json_is_true(json_object_get(axis, "log"))};
+}
+
+static void free_series(struct aob_viz_series *series, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        free((double *)series[i].x);
+        free((double *)series[i].y);
+        free((double *)series[i].low);
+        free((double *)series[i].high);
+    }
+    free(series);
+}
+
+static bool ends_with(const char *text, const char *end)
+{
+    size_t size = strlen(text), tail = strlen(end);
+    return size >= tail && strcmp(text + size - tail, end) == 0;
+}
+
+static bool draw_chart(const json_t *figure, struct aob_figure_cache *cache, const char *out,
+                       struct aob_error *error)
+{
+    (void)cache;
+    bool svg = ends_with(out, ".svg");
+    if (!svg && !ends_with(out, ".png"))
+        return aob_fail(error, "a chart is written as .svg or .png");
+    const json_t *list = json_object_get(figure, "series");
+    size_t count = json_array_size(list);
+    struct aob_viz_series *series = AOB_NEW_ARRAY(struct aob_viz_series, count);
+    for (size_t i = 0; i < count; i++)
+        series[i] = take_series(json_array_get(list, i));
+    struct aob_viz_chart chart = {text_of(figure, "title", ""),
+                                  text_of(figure, "subtitle", ""),
+                                  take_axis(figure, "x"),
+                                  take_axis(figure, "y"),
+                                  series,
+                                  count};
+    char why[AOB_VIZ_ERROR_SIZE] = "";
+    int rc = svg ? aob_viz_chart_svg(&chart, out, why) : aob_viz_chart_png(&chart, out, why);
+    free_series(series, count);
+    return rc == 0 || aob_fail(error, "%s", why);
+}
+
+static const struct {
+    const char *name;
+    bool (*draw)(const json_t *, struct aob_figure_cache *, const char *out, struct aob_error *);
+} kinds[] = {
+    {"map", draw_map},     {"triptych", draw_triptych}, {"height", draw_height},
+    {"chart", draw_chart}, {"vti", draw_vti},           {NULL, NULL},
+};
+
+bool aob_figure_draw(const json_t *figure, struct aob_figure_cache *cache, struct aob_error *error)
+{
+    const char *kind = text_of(figure, "kind", ""), *out = text_of(figure, "out", NULL);
+    if (!out)
+        return aob_fail(error, "the figure names no file to write (\"out\")");
+    for (size_t i = 0; kinds[i].name; i++)
+        if (strcmp(kinds[i].name, kind) == 0)
+            return kinds[i].draw(figure, cache, out, error);
+    return aob_fail(error, "unknown kind of figure \"%s\"; use map, triptych, height, chart or vti", kind);
+}

@@ -1,0 +1,183 @@
+#include "gallery.h"
+#include "curves.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+size_t aob_gallery_section(const struct aob_gallery *g, const struct aob_row *row)
+{
+    size_t i = 0;
+    while (i < g->section_count &&
+           (g->sections[i].run != row->run || strcmp(g->sections[i].scene, row->scene) ||
+            strcmp(g->sections[i].view, row->view)))
+        i++;
+    return i;
+}
+
+size_t aob_gallery_technique(const struct aob_gallery *g, const char *name)
+{
+    size_t i = 0;
+    while (i < g->technique_count && strcmp(g->techniques[i], name))
+        i++;
+    return i;
+}
+
+const char *aob_gallery_backend(const struct aob_gallery *g, size_t section)
+{
+    for (size_t i = 0; i < g->rows->count; i++)
+        if (aob_row_is_ok(&g->rows->list[i]) && aob_gallery_section(g, &g->rows->list[i]) == section)
+            return g->rows->list[i].backend;
+    return "";
+}
+
+static void list_sections(struct aob_gallery *g)
+{
+    for (size_t i = 0; i < g->rows->count; i++) {
+        const struct aob_row *row = &g->rows->list[i];
+        if (aob_gallery_section(g, row) == g->section_count)
+            *AOB_PUSH(g->sections, g->section_count, g->section_capacity) =
+                (struct aob_section){row->run, row->scene, row->view};
+        if (aob_gallery_technique(g, row->technique) == g->technique_count)
+            *AOB_PUSH(g->techniques, g->technique_count, g->technique_capacity) = row->technique;
+    }
+}
+
+/* Letters, digits and dashes; the rest of a hostile name becomes dashes. */
+static char *file_name(const struct aob_gallery *g, size_t section, const char *name, const char *end)
+{
+    struct aob_text text = {0};
+    const struct aob_section *s = &g->sections[section];
+    aob_text_add(&text, "%.40s-%.40s-%.60s", s->scene, s->view, name);
+    for (char *c = text.data; *c; c++)
+        if (!isalnum((unsigned char)*c) && *c != '_')
+            *c = '-';
+    struct aob_text file = {0};
+    aob_text_add(&file, "figures/%04zu-%s%s", g->count, text.data, end);
+    aob_text_finish(&text);
+    return file.data;
+}
+
+struct aob_figure *aob_gallery_add(struct aob_gallery *g, enum aob_figure_kind kind, size_t section,
+                                   const char *name, const char *end, json_t *job)
+{
+    static const char *const kinds[] = {"triptych", "map", "height", "vti", "chart"};
+    char *file = file_name(g, section, name, end);
+    struct aob_figure *figure = AOB_PUSH(g->figures, g->count, g->capacity);
+    if (!job) /* a path that is no UTF-8; the figure will say that it has no image */
+        job = json_object();
+    json_object_set_new(job, "kind", json_string(kinds[kind]));
+    *figure = (struct aob_figure){.kind = kind, .section = section, .file = file, .job = job};
+    figure->title = aob_member_text(job, "title");
+    return figure;
+}
+
+/* The smaller the better; without a score a row comes last. */
+static double score(const struct aob_row *row)
+{
+    if (isfinite(row->band_rmse))
+        return row->band_rmse;
+    return isfinite(row->rmse) ? 1e3 + row->rmse : 1e6;
+}
+
+static const struct aob_row *best_row(const struct aob_gallery *g, size_t section, const char *technique)
+{
+    const char *backend = aob_gallery_backend(g, section);
+    const struct aob_row *best = NULL;
+    for (size_t i = 0; i < g->rows->count; i++) {
+        const struct aob_row *row = &g->rows->list[i];
+        if (!aob_row_is_ok(row) || !*row->image || strcmp(row->technique, technique) ||
+            strcmp(row->backend, backend) || aob_gallery_section(g, row) != section)
+            continue;
+        if (!best || score(row) < score(best))
+            best = row;
+    }
+    return best;
+}
+
+static void add_fact(struct aob_text *text, const char *name, double value)
+{
+    if (isfinite(value))
+        aob_text_add(text, " \u00b7 %s %s%.4f", name, value < 0 ? "\u2212" : "", fabs(value));
+}
+
+static char *facts_of(const struct aob_row *row)
+{
+    struct aob_text text = {0};
+    aob_text_add(&text, "%s \u00b7 %s", row->scene, row->view);
+    if (row->width && row->height)
+        aob_text_add(&text, " \u00b7 %d\u00d7%d", row->width, row->height);
+    if (*row->label)
+        aob_text_add(&text, " \u00b7 %s", row->label);
+    add_fact(&text, "RMSE", row->rmse);
+    add_fact(&text, "RMSE in band", row->band_rmse);
+    add_fact(&text, "bias", row->bias);
+    add_fact(&text, "p95 |e|", row->p95);
+    return text.data;
+}
+
+static void add_image_figure(struct aob_gallery *g, enum aob_figure_kind kind, size_t section,
+                             const struct aob_row *row)
+{
+    static const char *const ends[] = {".png", "-map.png", "-height.png", ".vti"};
+    static const char *const titles[] = {"%s", "%s: AO error", "%s: AO error as height", "%s"};
+    char *facts = facts_of(row), group[32];
+    struct aob_text path = {0}, title = {0}, heading = {0};
+    aob_text_add(&title, titles[kind], row->technique);
+    aob_text_add(&heading, "Technique: %s", row->technique);
+    aob_text_add(&path, "%s/%s", g->rows->runs[row->run].folder, row->image);
+    /* One scale to compare techniques by; the landscape has its own, or the best one would be flat. */
+    snprintf(group, sizeof group, "%s %zu", kind == AOB_FIGURE_HEIGHT ? "height" : "section", section);
+    json_t *job = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s}", "title", title.data, "subtitle", facts, "image",
+                            path.data, "limit_group", group, "technique_name", heading.data, "reference_name",
+                            "Reference: ray-traced");
+    aob_gallery_add(g, kind, section, row->technique, ends[kind], job)->row = row;
+    aob_text_finish(&path);
+    aob_text_finish(&title);
+    aob_text_finish(&heading);
+    free(facts);
+}
+
+static void add_section(struct aob_gallery *g, size_t section)
+{
+    const struct aob_row *top = NULL;
+    for (size_t t = 0; t < g->technique_count; t++) {
+        const struct aob_row *row = best_row(g, section, g->techniques[t]);
+        if (!row)
+            continue;
+        add_image_figure(g, AOB_FIGURE_TRIPTYCH, section, row);
+        add_image_figure(g, AOB_FIGURE_MAP, section, row);
+        add_image_figure(g, AOB_FIGURE_VTI, section, row);
+        if (!top || score(row) < score(top))
+            top = row;
+    }
+    if (top)
+        add_image_figure(g, AOB_FIGURE_HEIGHT, section, top);
+    aob_curves_add_quality(g, section);
+    aob_curves_add_timing(g, section);
+}
+
+void aob_gallery_plan(struct aob_gallery *g, const struct aob_rows *rows)
+{
+    *g = (struct aob_gallery){.rows = rows};
+    list_sections(g);
+    for (size_t i = 0; i < g->section_count; i++)
+        add_section(g, i);
+}
+
+void aob_gallery_finish(struct aob_gallery *g)
+{
+    for (size_t i = 0; i < g->count; i++) {
+        free(g->figures[i].file);
+        free(g->figures[i].failure);
+        free(g->figures[i].front);
+        json_decref(g->figures[i].job);
+    }
+    free(g->figures);
+    free(g->sections);
+    free(g->techniques);
+    *g = (struct aob_gallery){0};
+}

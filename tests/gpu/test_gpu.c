@@ -1,0 +1,527 @@
+/* One body for all backends: test_gpu vulkan|gl-egl|gl-osmesa|null. Exit code 77: this machine lacks the
+ * driver. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "base/text.h"
+#include "gpu/gpu.h"
+
+enum { WIDTH = 37, HEIGHT = 11, TEXELS = WIDTH * HEIGHT };
+
+static bool draws(const struct aob_gpu *gpu)
+{
+    return strcmp(gpu->info.backend, "null") != 0;
+}
+
+static struct aob_gpu_texture *texture(struct aob_gpu *gpu, enum aob_format format, const void *texels)
+{
+    struct aob_error error = {""};
+    struct aob_gpu_texture *made = aob_gpu_texture_create(gpu, format, WIDTH, HEIGHT, texels, &error);
+    if (!made)
+        fail_msg("%s", error.text);
+    return made;
+}
+
+static struct aob_gpu_program *program(struct aob_gpu *gpu, const char *glsl)
+{
+    struct aob_error error = {""};
+    struct aob_gpu_program *made = aob_gpu_program_create(gpu, glsl, &error);
+    if (!made)
+        fail_msg("%s", error.text);
+    return made;
+}
+
+static void *read_back(struct aob_gpu *gpu, const struct aob_gpu_texture *texture)
+{
+    size_t count = (size_t)texture->width * (size_t)texture->height;
+    void *texels = aob_alloc(count, aob_gpu_texel_size(texture->format));
+    struct aob_error error = {""};
+    if (!aob_gpu_texture_read(gpu, texture, texels, &error))
+        fail_msg("%s", error.text);
+    return texels;
+}
+
+static void run_pass(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_time *time)
+{
+    struct aob_error error = {""};
+    struct aob_gpu_pass *pass = aob_gpu_pass_create(gpu, desc, &error);
+    if (!pass || !aob_gpu_pass_run(gpu, pass, time, &error))
+        fail_msg("%s", error.text);
+    aob_gpu_pass_destroy(gpu, pass);
+}
+
+/* Runs a text that has one output and no inputs. */
+static void *draw(struct aob_gpu *gpu, const char *glsl, enum aob_format format)
+{
+    struct aob_gpu_program *drawer = program(gpu, glsl);
+    struct aob_gpu_texture *target = texture(gpu, format, NULL);
+    const struct aob_gpu_texture *targets[] = {target};
+    run_pass(gpu, &(struct aob_gpu_pass_desc){.program = drawer, .targets = targets, .target_count = 1},
+             NULL);
+    void *texels = read_back(gpu, target);
+    aob_gpu_program_destroy(gpu, drawer);
+    aob_gpu_texture_destroy(gpu, target);
+    return texels;
+}
+
+/* Normal numbers only: what a driver does to infinities and denormals is its own affair. */
+static void *random_texels(enum aob_format format)
+{
+    size_t size = aob_gpu_texel_size(format) / (size_t)aob_gpu_texel_components(format);
+    size_t count = TEXELS * (size_t)aob_gpu_texel_components(format);
+    uint8_t *texels = aob_alloc(count, size);
+    uint32_t state = 1;
+    for (size_t i = 0; i < count; i++) {
+        state = state * 1664525u + 1013904223u;
+        uint32_t random = state >> 3 ^ state;
+        uint32_t half = (random & 0x83ff) | (1 + (random >> 16) % 30) << 10;
+        uint32_t single = (random & 0x807fffff) | (1 + (state >> 11) % 254) << 23;
+        uint32_t value = size == 1 ? random : size == 2 ? half : single;
+        memcpy(texels + i * size, &value, size);
+    }
+    return texels;
+}
+
+static size_t byte_count(enum aob_format format)
+{
+    return TEXELS * aob_gpu_texel_size(format);
+}
+
+static void keeps_texels_of_every_format(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    for (enum aob_format format = 0; format < AOB_FORMAT_COUNT; format++) {
+        void *texels = random_texels(format);
+        struct aob_gpu_texture *made = texture(gpu, format, texels);
+        void *got = read_back(gpu, made);
+        assert_memory_equal(got, texels, byte_count(format));
+        aob_gpu_texture_destroy(gpu, made);
+        free(got);
+        free(texels);
+    }
+}
+
+static void expect_copy(struct aob_gpu *gpu, enum aob_format format, enum aob_gpu_bind_kind kind)
+{
+    struct aob_text glsl = {0};
+    if (kind == AOB_GPU_SAMPLED)
+        aob_text_add(&glsl,
+                     "layout(BIND(3)) uniform sampler2D source;\n#define READ(p) texelFetch(source, p, 0)\n");
+    else
+        aob_text_add(
+            &glsl,
+            "layout(%s, BIND(3)) uniform readonly image2D source;\n#define READ(p) imageLoad(source, p)\n",
+            aob_gpu_format_layout(format));
+    aob_text_add(&glsl,
+                 "layout(location = 0) out vec4 r;\nvoid main() { r = READ(ivec2(gl_FragCoord.xy)); }\n");
+    void *texels = random_texels(format);
+    struct aob_gpu_texture *source = texture(gpu, format, texels), *target = texture(gpu, format, NULL);
+    struct aob_gpu_program *copier = program(gpu, glsl.data);
+    struct aob_gpu_bind bind = {.kind = kind, .binding = 3, .texture = source};
+    const struct aob_gpu_texture *targets[] = {target};
+    run_pass(gpu,
+             &(struct aob_gpu_pass_desc){
+                 .program = copier, .binds = &bind, .bind_count = 1, .targets = targets, .target_count = 1},
+             NULL);
+    void *got = read_back(gpu, target);
+    if (!draws(gpu))
+        memset(texels, 0, byte_count(format));
+    if (memcmp(got, texels, byte_count(format)))
+        fail_msg("%s, read as %s, changed", aob_gpu_format_layout(format),
+                 kind == AOB_GPU_SAMPLED ? "a sampled texture" : "a storage image");
+    aob_gpu_program_destroy(gpu, copier);
+    aob_gpu_texture_destroy(gpu, source);
+    aob_gpu_texture_destroy(gpu, target);
+    aob_text_finish(&glsl);
+    free(got);
+    free(texels);
+}
+
+static void copies_every_format_through_a_pass(void **state)
+{
+    for (enum aob_format format = 0; format < AOB_FORMAT_COUNT; format++) {
+        expect_copy(*state, format, AOB_GPU_SAMPLED);
+        expect_copy(*state, format, AOB_GPU_STORAGE);
+    }
+}
+
+static void puts_row_0_at_the_top(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    float *got =
+        draw(gpu, "layout(location = 0) out vec2 r;\nvoid main() { r = gl_FragCoord.xy; }\n", AOB_RG32F);
+    for (int i = 0; i < TEXELS; i++) {
+        assert_true(got[2 * i] == (draws(gpu) ? (float)(i % WIDTH) + .5f : 0));
+        assert_true(got[2 * i + 1] == (draws(gpu) ? (float)(i / WIDTH) + .5f : 0));
+    }
+    free(got);
+}
+
+static void writes_four_targets(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    struct aob_gpu_program *drawer =
+        program(gpu, "layout(location = 0) out float a;\n"
+                     "layout(location = 1) out vec2 b;\n"
+                     "layout(location = 2) out vec4 c;\n"
+                     "layout(location = 3) out vec4 d;\n"
+                     "void main() { a = 0.25; b = vec2(1, 2); c = vec4(3, 4, 5, 6);\n"
+                     "              d = vec4(0, 1, 1, 0); }\n");
+    struct aob_gpu_texture *made[] = {texture(gpu, AOB_R32F, NULL), texture(gpu, AOB_RG32F, NULL),
+                                      texture(gpu, AOB_RGBA32F, NULL), texture(gpu, AOB_RGBA8, NULL)};
+    run_pass(gpu,
+             &(struct aob_gpu_pass_desc){.program = drawer,
+                                         .targets = (const struct aob_gpu_texture *const *)made,
+                                         .target_count = 4},
+             NULL);
+    const float a[] = {0.25f}, b[] = {1, 2}, c[] = {3, 4, 5, 6};
+    const uint8_t d[] = {0, 255, 255, 0}, zero[16] = {0};
+    const void *const expected[] = {a, b, c, d};
+    for (size_t i = 0; i < 4; i++) {
+        size_t size = aob_gpu_texel_size(made[i]->format);
+        uint8_t *got = read_back(gpu, made[i]);
+        for (size_t k = 0; k < TEXELS; k++)
+            assert_memory_equal(got + k * size, draws(gpu) ? expected[i] : zero, size);
+        free(got);
+        aob_gpu_texture_destroy(gpu, made[i]);
+    }
+    aob_gpu_program_destroy(gpu, drawer);
+}
+
+static void reads_uniforms_as_they_were(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    struct {
+        float scale;
+        int32_t offset;
+        float more;
+    } block = {1.5f, -3, 0.25f};
+    struct aob_gpu_program *drawer =
+        program(gpu, "layout(std140, BIND(0)) uniform Block { float scale; int offset; float more; };\n"
+                     "layout(location = 0) out vec4 r;\n"
+                     "void main() { r = vec4(scale, offset, more, scale * float(offset)); }\n");
+    struct aob_gpu_texture *target = texture(gpu, AOB_RGBA32F, NULL);
+    const struct aob_gpu_texture *targets[] = {target};
+    struct aob_gpu_pass_desc desc = {.program = drawer,
+                                     .targets = targets,
+                                     .target_count = 1,
+                                     .uniforms = &block,
+                                     .uniform_size = sizeof block};
+    struct aob_gpu_pass *pass = aob_gpu_pass_create(gpu, &desc, NULL);
+    assert_non_null(pass);
+    memset(&block, 0, sizeof block);
+    assert_true(aob_gpu_pass_run(gpu, pass, NULL, NULL));
+    float *got = read_back(gpu, target);
+    const float expected[] = {1.5f, -3, 0.25f, -4.5f};
+    if (draws(gpu))
+        assert_memory_equal(got + 4 * (TEXELS - 1), expected, sizeof expected);
+    free(got);
+    aob_gpu_pass_destroy(gpu, pass);
+    aob_gpu_texture_destroy(gpu, target);
+    aob_gpu_program_destroy(gpu, drawer);
+}
+
+static void filters_and_clamps(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    const float pair[] = {2, 4};
+    struct aob_gpu_texture *source = aob_gpu_texture_create(gpu, AOB_R32F, 2, 1, pair, NULL);
+    struct aob_gpu_texture *target = texture(gpu, AOB_RGBA32F, NULL);
+    struct aob_gpu_program *drawer = program(
+        gpu, "layout(BIND(1)) uniform sampler2D soft;\nlayout(BIND(2)) uniform sampler2D hard;\n"
+             "layout(location = 0) out vec4 r;\n"
+             "void main() { r = vec4(texture(soft, vec2(0.5)).x, texture(hard, vec2(0.6, 0.5)).x,\n"
+             "                       texture(soft, vec2(-3, 0.5)).x, texture(soft, vec2(9, 2)).x); }\n");
+    const struct aob_gpu_bind binds[] = {
+        {.binding = 1, .filter = AOB_BILINEAR, .texture = source},
+        {.binding = 2, .filter = AOB_NEAREST, .texture = source},
+    };
+    const struct aob_gpu_texture *targets[] = {target};
+    run_pass(gpu,
+             &(struct aob_gpu_pass_desc){
+                 .program = drawer, .binds = binds, .bind_count = 2, .targets = targets, .target_count = 1},
+             NULL);
+    float *got = read_back(gpu, target);
+    const float expected[] = {3, 4, 2, 4};
+    if (draws(gpu))
+        assert_memory_equal(got, expected, sizeof expected);
+    free(got);
+    aob_gpu_program_destroy(gpu, drawer);
+    aob_gpu_texture_destroy(gpu, source);
+    aob_gpu_texture_destroy(gpu, target);
+}
+
+static void replaced_functions_mean_what_glsl_says(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    float *got = draw(
+        gpu,
+        "layout(location = 0) out vec4 r;\n"
+        "void main() {\n"
+        "    float a = dot(vec3(1, 2, 3), vec3(4, 5, 6)) + length(vec2(3, 4)) + distance(vec4(1), vec4(2));\n"
+        "    float b = normalize(vec3(0, 0, 4)).z + mix(1.0, 3.0, 0.5) + length(-2.0) + normalize(-3.0);\n"
+        "    vec2 c = mix(vec2(1, 2), vec2(3, 4), bvec2(true, false)) + mix(vec2(1), vec2(5), vec2(0, 1));\n"
+        "    vec2 d = reflect(vec2(1, -1), vec2(0, 1));\n"
+        "    r = vec4(a, b, c.x * 10 + c.y, d.x * 10 + d.y); }\n",
+        AOB_RGBA32F);
+    const float expected[] = {39, 4, 47, 11};
+    if (draws(gpu))
+        assert_memory_equal(got, expected, sizeof expected);
+    free(got);
+}
+
+/* a -> b -> a, many times: each pass must see all that the one before it wrote. */
+static void passes_see_what_earlier_ones_wrote(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    static const float zeros[TEXELS];
+    struct aob_gpu_program *sampler =
+        program(gpu, "layout(BIND(1)) uniform sampler2D s;\nlayout(location = 0) out float r;\n"
+                     "void main() { r = texelFetch(s, ivec2(gl_FragCoord.xy), 0).x + 1; }\n");
+    struct aob_gpu_program *loader =
+        program(gpu, "layout(r32f, BIND(1)) uniform readonly image2D s;\nlayout(location = 0) out float r;\n"
+                     "void main() { r = imageLoad(s, ivec2(gl_FragCoord.xy)).x + 1; }\n");
+    struct aob_gpu_texture *a = texture(gpu, AOB_R32F, zeros), *b = texture(gpu, AOB_R32F, NULL);
+    const struct aob_gpu_texture *to_a[] = {a}, *to_b[] = {b};
+    const struct aob_gpu_bind sampled = {.kind = AOB_GPU_SAMPLED, .binding = 1, .texture = a};
+    const struct aob_gpu_bind stored = {.kind = AOB_GPU_STORAGE, .binding = 1, .texture = b};
+    struct aob_gpu_pass_desc forth = {
+        .program = sampler, .binds = &sampled, .bind_count = 1, .targets = to_b, .target_count = 1};
+    struct aob_gpu_pass_desc back = {
+        .program = loader, .binds = &stored, .bind_count = 1, .targets = to_a, .target_count = 1};
+    struct aob_gpu_pass *passes[] = {aob_gpu_pass_create(gpu, &forth, NULL),
+                                     aob_gpu_pass_create(gpu, &back, NULL)};
+    for (int i = 0; i < 40; i++)
+        assert_true(aob_gpu_pass_run(gpu, passes[i % 2], NULL, NULL));
+    float *got = read_back(gpu, a);
+    for (int i = 0; i < TEXELS; i++)
+        assert_true(got[i] == (draws(gpu) ? 40 : 0));
+    free(got);
+    for (int i = 0; i < 2; i++)
+        aob_gpu_pass_destroy(gpu, passes[i]);
+    aob_gpu_texture_destroy(gpu, a);
+    aob_gpu_texture_destroy(gpu, b);
+    aob_gpu_program_destroy(gpu, sampler);
+    aob_gpu_program_destroy(gpu, loader);
+}
+
+static void gives_the_same_bits_twice_and_takes_time(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    const char *glsl = "layout(location = 0) out vec4 r;\n"
+                       "void main() { vec2 p = gl_FragCoord.xy;\n"
+                       "    r = vec4(sin(p.x) / p.y, inversesqrt(p.x * p.y), exp(-p.y), pow(p.x, 0.3)); }\n";
+    struct aob_gpu_program *drawer = program(gpu, glsl);
+    struct aob_gpu_texture *target = texture(gpu, AOB_RGBA32F, NULL);
+    const struct aob_gpu_texture *targets[] = {target};
+    struct aob_gpu_pass_desc desc = {.program = drawer, .targets = targets, .target_count = 1};
+    struct aob_gpu_time time = {-1, -1};
+    run_pass(gpu, &desc, &time);
+    assert_true(time.wall_ns > 0);
+    assert_true(time.cpu_ns > 0);
+    void *first = read_back(gpu, target);
+    run_pass(gpu, &desc, NULL);
+    void *second = read_back(gpu, target);
+    assert_memory_equal(first, second, byte_count(AOB_RGBA32F));
+    free(first);
+    free(second);
+    aob_gpu_program_destroy(gpu, drawer);
+    aob_gpu_texture_destroy(gpu, target);
+}
+
+static void explains_a_compile_error_in_one_line(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    struct aob_error error = {""};
+    char expected[128];
+    snprintf(expected, sizeof expected, "%s: fragment shader, line 2: 'x' : undeclared identifier",
+             gpu->info.backend);
+    assert_null(aob_gpu_program_create(gpu, "void main() {\n  x = 1; }\n", &error));
+    assert_string_equal(error.text, expected);
+    assert_null(aob_gpu_program_create(gpu, "\xff\x01", &error));
+    assert_null(strchr(error.text, '\n'));
+}
+
+static void refuse_texture(struct aob_gpu *gpu, int format, int width, int height)
+{
+    struct aob_error error = {""};
+    assert_null(aob_gpu_texture_create(gpu, (enum aob_format)format, width, height, NULL, &error));
+    assert_int_not_equal(error.text[0], 0);
+}
+
+static void refuses_wrong_textures(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    refuse_texture(gpu, AOB_FORMAT_COUNT, 8, 8);
+    refuse_texture(gpu, -1, 8, 8);
+    refuse_texture(gpu, AOB_R8, 0, 8);
+    refuse_texture(gpu, AOB_R8, 8, -1);
+    refuse_texture(gpu, AOB_R8, 16385, 8);
+}
+
+static void refuse_pass(struct aob_gpu *gpu, struct aob_gpu_pass_desc desc, const char *why)
+{
+    struct aob_error error = {""};
+    assert_null(aob_gpu_pass_create(gpu, &desc, &error));
+    if (!strstr(error.text, why))
+        fail_msg("'%s' does not say '%s'", error.text, why);
+}
+
+static void refuses_wrong_passes(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    struct aob_gpu_program *plain =
+        program(gpu, "layout(location = 0) out float r;\nvoid main() { r = 1; }\n");
+    struct aob_gpu_program *reader =
+        program(gpu, "layout(BIND(4)) uniform sampler2D s;\nlayout(location = 0) out float r;\n"
+                     "void main() { r = texelFetch(s, ivec2(0), 0).x; }\n");
+    struct aob_gpu_texture *a = texture(gpu, AOB_R8, NULL), *b = texture(gpu, AOB_R8, NULL);
+    struct aob_gpu_texture *small = aob_gpu_texture_create(gpu, AOB_R8, 4, 4, NULL, NULL);
+    const struct aob_gpu_texture *one[] = {a}, *sizes[] = {a, small}, *twice[] = {a, a}, *none[] = {NULL};
+    struct aob_gpu_pass_desc good = {.program = plain, .targets = one, .target_count = 1};
+    struct aob_gpu_pass_desc desc = good;
+#define REFUSE(why, ...)                                                                                     \
+    desc = good;                                                                                             \
+    __VA_ARGS__;                                                                                             \
+    refuse_pass(gpu, desc, why)
+    REFUSE("without a program", desc.program = NULL);
+    REFUSE("0 targets", desc.target_count = 0);
+    REFUSE("5 targets", desc.target_count = 5);
+    REFUSE("two sizes", desc.targets = sizes, desc.target_count = 2);
+    REFUSE("two targets", desc.targets = twice, desc.target_count = 2);
+    REFUSE("without a texture at target 0", desc.targets = none);
+    REFUSE("uniform block", desc.uniforms = one);
+    REFUSE("uniform block", desc.uniform_size = 4);
+    REFUSE("uniform block", desc.uniforms = one, desc.uniform_size = 1 << 20);
+    REFUSE("nothing at 4", desc.program = reader);
+    struct aob_gpu_bind binds[2] = {{.binding = 4, .texture = b}, {.binding = 5, .texture = b}};
+    good.binds = binds;
+    good.bind_count = 2;
+    REFUSE("binding 0", binds[1].binding = 0);
+    REFUSE("binding 16", binds[1].binding = 16);
+    REFUSE("two textures at binding 4", binds[1].binding = 4);
+    binds[1].binding = 5;
+    REFUSE("without a texture at binding 5", binds[1].texture = NULL);
+    REFUSE("reads and writes", binds[1].texture = a);
+    binds[1].texture = b;
+    REFUSE("kind 7", binds[1].kind = (enum aob_gpu_bind_kind)7);
+    binds[1].kind = AOB_GPU_SAMPLED;
+    REFUSE("filter 7", binds[1].filter = (enum aob_filter)7);
+#undef REFUSE
+    struct aob_gpu_texture *made[] = {a, b, small};
+    for (size_t i = 0; i < AOB_COUNT(made); i++)
+        aob_gpu_texture_destroy(gpu, made[i]);
+    aob_gpu_program_destroy(gpu, plain);
+    aob_gpu_program_destroy(gpu, reader);
+}
+
+static void survives_many_passes(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    struct aob_gpu_program *drawer =
+        program(gpu, "layout(location = 0) out float r;\nvoid main() { r = 1; }\n");
+    struct aob_gpu_texture *target = texture(gpu, AOB_R8, NULL);
+    const struct aob_gpu_texture *targets[] = {target};
+    struct aob_gpu_pass_desc desc = {.program = drawer, .targets = targets, .target_count = 1};
+    for (int i = 0; i < 50; i++) {
+        struct aob_gpu_pass *pass = aob_gpu_pass_create(gpu, &desc, NULL);
+        assert_non_null(pass);
+        aob_gpu_pass_destroy(gpu, pass);
+    }
+    run_pass(gpu, &desc, NULL);
+    aob_gpu_texture_destroy(gpu, target);
+    aob_gpu_program_destroy(gpu, drawer);
+}
+
+static void validation_fails_the_call(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    if (strcmp(gpu->info.backend, "vulkan"))
+        skip();
+    struct aob_gpu_program *reader =
+        program(gpu, "layout(BIND(4)) uniform sampler2D s;\nlayout(location = 0) out float r;\n"
+                     "void main() { r = texelFetch(s, ivec2(0), 0).x; }\n");
+    struct aob_gpu_texture *source = texture(gpu, AOB_R32F, NULL), *target = texture(gpu, AOB_R32F, NULL);
+    const struct aob_gpu_texture *targets[] = {target};
+    struct aob_gpu_bind bind = {.kind = AOB_GPU_STORAGE, .binding = 4, .texture = source};
+    refuse_pass(
+        gpu,
+        (struct aob_gpu_pass_desc){
+            .program = reader, .binds = &bind, .bind_count = 1, .targets = targets, .target_count = 1},
+        "vulkan: validation, on the way to create a pipeline: ");
+    aob_gpu_texture_destroy(gpu, source);
+    aob_gpu_texture_destroy(gpu, target);
+    aob_gpu_program_destroy(gpu, reader);
+}
+
+static void describes_itself(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    assert_ptr_equal(aob_gpu_find(gpu->info.backend), gpu->fns);
+    assert_true(strlen(gpu->info.device) > 0);
+    assert_true(strlen(gpu->info.driver) > 0);
+    assert_null(aob_gpu_find("metal"));
+    struct aob_error error = {""};
+    assert_null(aob_gpu_open("metal", NULL, &error));
+    assert_string_equal(error.text, "backend 'metal' is unknown: use one of vulkan, gl-egl, gl-osmesa, null");
+    aob_gpu_close(NULL);
+    aob_gpu_texture_destroy(gpu, NULL);
+    aob_gpu_program_destroy(gpu, NULL);
+    aob_gpu_pass_destroy(gpu, NULL);
+}
+
+static const char *chosen; /* by main, for open_device */
+
+static int open_device(void **state)
+{
+    struct aob_error error = {""};
+    *state = aob_gpu_open(chosen, &(struct aob_gpu_desc){.validate = !strcmp(chosen, "vulkan")}, &error);
+    if (*state)
+        return 0;
+    aob_error_print(&error);
+    if (strstr(error.text, "install "))
+        exit(77);
+    return 1;
+}
+
+static int close_device(void **state)
+{
+    aob_gpu_close(*state);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    const struct aob_gpu_fns *fns = argc == 2 ? aob_gpu_find(argv[1]) : NULL;
+    if (!fns) {
+        fprintf(stderr, "usage: test_gpu vulkan|gl-egl|gl-osmesa|null\n");
+        return 2;
+    }
+    for (const char *const *variable = fns->environment; *variable; variable++)
+        putenv((char *)*variable);
+    chosen = fns->name;
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(describes_itself),
+        cmocka_unit_test(keeps_texels_of_every_format),
+        cmocka_unit_test(copies_every_format_through_a_pass),
+        cmocka_unit_test(puts_row_0_at_the_top),
+        cmocka_unit_test(writes_four_targets),
+        cmocka_unit_test(reads_uniforms_as_they_were),
+        cmocka_unit_test(filters_and_clamps),
+        cmocka_unit_test(replaced_functions_mean_what_glsl_says),
+        cmocka_unit_test(passes_see_what_earlier_ones_wrote),
+        cmocka_unit_test(gives_the_same_bits_twice_and_takes_time),
+        cmocka_unit_test(explains_a_compile_error_in_one_line),
+        cmocka_unit_test(refuses_wrong_textures),
+        cmocka_unit_test(refuses_wrong_passes),
+        cmocka_unit_test(survives_many_passes),
+        cmocka_unit_test(validation_fails_the_call),
+    };
+    return cmocka_run_group_tests(tests, open_device, close_device);
+}

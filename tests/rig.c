@@ -1,0 +1,120 @@
+#include "rig.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "technique/param.h"
+#include "technique/registry.h"
+
+static void give_up(const char *what, const struct aob_error *error)
+{
+    fprintf(stderr, "%s: %s\n", what, error->text);
+    exit(1);
+}
+
+void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct aob_camera *camera, int width,
+                    int height, int guard)
+{
+    struct aob_error error = {{0}};
+    *rig = (struct aob_rig){.camera = *camera, .width = width, .height = height, .guard = guard};
+    rig->gbuffer.projection = aob_camera_projection(camera, width, height, guard);
+    rig->gbuffer.guard = guard;
+    rig->tracer = aob_tracer_create(mesh, &error);
+    if (!rig->tracer)
+        give_up("tracer", &error);
+    aob_tracer_cast(rig->tracer, camera, &rig->gbuffer.projection, &rig->hits);
+    size_t count = (size_t)rig->hits.width * (size_t)rig->hits.height;
+    rig->gbuffer.depth = AOB_NEW_ARRAY(float, count);
+    rig->gbuffer.normal = AOB_NEW_ARRAY(float, 4 * count);
+    for (size_t i = 0; i < count; i++) {
+        rig->gbuffer.depth[i] = rig->hits.depth[i] > 0 ? rig->hits.depth[i] : AOB_GBUFFER_SKY;
+        memcpy(&rig->gbuffer.normal[4 * i], rig->hits.normal[i], 3 * sizeof(float));
+    }
+}
+
+void aob_rig_scene(struct aob_rig *rig, const char *scene, const char *view, int width, int height, int guard)
+{
+    const struct aob_scene_info *info = aob_scene_find(scene);
+    struct aob_mesh mesh = {0};
+    info->build(&mesh);
+    aob_rig_init(rig, &mesh, &aob_scene_view(info, view)->camera, width, height, guard);
+    aob_mesh_finish(&mesh);
+}
+
+void aob_rig_finish(struct aob_rig *rig)
+{
+    aob_hits_finish(&rig->hits);
+    aob_gbuffer_finish(&rig->gbuffer);
+    aob_tracer_destroy(rig->tracer);
+}
+
+static const struct aob_technique *builtin(const char *name)
+{
+    for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
+        if (strcmp((*t)->name, name) == 0)
+            return *t;
+    fprintf(stderr, "no technique %s\n", name);
+    exit(1);
+}
+
+static void set_params(const struct aob_technique *technique, const char *params, void *values)
+{
+    double numbers[AOB_MAX_PARAM];
+    char copy[512], *rest = copy;
+    struct aob_error error = {{0}};
+    snprintf(copy, sizeof copy, "%s", params);
+    aob_param_defaults(technique->params, technique->param_count, numbers);
+    for (char *word; (word = strsep(&rest, " "));) {
+        char *value = strchr(word, '=');
+        if (!value)
+            continue;
+        *value++ = '\0';
+        const struct aob_param *param = aob_param_find(technique->params, technique->param_count, word);
+        if (!param || !aob_param_parse(param, value, &numbers[param - technique->params], &error))
+            give_up(word, &error);
+    }
+    aob_param_pack(technique->params, technique->param_count, numbers, values, 4 * AOB_MAX_PARAM);
+}
+
+void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *name, const char *params,
+                   enum aob_fetch fetch, float *pixels)
+{
+    const struct aob_technique *technique = builtin(name);
+    struct aob_frame *frame = AOB_NEW(struct aob_frame);
+    struct aob_screen screen;
+    struct aob_error error = {{0}};
+    unsigned char values[4 * AOB_MAX_PARAM];
+    set_params(technique, params, values);
+    if (!aob_screen_init(&screen, gpu, &rig->gbuffer, &error) ||
+        !aob_frame_init(frame, &screen, technique, values, fetch, &error) || !aob_frame_run(frame, NULL, &error) ||
+        !aob_frame_read(frame, AOB_OUT_VISIBILITY, pixels, &error))
+        give_up(name, &error);
+    aob_frame_finish(frame);
+    aob_screen_finish(&screen);
+    free(frame);
+}
+
+struct aob_gpu *aob_rig_gpu(const char *backend)
+{
+    struct aob_error error = {{0}};
+    struct aob_gpu *gpu =
+        aob_gpu_open(backend, &(struct aob_gpu_desc){.validate = strcmp(backend, "vulkan") == 0}, &error);
+    if (!gpu) {
+        printf("skipped: %s\n", error.text);
+        exit(77);
+    }
+    return gpu;
+}
+
+bool aob_rig_position(const struct aob_rig *rig, int x, int y, struct aob_vec3 *position)
+{
+    struct aob_vec3 origin, direction;
+    size_t i = (size_t)(y + rig->guard) * (size_t)rig->hits.width + (size_t)(x + rig->guard);
+    if (rig->hits.primitive[i] == AOB_NO_PRIMITIVE)
+        return false;
+    aob_camera_ray(&rig->camera, &rig->gbuffer.projection, x + rig->guard + 0.5, y + rig->guard + 0.5, &origin,
+                   &direction);
+    *position = aob_vec_add(origin, aob_vec_scale(direction, rig->hits.depth[i]));
+    return true;
+}

@@ -1,0 +1,31 @@
+/* A scene on a device, in this process: what the tests of techniques and backends share. */
+#ifndef AOB_TESTS_RIG_H
+#define AOB_TESTS_RIG_H
+#include "frame/frame.h"
+#include "reference/tracer.h"
+#include "scene/scene.h"
+
+struct aob_rig {
+    struct aob_camera camera;
+    int width, height, guard;
+    struct aob_hits hits;       /* guard band included */
+    struct aob_gbuffer gbuffer; /* likewise */
+    struct aob_tracer *tracer;
+};
+
+/* Casts the mesh; ends the test program on any failure. The mesh may be freed afterwards. */
+void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct aob_camera *camera, int width,
+                    int height, int guard);
+void aob_rig_scene(struct aob_rig *rig, const char *scene, const char *view, int width, int height, int guard);
+void aob_rig_finish(struct aob_rig *rig);
+
+/* One frame of a built-in technique; params: "radius=1 slices=9", the rest default. pixels: width x height. */
+void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique, const char *params,
+                   enum aob_fetch fetch, float *pixels);
+
+/* A device, or the program ends as skipped (77) where there is none. Vulkan runs under the validation layer. */
+struct aob_gpu *aob_rig_gpu(const char *backend);
+
+/* World position of the surface in view pixel (x, y), guard band not counted; false where sky. */
+bool aob_rig_position(const struct aob_rig *rig, int x, int y, struct aob_vec3 *position);
+#endif

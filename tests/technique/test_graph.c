@@ -1,0 +1,179 @@
+#include "check.h"
+#include "technique/graph.h"
+
+static const struct aob_shader shaders[] = {{"one", "text one"}, {"two", "text two"}, {NULL, NULL}};
+
+struct values {
+    int32_t taps;
+    float radius;
+};
+static const struct aob_param params[] = {
+    AOB_PARAM(struct values, taps, .stage = AOB_CONSTANT, .min = 0, .max = 9, .doc = "."),
+    AOB_PARAM(struct values, radius, .min = 0, .max = 9, .doc = "."),
+};
+
+#define RAW(g)  aob_texture(g, .name = "raw", .format = AOB_R16F)
+#define OUT(t)  {{.name = "o", .tex = t}}
+
+static bool build_chain(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex raw = RAW(g), done = aob_texture(g, .name = "done"), unused = aob_texture(g, .name = "unused", .divisor = 2);
+    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH, .out = OUT(raw)) &&
+           aob_pass(g, .name = "extra", .shader = "two", .in = {{.name = "i", .tex = raw}}, .out = OUT(unused)) &&
+           aob_pass(g, .name = "last", .shader = "two", .in = {{.name = "i", .tex = raw}}, .out = OUT(done)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, done);
+}
+static bool build_loop(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex raw = RAW(g);
+    return aob_pass(g, .name = "first", .shader = "one", .in = {{.name = "i", .tex = raw}}, .out = OUT(raw)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, raw);
+}
+static bool build_no_output(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_pass(g, .name = "first", .shader = "one", .out = OUT(RAW(g)));
+}
+static bool build_unwritten(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_output(g, AOB_OUT_VISIBILITY, RAW(g));
+}
+static bool build_twice_written(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex raw = RAW(g);
+    return aob_pass(g, .name = "first", .shader = "one", .out = OUT(raw)) &&
+           aob_pass(g, .name = "again", .shader = "one", .out = OUT(raw)) && aob_output(g, AOB_OUT_VISIBILITY, raw);
+}
+static bool build_no_shader(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_pass(g, .name = "first", .shader = "three", .out = OUT(RAW(g)));
+}
+static bool build_same_names(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return RAW(g).id && RAW(g).id;
+}
+static bool build_half_output(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex half = aob_texture(g, .name = "half", .divisor = 2);
+    return aob_pass(g, .name = "first", .shader = "one", .out = OUT(half)) && aob_output(g, AOB_OUT_VISIBILITY, half);
+}
+static bool build_mixed_sizes(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex half = aob_texture(g, .name = "half", .divisor = 2), full = RAW(g);
+    return aob_pass(g, .name = "first", .shader = "one", .out = {{.name = "a", .tex = half}, {.name = "b", .tex = full}}) &&
+           aob_output(g, AOB_OUT_VISIBILITY, full);
+}
+static bool build_ignores_failure(struct aob_graph *g, const void *values)
+{
+    aob_texture(g, .name = "Bad Name");
+    return build_chain(g, values);
+}
+static bool build_too_many(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    char name[16];
+    for (int i = 0; i < 100; i++) {
+        snprintf(name, sizeof name, "t%d", i);
+        if (!aob_texture(g, .name = name).id)
+            return false;
+    }
+    return true;
+}
+
+static bool try_build(struct aob_pass_graph *graph, bool (*build)(struct aob_graph *, const void *),
+                      struct aob_error *error)
+{
+    static struct aob_technique technique;
+    technique = (struct aob_technique){.abi = AOB_ABI, .size = sizeof technique, .name = "trial", .shaders = shaders,
+                                       .params = params, .param_count = 2, .values_size = sizeof(struct values),
+                                       .build = build};
+    *error = (struct aob_error){{0}};
+    return aob_graph_build(graph, &technique, &(struct values){3, 1}, 1u << AOB_OUT_VISIBILITY, error);
+}
+
+static void test_prunes_what_nobody_wants(void **state)
+{
+    (void)state;
+    struct aob_pass_graph graph;
+    struct aob_error error;
+    assert_true(try_build(&graph, build_chain, &error));
+    assert_true(graph.passes[0].live);
+    assert_false(graph.passes[1].live);
+    assert_true(graph.passes[2].live);
+    assert_false(graph.textures[2].used);
+    int w, h;
+    aob_graph_texture_size(&graph.textures[2], 101, 7, &w, &h);
+    assert_int_equal(w, 51);
+    assert_int_equal(h, 4);
+}
+
+static void test_broken_graphs_are_named(void **state)
+{
+    (void)state;
+    const struct {
+        bool (*build)(struct aob_graph *, const void *);
+        const char *says;
+    } cases[] = {{build_loop, "no earlier pass writes"},
+                 {build_no_output, "no visibility output"},
+                 {build_unwritten, "no pass writes"},
+                 {build_twice_written, "already written"},
+                 {build_no_shader, "no shader text 'three'"},
+                 {build_same_names, "two textures are named 'raw'"},
+                 {build_half_output, "not full size"},
+                 {build_mixed_sizes, "different sizes"},
+                 {build_ignores_failure, "lower-case"},
+                 {build_too_many, "more than 32 textures"}};
+    struct aob_pass_graph graph;
+    struct aob_error error;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        assert_false(try_build(&graph, cases[i].build, &error));
+        assert_contains(error.text, cases[i].says);
+        assert_contains(error.text, "trial: ");
+    }
+}
+
+static void test_digest_follows_constants_only(void **state)
+{
+    (void)state;
+    struct aob_pass_graph graph;
+    struct aob_error error;
+    char a[AOB_KEY_SIZE], b[AOB_KEY_SIZE], c[AOB_KEY_SIZE];
+    assert_true(try_build(&graph, build_chain, &error));
+    aob_graph_digest(&graph, &(struct values){3, 1}, a);
+    aob_graph_digest(&graph, &(struct values){3, 2}, b);
+    aob_graph_digest(&graph, &(struct values){4, 1}, c);
+    assert_string_equal(a, b);
+    assert_string_not_equal(a, c);
+}
+
+static void test_dot_picture(void **state)
+{
+    (void)state;
+    struct aob_pass_graph graph;
+    struct aob_error error;
+    struct aob_text text = {0};
+    assert_true(try_build(&graph, build_chain, &error));
+    aob_graph_dot(&graph, &text);
+    assert_contains(text.data, "digraph trial {");
+    assert_contains(text.data, "extra [style=dashed]");
+    assert_contains(text.data, "gbuffer -> first");
+    assert_contains(text.data, "first -> last [label=\"raw\"]");
+    assert_contains(text.data, "last -> visibility");
+    aob_text_finish(&text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_prunes_what_nobody_wants), cmocka_unit_test(test_broken_graphs_are_named),
+        cmocka_unit_test(test_digest_follows_constants_only), cmocka_unit_test(test_dot_picture)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

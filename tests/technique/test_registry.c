@@ -1,0 +1,125 @@
+#include "check.h"
+#include <stdlib.h>
+#include <unistd.h>
+#include "base/file.h"
+#include "technique/registry.h"
+
+static char *module_path(const char *name)
+{
+    const char *build = getenv("AOBUDGET_BUILD");
+    char file[256];
+    snprintf(file, sizeof file, "%s/%s", build ? build : ".", name);
+    return strdup(file);
+}
+
+static void test_builtins_are_sound(void **state)
+{
+    (void)state;
+    struct aob_registry registry;
+    struct aob_error error;
+    aob_registry_init(&registry);
+    assert_true(registry.count >= 3);
+    for (size_t i = 0; i < registry.count; i++)
+        if (!aob_technique_judge(registry.entries[i].technique, &error))
+            fail_msg("%s", error.text);
+    assert_non_null(aob_registry_find(&registry, "gtao"));
+    assert_null(aob_registry_find(&registry, "fixed_pass"));
+    aob_registry_finish(&registry);
+}
+
+static void test_module_takes_the_place(void **state)
+{
+    (void)state;
+    struct aob_registry registry;
+    struct aob_error error;
+    char *path = module_path("modules/gtao.so"), builtin[AOB_KEY_SIZE];
+    aob_registry_init(&registry);
+    size_t count = registry.count;
+    strcpy(builtin, aob_registry_find(&registry, "gtao")->digest);
+    if (!aob_registry_load(&registry, path, &error))
+        fail_msg("%s", error.text);
+    assert_int_equal(registry.count, count);
+    assert_string_equal(aob_registry_find(&registry, "gtao")->module, path);
+    assert_string_not_equal(aob_registry_find(&registry, "gtao")->digest, builtin);
+    aob_registry_finish(&registry);
+    free(path);
+}
+
+static void refused(const char *path, const char *says)
+{
+    struct aob_registry registry;
+    struct aob_error error = {{0}};
+    aob_registry_init(&registry);
+    assert_false(aob_registry_load(&registry, path, &error));
+    assert_contains(error.text, says);
+    aob_registry_finish(&registry);
+}
+
+static void test_foreign_files_are_refused(void **state)
+{
+    (void)state;
+    char *old = module_path("tests/modules/old_abi.so");
+    refused(old, "interface 99.0");
+    refused("/nonexistent/x.so", "cannot open");
+    refused("/tmp", "is it a file?");
+    refused("/etc/passwd", "cannot load");
+    free(old);
+}
+
+static void test_bad_tables_are_refused(void **state)
+{
+    (void)state;
+    static const struct aob_shader shaders[] = {{NULL, NULL}};
+    const struct aob_technique good = {.abi = AOB_ABI, .size = sizeof good, .name = "good", .title = "t",
+                                       .citation = "c", .shaders = shaders, .values_size = 4,
+                                       .build = (bool (*)(struct aob_graph *, const void *))(uintptr_t)1};
+    struct aob_error error;
+    struct aob_technique bad = good;
+    assert_true(aob_technique_judge(&good, &error));
+    bad.abi = 7u << 16;
+    assert_false(aob_technique_judge(&bad, &error));
+    bad = good;
+    bad.name = "Bad-Name";
+    assert_false(aob_technique_judge(&bad, &error));
+    bad = good;
+    bad.build = NULL;
+    assert_false(aob_technique_judge(&bad, &error));
+    const struct aob_param outside = {.name = "p", .doc = "d", .min = 0, .max = 1, .initial = 2};
+    bad = good;
+    bad.params = &outside;
+    bad.param_count = 1;
+    assert_false(aob_technique_judge(&bad, &error));
+    const struct aob_param beyond = {.name = "p", .doc = "d", .offset = 4};
+    bad.params = &beyond;
+    assert_false(aob_technique_judge(&bad, &error));
+}
+
+static void test_travels_as_json(void **state)
+{
+    (void)state;
+    struct aob_registry registry;
+    struct aob_technique_list list = {0};
+    aob_registry_init(&registry);
+    const struct aob_registry_entry *gtao = aob_registry_find(&registry, "gtao");
+    json_t *json = aob_technique_to_json(gtao);
+    assert_true(aob_technique_list_add(&list, json));
+    const struct aob_technique_info *info = aob_technique_list_find(&list, "gtao");
+    assert_int_equal(info->param_count, gtao->technique->param_count);
+    for (size_t i = 0; i < info->param_count; i++) {
+        assert_string_equal(info->params[i].name, gtao->technique->params[i].name);
+        assert_int_equal(info->params[i].unit, gtao->technique->params[i].unit);
+        assert_true(info->params[i].initial == gtao->technique->params[i].initial);
+    }
+    json_decref(json);
+    aob_technique_list_finish(&list);
+    aob_registry_finish(&registry);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_builtins_are_sound), cmocka_unit_test(test_module_takes_the_place),
+        cmocka_unit_test(test_foreign_files_are_refused), cmocka_unit_test(test_bad_tables_are_refused),
+        cmocka_unit_test(test_travels_as_json)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
