@@ -35,6 +35,7 @@ void aob_image_finish(struct aob_image *image);
 bool aob_image_write(const struct aob_image *image, const char *path, struct aob_error *error);
 
 /* All channels as float (half and uint are converted), scan-line or tiled (first level); refuses more than 2^28
- * pixels x channels, deep or damaged files, with one line. Attributes of one or three numbers and strings are read. */
+ * pixels x channels, deep or damaged files, with one line. Attributes of one or three numbers and strings are read.
+ * Of a file with several parts the first is read. */
 bool aob_image_read(struct aob_image *image, const char *path, struct aob_error *error);
 #endif

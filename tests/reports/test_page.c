@@ -1,0 +1,250 @@
+#include "reports/page.h"
+#include "base/file.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "store/image.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <cmocka.h>
+
+struct fixture {
+    char folder[128], out[160];
+};
+
+static void put(const struct fixture *f, const char *name, const char *text)
+{
+    char *path = aob_path_join(f->folder, name);
+    struct aob_error error = {0};
+    if (!aob_file_write(path, text, strlen(text), &error))
+        fail_msg("%s", error.text);
+    free(path);
+}
+
+static char *make_page(const struct fixture *f, const char *program, struct aob_page_summary *summary)
+{
+    const char *const folders[] = {f->folder, NULL};
+    struct aob_error error = {0};
+    if (!aob_page_write(&(struct aob_page_desc){folders, f->out, program, summary}, &error))
+        fail_msg("%s", error.text);
+    char *path = aob_path_join(f->out, "index.html");
+    char *text = aob_file_read(path, 1 << 26, NULL, &error);
+    assert_non_null(text);
+    free(path);
+    return text;
+}
+
+static size_t count_text(const char *text, const char *part)
+{
+    size_t count = 0;
+    for (const char *at = text; (at = strstr(at, part)); at += strlen(part))
+        count++;
+    return count;
+}
+
+/* A good case; `samples` and `cost` vary. */
+static void add_case(struct aob_text *journal, const char *key, const char *backend, int samples, double cost)
+{
+    aob_text_add(
+        journal,
+        "{\"key\":\"%s\",\"scene\":\"corner\",\"view\":\"front\",\"technique\":\"gtao\",\"revision\":1,"
+        "\"params\":{\"radius\":0.5,\"slices\":%d,\"steps\":2},\"options\":{\"fetch\":\"sampled\"},"
+        "\"backend\":\"%s\",\"width\":64,\"height\":32,\"status\":\"ok\",\"image\":\"images/a.exr\",\"time\":"
+        "{\"clock\":\"cpu\",\"cpu_ms\":%g,\"wall_ms\":null,\"ratio_to_ref\":2,\"ci_low\":1.9,\"ci_high\":2.2}"
+        ","
+        "\"error\":{\"rmse\":0.05,\"band_rmse\":%g,\"bias\":-0.0123,\"p95\":null},\"memory_bytes\":1048576,"
+        "\"fingerprint\":{\"cpu\":\"a processor\",\"device\":\"llvmpipe\",\"driver\":\"Mesa\"}}\n",
+        key, samples, backend, cost, 0.1 / cost);
+}
+
+static void test_good_run(void **state)
+{
+    struct aob_text journal = {0};
+    struct aob_page_summary summary;
+    add_case(&journal, "a", "vulkan", 1, 1.5);
+    add_case(&journal, "b", "vulkan", 2, 2.5);
+    add_case(&journal, "c", "gl-egl", 1, 1.75);
+    put(*state, "journal.jsonl", journal.data);
+    put(*state, "run.json", "{\"name\":\"demo\",\"cases\":3,\"date\":\"2026-01-02\",\"program\":\"0.1.0\"}");
+    char *page = make_page(*state, NULL, &summary);
+    assert_int_equal(summary.cases, 3);
+    assert_int_equal(summary.ok, 3);
+    assert_int_equal(summary.planned, 3);
+    assert_int_equal(summary.drawn, 0);
+    assert_null(strstr(page, "Incomplete"));
+    assert_null(strstr(page, "What did not run"));
+    assert_non_null(strstr(page, "2.000 <small>[1.900, 2.200]</small>"));
+    assert_non_null(strstr(page, "\u22120.0123"));
+    assert_non_null(strstr(page, "a processor"));
+    assert_int_equal(count_text(page, "<tr><td"), 3);
+    /* One triptych, of the first backend, and one height field; a quality and a samples chart. */
+    assert_int_equal(count_text(page, "this figure was not drawn"), 4);
+    assert_int_equal(summary.figures, 4 + 2 * 2);
+    assert_non_null(strstr(page, "2 cases on the Pareto front"));
+    assert_null(strstr(page, "http://"));
+    assert_null(strstr(page, "https://"));
+    free(page);
+    aob_text_finish(&journal);
+}
+
+static void test_hostile_and_broken_lines(void **state)
+{
+    struct aob_page_summary summary;
+    put(*state, "run.json",
+        "{\"name\":\"<script>alert(1)</script>\",\"cases\":40,\"date\":7,\"program\":\"\\\"><img src=x>\"}");
+    put(*state, "journal.jsonl",
+        "{\"key\":\"1\",\"scene\":\"</td><script>x</script>\",\"view\":\"\\\" "
+        "onload='y'\",\"technique\":\"<i>&amp;\","
+        "\"params\":{\"<b>\":\"'\\\"\"},\"backend\":\"<u>\",\"width\":1e9,\"height\":-1,\"status\":\"ok\","
+        "\"image\":"
+        "\"../../"
+        "<script>.exr\",\"time\":{\"cpu_ms\":1e308},\"error\":{\"band_rmse\":1e-300,\"bias\":\"inf\"}}\n"
+        "{\"key\":\"2\",\"status\":\"failed\",\"reason\":\"crashed: "
+        "<script>z</script>\",\"technique\":\"hbao\"}\n"
+        "{\"key\":\"3\",\"status\":\"\\\"><script>\",\"time\":[],\"error\":3,\"params\":[1],\"options\":"
+        "\"o\","
+        "\"fingerprint\":{\"device\":\"<dev>\",\"threads\":{}}}\n"
+        "not json\n[1,2]\n\n{\"key\":\"2\",\"status\":\"unsupported\",\"reason\":\"no <b>image</b>\"}\n"
+        "{\"key\":\"4\",\"scene\":null,\"width\":null,\"status\":\"invalid\",\"reason\":null}\n"
+        "{\"key\":\"5\",\"sce");
+    char *page = make_page(*state, NULL, &summary);
+    assert_int_equal(summary.cases, 4);
+    assert_non_null(strstr(page, "Incomplete: 4 of 40 cases"));
+    assert_int_equal(count_text(page, "<script>"), 1);
+    assert_non_null(strstr(page, "&lt;script&gt;alert(1)"));
+    assert_null(strstr(page, "<b>"));
+    assert_null(strstr(page, "<u>"));
+    assert_null(strstr(page, "<i>"));
+    assert_null(strstr(page, "<dev>"));
+    assert_null(strstr(page, "<img src=x"));
+    assert_null(strstr(page, "onload='"));
+    assert_non_null(strstr(page, "no &lt;b&gt;image"));
+    assert_null(strstr(page, "crashed: "));
+    free(page);
+}
+
+static void test_empty_journal(void **state)
+{
+    struct aob_page_summary summary;
+    put(*state, "journal.jsonl", "");
+    put(*state, "run.json", "{\"name\":\"early\",\"cases\":12}");
+    char *page = make_page(*state, NULL, &summary);
+    assert_non_null(strstr(page, "Incomplete: 0 of 12 cases"));
+    assert_int_equal(summary.figures, 0);
+    free(page);
+}
+
+static void test_no_run_and_no_room(void **state)
+{
+    struct fixture *f = *state;
+    struct aob_error error = {0};
+    const char *const none[] = {"/nonexistent/run", NULL}, *const good[] = {f->folder, NULL};
+    assert_false(aob_page_write(&(struct aob_page_desc){.folders = none, .out = f->out}, &error));
+    assert_non_null(strstr(error.text, "/nonexistent/run"));
+    put(f, "journal.jsonl", "");
+    assert_false(aob_page_write(&(struct aob_page_desc){.folders = good, .out = "/proc/nowhere"}, &error));
+    assert_int_not_equal(error.text[0], 0);
+}
+
+/* A plotter that draws one figure's worth of answers and dies. */
+static void test_crashing_plotter(void **state)
+{
+    struct fixture *f = *state;
+    struct aob_text journal = {0};
+    struct aob_page_summary summary;
+    add_case(&journal, "a", "vulkan", 1, 1.5);
+    put(f, "journal.jsonl", journal.data);
+    put(f, "aobudget-plot",
+        "#!/bin/sh\ncat >/dev/null\necho '{\"out\":\"x\",\"error\":null}'\necho "
+        "'{\"out\":\"y\",\"error\":\"no <room>\"}'\n"
+        "echo nonsense\nkill -SEGV $$\n");
+    char *plotter = aob_path_join(f->folder, "aobudget-plot"),
+         *program = aob_path_join(f->folder, "aobudget");
+    chmod(plotter, 0755);
+    char *page = make_page(f, program, &summary);
+    assert_int_equal(summary.drawn, 1);
+    assert_non_null(strstr(page, "signal 11"));
+    assert_non_null(strstr(page, "no &lt;room&gt;"));
+    assert_int_equal(count_text(page, "<img "), 1);
+    unlink(plotter);
+    free(plotter);
+    free(program);
+    free(page);
+    aob_text_finish(&journal);
+}
+
+static void write_image(const struct fixture *f)
+{
+    static const char *const names[] = {"technique.AO", "reference.AO", "error.AO"};
+    struct aob_image image = {.width = 64, .height = 32};
+    for (size_t c = 0; c < AOB_COUNT(names); c++) {
+        float *pixels = aob_image_add(&image, names[c]);
+        for (int i = 0; i < 64 * 32; i++)
+            pixels[i] = c == 2 ? 0.001f * (float)(i % 64 - 32) : 0.5f + 0.005f * (float)(i % 64);
+    }
+    char *folder = aob_path_join(f->folder, "images"), *path = aob_path_join(folder, "a.exr");
+    assert_true(aob_folder_create(folder, NULL) && aob_image_write(&image, path, NULL));
+    free(folder);
+    free(path);
+    aob_image_finish(&image);
+}
+
+static void test_real_plotter(void **state)
+{
+    struct aob_text journal = {0};
+    struct aob_page_summary summary;
+    const char *build = getenv("AOBUDGET_BUILD");
+    char *program = aob_path_join(build ? build : ".", "aobudget");
+    char *plotter = aob_path_join(build ? build : ".", "aobudget-plot");
+    if (aob_file_exists(plotter)) {
+        add_case(&journal, "a", "vulkan", 1, 1.5);
+        add_case(&journal, "b", "vulkan", 2, 2.5);
+        put(*state, "journal.jsonl", journal.data);
+        write_image(*state);
+        char *page = make_page(*state, program, &summary);
+        assert_int_equal(summary.figures, 8);
+        assert_int_equal(summary.drawn, 8);
+        assert_null(strstr(page, "this figure was not drawn"));
+        free(page);
+    }
+    free(program);
+    free(plotter);
+    aob_text_finish(&journal);
+}
+
+static int set_up(void **state)
+{
+    struct fixture *f = AOB_NEW(struct fixture);
+    snprintf(f->folder, sizeof f->folder, "/tmp/aob-test-page-%ld", (long)getpid());
+    snprintf(f->out, sizeof f->out, "%s/report", f->folder);
+    *state = f;
+    return aob_folder_create(f->folder, NULL) ? 0 : -1;
+}
+
+static int tear_down(void **state)
+{
+    struct fixture *f = *state;
+    char command[256];
+    snprintf(command, sizeof command, "rm -r '%s'", f->folder);
+    int code = system(command);
+    free(f);
+    return code;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_good_run, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_hostile_and_broken_lines, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_empty_journal, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_no_run_and_no_room, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_crashing_plotter, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_real_plotter, set_up, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
