@@ -20,7 +20,8 @@ static void pass_on(void *user, const char *line)
     json_decref(answer);
 }
 
-bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_desc *desc, struct aob_error *error)
+bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_desc *desc,
+                      struct aob_error *error)
 {
     char *input = aob_json_line(desc->job), text[700];
     struct answers answers = {.desc = desc};

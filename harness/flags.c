@@ -12,7 +12,8 @@ static const struct aob_flag *find(const struct aob_flags *flags, const char *na
     return NULL;
 }
 
-static bool set(const struct aob_flags *flags, const struct aob_flag *flag, const char *value, struct aob_error *error)
+static bool set(const struct aob_flags *flags, const struct aob_flag *flag, const char *value,
+                struct aob_error *error)
 {
     if (flag->many)
         *AOB_PUSH(flag->many->items, flag->many->count, flag->many->capacity) = value;
@@ -32,10 +33,12 @@ bool aob_flags_parse(const struct aob_flags *flags, int argc, char **argv, struc
             *AOB_PUSH(words->items, words->count, words->capacity) = word;
             continue;
         }
-        const char *name = word + (word[1] == '-' ? 2 : 1), *equals = word[1] == '-' ? strchr(name, '=') : NULL;
+        const char *name = word + (word[1] == '-' ? 2 : 1),
+                   *equals = word[1] == '-' ? strchr(name, '=') : NULL;
         const struct aob_flag *flag = find(flags, name, equals ? (size_t)(equals - name) : strlen(name));
         if (!flag || (strlen(flag->name) == 1) != (word[1] != '-'))
-            return aob_fail(error, "%s: unknown flag %s; see: aobudget %s --help", flags->command, word, flags->command);
+            return aob_fail(error, "%s: unknown flag %s; see: aobudget %s --help", flags->command, word,
+                            flags->command);
         if (flag->on && equals)
             return aob_fail(error, "%s: --%s takes no value", flags->command, flag->name);
         if (flag->on)

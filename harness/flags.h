@@ -10,18 +10,19 @@ struct aob_words { /* what a flag that may be repeated was given */
     size_t count, capacity;
 };
 struct aob_flag {
-    const char *name;         /* "out" for --out; "p" for -p */
-    const char *value;        /* what the help calls its value; NULL: a switch */
+    const char *name;  /* "out" for --out; "p" for -p */
+    const char *value; /* what the help calls its value; NULL: a switch */
     const char *help;
-    bool *on;                 /* one of the three: a switch, */
-    const char **text;        /* a value, */
-    struct aob_words *many;   /* or a value each time it is given */
+    bool *on;               /* one of the three: a switch, */
+    const char **text;      /* a value, */
+    struct aob_words *many; /* or a value each time it is given */
 };
 struct aob_flags {
     const char *command, *usage; /* "run", "CONFIG" */
     const char *summary;         /* one sentence */
-    const struct aob_flag *flags; /* ended by a NULL name; --quiet, --json and --help included by the caller's table */
-    size_t least, most;          /* positional words */
+    const struct aob_flag
+        *flags;         /* ended by a NULL name; --quiet, --json and --help included by the caller's table */
+    size_t least, most; /* positional words */
 };
 
 /* False: one line (help: --help names the command's flags). `words` gets the positional ones; finish it with

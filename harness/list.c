@@ -25,10 +25,10 @@ static json_t *techniques_to_json(const struct aob_technique_list *list)
     json_t *array = json_array();
     for (size_t i = 0; i < list->count; i++) {
         const struct aob_technique_info *t = &list->items[i];
-        json_array_append_new(array, json_pack("{s:s, s:s, s:s, s:i, s:s, s:s?, s:o}", "name", t->name, "title",
-                                               t->title, "citation", t->citation, "revision", (int)t->revision,
-                                               "digest", t->digest, "module", t->module, "params",
-                                               params_to_json(t->params, t->param_count)));
+        json_array_append_new(array, json_pack("{s:s, s:s, s:s, s:i, s:s, s:s?, s:o}", "name", t->name,
+                                               "title", t->title, "citation", t->citation, "revision",
+                                               (int)t->revision, "digest", t->digest, "module", t->module,
+                                               "params", params_to_json(t->params, t->param_count)));
     }
     return json_pack("{s:o, s:o}", "techniques", array, "options",
                      params_to_json(aob_option_params, AOB_OPTION_COUNT));
@@ -43,7 +43,8 @@ static void print_params(const struct aob_param *params, size_t count)
             for (int c = 0; params[i].choices[c]; c++)
                 aob_text_add(&text, "%s%s", c ? "|" : "  of ", params[i].choices[c]);
         else
-            aob_text_add(&text, "  in %g .. %g %s", params[i].min, params[i].max, aob_unit_name(params[i].unit));
+            aob_text_add(&text, "  in %g .. %g %s", params[i].min, params[i].max,
+                         aob_unit_name(params[i].unit));
         printf("    %-12s %s\n                 %s\n", params[i].name, text.data, params[i].doc);
         aob_text_finish(&text);
     }
@@ -70,8 +71,9 @@ static json_t *scene_to_json(const struct aob_scene_info *scene)
         json_array_append_new(views, view);
     }
     return json_pack("{s:s, s:s, s:f, s:s?, s:s?, s:b, s:o}", "name", scene->name, "geometry", scene->title,
-                     "metres_per_unit", scene->metres_per_unit, "file", scene->file, "package", scene->package,
-                     "available", !scene->file || aob_file_exists(scene->file), "views", views);
+                     "metres_per_unit", scene->metres_per_unit, "file", scene->file, "package",
+                     scene->package, "available", !scene->file || aob_file_exists(scene->file), "views",
+                     views);
 }
 
 static json_t *scenes_to_json(void)
@@ -148,8 +150,8 @@ static json_t *plan_to_json(const struct aob_plan *plan)
     json_t *cases = json_array();
     for (size_t i = 0; i < plan->case_count; i++)
         json_array_append_new(cases, aob_record_create(&plan->cases[i], "planned", NULL, NULL));
-    return json_pack("{s:s, s:f, s:o}", "name", plan->config->name, "estimated_s", aob_plan_estimate_s(plan), "cases",
-                     cases);
+    return json_pack("{s:s, s:f, s:o}", "name", plan->config->name, "estimated_s", aob_plan_estimate_s(plan),
+                     "cases", cases);
 }
 
 static void print_plan(const struct aob_plan *plan, bool quiet)
@@ -164,8 +166,8 @@ static void print_plan(const struct aob_plan *plan, bool quiet)
     printf("%zu cases, about %ld:%02ld minutes at most\n", plan->case_count, seconds / 60, seconds % 60);
 }
 
-enum aob_exit aob_plan_print(const struct aob_dispatch *dispatch, const char *path, const char *json, bool quiet,
-                             struct aob_error *error)
+enum aob_exit aob_plan_print(const struct aob_dispatch *dispatch, const char *path, const char *json,
+                             bool quiet, struct aob_error *error)
 {
     struct aob_config config;
     struct aob_technique_list techniques = {0};

@@ -8,6 +8,6 @@
 /* what: techniques, scenes or backends. json: a file or "-"; NULL: a table on standard output. */
 enum aob_exit aob_list(const struct aob_dispatch *dispatch, const char *what, const char *json,
                        struct aob_error *error);
-enum aob_exit aob_plan_print(const struct aob_dispatch *dispatch, const char *config, const char *json, bool quiet,
-                             struct aob_error *error);
+enum aob_exit aob_plan_print(const struct aob_dispatch *dispatch, const char *config, const char *json,
+                             bool quiet, struct aob_error *error);
 #endif

@@ -25,12 +25,20 @@ struct common {
     char *program;
 };
 #define COMMON_FLAGS(c)                                                                                      \
-    {.name = "json", .value = "FILE", .text = &(c).json, .help = "write one JSON document ('-': standard output)"}, \
+    {.name = "json",                                                                                         \
+     .value = "FILE",                                                                                        \
+     .text = &(c).json,                                                                                      \
+     .help = "write one JSON document ('-': standard output)"},                                              \
         {.name = "quiet", .on = &(c).quiet, .help = "no progress, no summary"},                              \
-        {.name = "help", .on = &(c).help, .help = "this text"}, {.name = NULL}
+        {.name = "help", .on = &(c).help, .help = "this text"},                                              \
+    {                                                                                                        \
+        .name = NULL                                                                                         \
+    }
 #define MODULE_FLAG(c)                                                                                       \
-    {.name = "module", .value = "FILE.so", .many = &(c).modules,                                             \
-     .help = "load the techniques of a module as well; may be repeated"}
+    {                                                                                                        \
+        .name = "module", .value = "FILE.so", .many = &(c).modules,                                          \
+        .help = "load the techniques of a module as well; may be repeated"                                   \
+    }
 
 static void common_finish(struct common *common)
 {
@@ -40,8 +48,8 @@ static void common_finish(struct common *common)
 }
 
 /* Parses; prints the help if asked. True if the command should go on. */
-static bool start(const struct aob_flags *flags, struct common *common, int argc, char **argv, enum aob_exit *code,
-                  struct aob_error *error)
+static bool start(const struct aob_flags *flags, struct common *common, int argc, char **argv,
+                  enum aob_exit *code, struct aob_error *error)
 {
     for (int i = 0; i < argc; i++)
         common->help |= strcmp(argv[i], "--help") == 0;
@@ -68,8 +76,12 @@ static enum aob_exit command_list(int argc, char **argv, struct aob_error *error
     struct common common = {0};
     enum aob_exit code;
     const struct aob_flag flags[] = {MODULE_FLAG(common), COMMON_FLAGS(common)};
-    const struct aob_flags table = {"list", "techniques|scenes|backends [--json FILE]",
-                                    "What there is, with parameters, units, bounds and geometry.", flags, 1, 1};
+    const struct aob_flags table = {"list",
+                                    "techniques|scenes|backends [--json FILE]",
+                                    "What there is, with parameters, units, bounds and geometry.",
+                                    flags,
+                                    1,
+                                    1};
     if (start(&table, &common, argc, argv, &code, error)) {
         struct aob_dispatch dispatch = make_dispatch(&common);
         code = aob_list(&dispatch, common.words.items[0], common.json, error);
@@ -83,8 +95,8 @@ static enum aob_exit command_plan(int argc, char **argv, struct aob_error *error
     struct common common = {0};
     enum aob_exit code;
     const struct aob_flag flags[] = {MODULE_FLAG(common), COMMON_FLAGS(common)};
-    const struct aob_flags table = {"plan", "CONFIG", "The expanded cases, their number and the estimated time.",
-                                    flags, 1, 1};
+    const struct aob_flags table = {
+        "plan", "CONFIG", "The expanded cases, their number and the estimated time.", flags, 1, 1};
     if (start(&table, &common, argc, argv, &code, error)) {
         struct aob_dispatch dispatch = make_dispatch(&common);
         code = aob_plan_print(&dispatch, common.words.items[0], common.json, common.quiet, error);
@@ -101,20 +113,31 @@ static enum aob_exit command_run(int argc, char **argv, struct aob_error *error)
     enum aob_exit code;
     const struct aob_flag flags[] = {
         {.name = "out", .value = "DIR", .text = &desc.out, .help = "where the run goes (results/NAME)"},
-        {.name = "resume", .on = &resume, .help = "go on where DIR stopped (the default, if the config is the same)"},
+        {.name = "resume",
+         .on = &resume,
+         .help = "go on where DIR stopped (the default, if the config is the same)"},
         {.name = "fresh", .on = &desc.fresh, .help = "discard what DIR holds"},
-        {.name = "filter", .value = "TEXT", .text = &desc.filter,
+        {.name = "filter",
+         .value = "TEXT",
+         .text = &desc.filter,
          .help = "only cases whose line in `plan` holds the text"},
-        MODULE_FLAG(common), COMMON_FLAGS(common)};
-    const struct aob_flags table = {"run", "CONFIG [--out DIR] [--resume|--fresh] [--filter TEXT] [--module FILE.so]",
-                                    "The sweep: journal, images, report.", flags, 1, 1};
+        MODULE_FLAG(common),
+        COMMON_FLAGS(common)};
+    const struct aob_flags table = {
+        "run",
+        "CONFIG [--out DIR] [--resume|--fresh] [--filter TEXT] [--module FILE.so]",
+        "The sweep: journal, images, report.",
+        flags,
+        1,
+        1};
     if (start(&table, &common, argc, argv, &code, error)) {
         desc.dispatch = make_dispatch(&common);
         desc.config = common.words.items[0];
         desc.json = common.json;
         desc.quiet = common.quiet;
-        code = resume && desc.fresh ? (aob_fail(error, "run: give --resume or --fresh, not both"), AOB_EXIT_USAGE)
-                                    : aob_run(&desc, error);
+        code = resume && desc.fresh
+                   ? (aob_fail(error, "run: give --resume or --fresh, not both"), AOB_EXIT_USAGE)
+                   : aob_run(&desc, error);
     }
     common_finish(&common);
     return code;
@@ -127,7 +150,10 @@ static enum aob_exit command_shot(int argc, char **argv, struct aob_error *error
     struct aob_words params = {0};
     enum aob_exit code;
     const struct aob_flag flags[] = {
-        {.name = "technique", .value = "NAME", .text = &desc.technique, .help = "see: aobudget list techniques"},
+        {.name = "technique",
+         .value = "NAME",
+         .text = &desc.technique,
+         .help = "see: aobudget list techniques"},
         {.name = "scene", .value = "NAME", .text = &desc.scene, .help = "a listed scene, or a mesh file"},
         {.name = "view", .value = "NAME", .text = &desc.view, .help = "a listed view (the scene's first)"},
         {.name = "eye", .value = "x,y,z", .text = &desc.eye, .help = "camera position, scene units"},
@@ -135,23 +161,36 @@ static enum aob_exit command_shot(int argc, char **argv, struct aob_error *error
         {.name = "fov", .value = "DEG", .text = &desc.fov, .help = "vertical field of view (60)"},
         {.name = "ortho", .value = "H", .text = &desc.ortho, .help = "orthographic, H scene units high"},
         {.name = "size", .value = "WxH", .text = &desc.size, .help = "pixels (480x270)"},
-        {.name = "backend", .value = "NAME", .text = &desc.backend, .help = "see: aobudget list backends (vulkan)"},
-        {.name = "p", .value = "name=value", .many = &params, .help = "a parameter or run option; may be repeated"},
-        {.name = "reference-spp", .value = "N", .text = &desc.reference_spp, .help = "rays a pixel (256); 0: none"},
-        {.name = "reference-radius", .value = "R", .text = &desc.reference_radius,
+        {.name = "backend",
+         .value = "NAME",
+         .text = &desc.backend,
+         .help = "see: aobudget list backends (vulkan)"},
+        {.name = "p",
+         .value = "name=value",
+         .many = &params,
+         .help = "a parameter or run option; may be repeated"},
+        {.name = "reference-spp",
+         .value = "N",
+         .text = &desc.reference_spp,
+         .help = "rays a pixel (256); 0: none"},
+        {.name = "reference-radius",
+         .value = "R",
+         .text = &desc.reference_radius,
          .help = "radius of the truth (the technique's); inf allowed"},
         {.name = "out", .value = "FILE.exr", .text = &desc.out, .help = "the images"},
-        MODULE_FLAG(common), COMMON_FLAGS(common)};
-    const struct aob_flags table = {"shot", "--technique T --scene S [flags]", "One frame, timed and scored.", flags, 0,
-                                    0};
+        MODULE_FLAG(common),
+        COMMON_FLAGS(common)};
+    const struct aob_flags table = {
+        "shot", "--technique T --scene S [flags]", "One frame, timed and scored.", flags, 0, 0};
     if (start(&table, &common, argc, argv, &code, error)) {
         desc.dispatch = make_dispatch(&common);
         desc.params = params.items;
         desc.param_count = params.count;
         desc.json = common.json;
         desc.quiet = common.quiet;
-        code = desc.technique && desc.scene ? aob_shot(&desc, error)
-                                            : (aob_fail(error, "shot: --technique and --scene are needed"), AOB_EXIT_USAGE);
+        code = desc.technique && desc.scene
+                   ? aob_shot(&desc, error)
+                   : (aob_fail(error, "shot: --technique and --scene are needed"), AOB_EXIT_USAGE);
     }
     aob_words_finish(&params);
     common_finish(&common);
@@ -163,14 +202,20 @@ static enum aob_exit command_report(int argc, char **argv, struct aob_error *err
     struct common common = {0};
     const char *out = NULL;
     enum aob_exit code;
-    const struct aob_flag flags[] = {
-        {.name = "out", .value = "DIR", .text = &out, .help = "where the page goes (the first folder's report/)"},
-        COMMON_FLAGS(common)};
-    const struct aob_flags table = {"report", "DIR... [--out DIR]", "Page and pictures from journals.", flags, 1, 64};
+    const struct aob_flag flags[] = {{.name = "out",
+                                      .value = "DIR",
+                                      .text = &out,
+                                      .help = "where the page goes (the first folder's report/)"},
+                                     COMMON_FLAGS(common)};
+    const struct aob_flags table = {
+        "report", "DIR... [--out DIR]", "Page and pictures from journals.", flags, 1, 64};
     if (start(&table, &common, argc, argv, &code, error))
-        code = aob_report(&(struct aob_report_desc){.program = common.program, .folders = common.words.items,
-                                                    .folder_count = common.words.count, .out = out,
-                                                    .json = common.json, .quiet = common.quiet},
+        code = aob_report(&(struct aob_report_desc){.program = common.program,
+                                                    .folders = common.words.items,
+                                                    .folder_count = common.words.count,
+                                                    .out = out,
+                                                    .json = common.json,
+                                                    .quiet = common.quiet},
                           error);
     common_finish(&common);
     return code;

@@ -1,5 +1,5 @@
-/* The measuring of planned cases, from the main process: lay out (does the module accept the case?), prepare the view
- * (mesh, G-buffer, references, all cached on disk), measure in blocks, and one record a case. */
+/* The measuring of planned cases, from the main process: lay out (does the module accept the case?), prepare
+ * the view (mesh, G-buffer, references, all cached on disk), measure in blocks, and one record a case. */
 #ifndef AOB_MEASUREMENT_H
 #define AOB_MEASUREMENT_H
 #include <jansson.h>
@@ -19,27 +19,30 @@ struct aob_measurement {
     const struct aob_dispatch *dispatch;
     struct aob_plan *plan; /* framed cameras are filled in when their mesh is loaded */
     struct aob_state *states;
-    char *cache;           /* folder */
-    const char *folder;    /* of the run: images go to its images/; NULL: none are kept */
-    const char *image;     /* in place of that: the file for the image of a plan's only case */
+    char *cache;        /* folder */
+    const char *folder; /* of the run: images go to its images/; NULL: none are kept */
+    const char *image;  /* in place of that: the file for the image of a plan's only case */
     struct aob_shares shares;
     void (*on_record)(void *user, size_t index, json_t *record); /* one case done; the record is borrowed */
     void *user;
 };
 
-bool aob_measurement_init(struct aob_measurement *m, const struct aob_dispatch *dispatch, struct aob_plan *plan,
-                          struct aob_error *error);
+bool aob_measurement_init(struct aob_measurement *m, const struct aob_dispatch *dispatch,
+                          struct aob_plan *plan, struct aob_error *error);
 void aob_measurement_finish(struct aob_measurement *m);
 
-/* Calls each technique's check() and build() on its pending cases, in workers; refused ones get their reason. */
+/* Calls each technique's check() and build() on its pending cases, in workers; refused ones get their reason.
+ */
 void aob_measurement_layout(struct aob_measurement *m);
 
-/* Measures the pending cases `indices` of one block (aob_case_same_block, at most AOB_BLOCK_MAX). A block whose worker
- * dies is tried again case by case, so that it costs only the case at fault. Every case gets its record. */
+/* Measures the pending cases `indices` of one block (aob_case_same_block, at most AOB_BLOCK_MAX). A block
+ * whose worker dies is tried again case by case, so that it costs only the case at fault. Every case gets its
+ * record. */
 void aob_measurement_block(struct aob_measurement *m, const size_t *indices, size_t count);
 
 /* The record of a case: identity first, then what the worker answered (NULL: status and reason). */
-json_t *aob_record_create(const struct aob_case *c, const char *status, const char *reason, const json_t *answer);
+json_t *aob_record_create(const struct aob_case *c, const char *status, const char *reason,
+                          const json_t *answer);
 
 /* For aob_measurement_block: the files of a view. Loads, casts and traces what the cache lacks. */
 struct aob_view_files {
@@ -47,8 +50,8 @@ struct aob_view_files {
     char **reference, **definition; /* one a case of the block; definition NULL where there is none */
     size_t count;
 };
-bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t count, struct aob_view_files *files,
-                      struct aob_error *error);
+bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t count,
+                      struct aob_view_files *files, struct aob_error *error);
 void aob_view_files_finish(struct aob_view_files *files);
 json_t *aob_camera_to_json(const struct aob_camera *camera);
 #endif

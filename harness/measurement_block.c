@@ -14,27 +14,28 @@ static json_t *values_to_json(const struct aob_param *params, size_t count, cons
     json_t *object = json_object();
     for (size_t i = 0; i < count; i++)
         json_object_set_new(object, params[i].name,
-                            params[i].choices            ? json_string(params[i].choices[(int)values[i]])
+                            params[i].choices           ? json_string(params[i].choices[(int)values[i]])
                             : params[i].type == AOB_INT ? json_integer((json_int_t)values[i])
                                                         : json_real(values[i]));
     return object;
 }
 
-json_t *aob_record_create(const struct aob_case *c, const char *status, const char *reason, const json_t *answer)
+json_t *aob_record_create(const struct aob_case *c, const char *status, const char *reason,
+                          const json_t *answer)
 {
-    json_t *record = json_pack(
-        "{s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:s, s:i, s:i, s:o, s:s}", "key", c->key, "scene", c->scene->name, "view",
-        c->scene->view, "technique", c->technique->name, "revision", (int)c->technique->revision, "params",
-        values_to_json(c->technique->params, c->technique->param_count, c->params), "options",
-        values_to_json(aob_option_params, AOB_OPTION_COUNT, c->options), "backend", c->backend, "width", c->width,
-        "height", c->height, "reference_radius", aob_json_number(c->reference_radius), "status", status);
+    json_t *record = json_pack("{s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:s, s:i, s:i, s:o, s:s}", "key", c->key,
+                               "scene", c->scene->name, "view", c->scene->view, "technique",
+                               c->technique->name, "revision", (int)c->technique->revision, "params",
+                               values_to_json(c->technique->params, c->technique->param_count, c->params),
+                               "options", values_to_json(aob_option_params, AOB_OPTION_COUNT, c->options),
+                               "backend", c->backend, "width", c->width, "height", c->height,
+                               "reference_radius", aob_json_number(c->reference_radius), "status", status);
     if (reason && *reason)
         json_object_set_new(record, "reason", json_string(reason));
     const char *name;
     json_t *value;
-    json_object_foreach((json_t *)(uintptr_t)answer, name, value)
-        if (strcmp(name, "index") != 0)
-            json_object_set(record, name, value);
+    json_object_foreach((json_t *)(uintptr_t)answer, name, value) if (strcmp(name, "index") != 0)
+        json_object_set(record, name, value);
     return record;
 }
 
@@ -46,7 +47,8 @@ struct block {
     bool answered[AOB_BLOCK_MAX];
 };
 
-static void finish_case(struct block *block, size_t i, const char *status, const char *reason, const json_t *answer)
+static void finish_case(struct block *block, size_t i, const char *status, const char *reason,
+                        const json_t *answer)
 {
     size_t index = block->indices[i];
     json_t *record = aob_record_create(&block->m->plan->cases[index], status, reason, answer);
@@ -95,8 +97,8 @@ static json_t *case_job(const struct block *block, size_t i, const struct aob_vi
     const struct aob_case *c = &block->m->plan->cases[block->indices[i]];
     json_t *job = json_pack("{s:s, s:o, s:i, s:o, s:s?, s:s?}", "technique", c->technique->name, "params",
                             aob_json_vector(c->params, c->technique->param_count), "fetch",
-                            (int)aob_case_options(c).fetch, "radius", aob_json_number(c->reference_radius), "reference",
-                            files->reference[i], "definition", files->definition[i]);
+                            (int)aob_case_options(c).fetch, "radius", aob_json_number(c->reference_radius),
+                            "reference", files->reference[i], "definition", files->definition[i]);
     if (block->m->image)
         json_object_set_new(job, "image", json_string(block->m->image));
     else if (block->m->folder && block->m->plan->config->images) {
@@ -115,12 +117,12 @@ static json_t *block_job(const struct block *block, const struct aob_view_files 
     json_t *cases = json_array();
     for (size_t i = 0; i < block->count; i++)
         json_array_append_new(cases, case_job(block, i, files));
-    return json_pack("{s:s, s:o, s:s, s:o, s:i, s:i, s:i, s:s, s:f, s:b, s:b, s:b, s:o}", "job", "block", "modules",
-                     aob_dispatch_modules(block->m->dispatch), "backend", c->backend, "camera",
+    return json_pack("{s:s, s:o, s:s, s:o, s:i, s:i, s:i, s:s, s:f, s:b, s:b, s:b, s:o}", "job", "block",
+                     "modules", aob_dispatch_modules(block->m->dispatch), "backend", c->backend, "camera",
                      aob_camera_to_json(&c->scene->camera), "width", c->width, "height", c->height, "guard",
-                     (int)aob_case_options(c).guard_band, "gbuffer", files->gbuffer, "seconds", config->seconds, "time",
-                     config->measure_time, "error", config->measure_error, "validate", block->m->dispatch->validate,
-                     "cases", cases);
+                     (int)aob_case_options(c).guard_band, "gbuffer", files->gbuffer, "seconds",
+                     config->seconds, "time", config->measure_time, "error", config->measure_error,
+                     "validate", block->m->dispatch->validate, "cases", cases);
 }
 
 static bool run_worker(struct block *block, const struct aob_view_files *files, struct aob_error *error)
@@ -137,7 +139,8 @@ static bool run_worker(struct block *block, const struct aob_view_files *files, 
         env[used++] = threads;
     struct aob_job_desc desc = {.job = block_job(block, files),
                                 .env = env,
-                                .timeout_s = 120 + 10 * block->m->plan->config->seconds * (double)block->count,
+                                .timeout_s =
+                                    120 + 10 * block->m->plan->config->seconds * (double)block->count,
                                 .on_answer = take_answer,
                                 .user = block};
     return aob_dispatch_job(block->m->dispatch, &desc, error);

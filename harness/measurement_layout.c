@@ -6,8 +6,8 @@
 #include "base/memory.h"
 #include "measurement.h"
 
-bool aob_measurement_init(struct aob_measurement *m, const struct aob_dispatch *dispatch, struct aob_plan *plan,
-                          struct aob_error *error)
+bool aob_measurement_init(struct aob_measurement *m, const struct aob_dispatch *dispatch,
+                          struct aob_plan *plan, struct aob_error *error)
 {
     *m = (struct aob_measurement){.dispatch = dispatch, .plan = plan, .cache = aob_path_cache_folder()};
     m->states = AOB_NEW_ARRAY(struct aob_state, plan->case_count);
@@ -63,8 +63,9 @@ static json_t *layout_job(const struct layout *layout)
         const struct aob_case *c = &plan->cases[layout->indices[i]];
         json_array_append_new(cases, aob_json_vector(c->params, c->technique->param_count));
     }
-    return json_pack("{s:s, s:o, s:s, s:o}", "job", "layout", "modules", aob_dispatch_modules(layout->m->dispatch),
-                     "technique", plan->cases[layout->indices[0]].technique->name, "cases", cases);
+    return json_pack("{s:s, s:o, s:s, s:o}", "job", "layout", "modules",
+                     aob_dispatch_modules(layout->m->dispatch), "technique",
+                     plan->cases[layout->indices[0]].technique->name, "cases", cases);
 }
 
 /* A module that dies on a case costs that case; after three deaths the rest of its cases are given up. */

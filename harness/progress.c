@@ -20,8 +20,8 @@ void aob_progress_step(struct aob_progress *progress, const char *what)
     double elapsed = (double)(aob_clock_wall_ns() - progress->start_ns) * 1e-9;
     long left = (long)(elapsed / (double)progress->done * (double)(progress->total - progress->done) + 0.5);
     char line[512];
-    snprintf(line, sizeof line, "[%zu/%zu] %ld:%02ld left  %s", progress->done, progress->total, left / 60, left % 60,
-             what);
+    snprintf(line, sizeof line, "[%zu/%zu] %ld:%02ld left  %s", progress->done, progress->total, left / 60,
+             left % 60, what);
     fprintf(stderr, "\r\033[K%.*s", window.ws_col > 1 ? window.ws_col - 1 : 79, line);
     fflush(stderr);
 }

@@ -6,17 +6,17 @@
 #include "base/memory.h"
 #include "reports/page.h"
 
-static bool summarise(const struct aob_report_desc *desc, const struct aob_page_summary *summary, const char *out,
-                      struct aob_error *error)
+static bool summarise(const struct aob_report_desc *desc, const struct aob_page_summary *summary,
+                      const char *out, struct aob_error *error)
 {
     if (!desc->quiet)
-        aob_note("%zu of %zu cases, %zu ok; %zu of %zu figures; page: %s/index.html", summary->cases, summary->planned,
-                 summary->ok, summary->drawn, summary->figures, out);
+        aob_note("%zu of %zu cases, %zu ok; %zu of %zu figures; page: %s/index.html", summary->cases,
+                 summary->planned, summary->ok, summary->drawn, summary->figures, out);
     if (!desc->json)
         return true;
-    json_t *document = json_pack("{s:s, s:i, s:i, s:i, s:i, s:i}", "page", out, "planned", (int)summary->planned,
-                                 "cases", (int)summary->cases, "ok", (int)summary->ok, "figures",
-                                 (int)summary->figures, "drawn", (int)summary->drawn);
+    json_t *document = json_pack("{s:s, s:i, s:i, s:i, s:i, s:i}", "page", out, "planned",
+                                 (int)summary->planned, "cases", (int)summary->cases, "ok", (int)summary->ok,
+                                 "figures", (int)summary->figures, "drawn", (int)summary->drawn);
     bool ok = aob_json_write(document, desc->json, error);
     json_decref(document);
     return ok;

@@ -7,14 +7,14 @@
 
 struct aob_run_desc {
     struct aob_dispatch dispatch;
-    const char *config;  /* path */
-    const char *out;     /* folder; NULL: results/NAME */
-    const char *filter;  /* only cases whose description holds this text; NULL: all */
-    const char *json;    /* summary document to this file, "-": standard output; NULL: none */
-    bool fresh, quiet;   /* fresh: what the folder held of an earlier run is removed first */
+    const char *config; /* path */
+    const char *out;    /* folder; NULL: results/NAME */
+    const char *filter; /* only cases whose description holds this text; NULL: all */
+    const char *json;   /* summary document to this file, "-": standard output; NULL: none */
+    bool fresh, quiet;  /* fresh: what the folder held of an earlier run is removed first */
 };
 
-/* OK: every case of the plan is measured. PART: some are not; each has its reason in the journal. USAGE: nothing
- * could run, and the line says why. */
+/* OK: every case of the plan is measured. PART: some are not; each has its reason in the journal. USAGE:
+ * nothing could run, and the line says why. */
 enum aob_exit aob_run(const struct aob_run_desc *desc, struct aob_error *error);
 #endif

@@ -23,7 +23,8 @@ static bool read_number(const char *flag, const char *text, double low, double h
     return true;
 }
 
-static bool choose_camera(const struct aob_shot_desc *desc, struct aob_scene_choice *scene, struct aob_error *error)
+static bool choose_camera(const struct aob_shot_desc *desc, struct aob_scene_choice *scene,
+                          struct aob_error *error)
 {
     scene->fov_deg = 60;
     scene->has_camera = desc->eye != NULL;
@@ -42,7 +43,8 @@ static bool choose_camera(const struct aob_shot_desc *desc, struct aob_scene_cho
            read_number("ortho", desc->ortho, 1e-9, 1e12, &scene->ortho_height, error);
 }
 
-static bool choose_params(const struct aob_shot_desc *desc, struct aob_config *config, struct aob_error *error)
+static bool choose_params(const struct aob_shot_desc *desc, struct aob_config *config,
+                          struct aob_error *error)
 {
     for (size_t i = 0; i < desc->param_count; i++) {
         const char *equals = strchr(desc->params[i], '=');
@@ -60,11 +62,13 @@ static bool choose_params(const struct aob_shot_desc *desc, struct aob_config *c
     return true;
 }
 
-static bool choose_reference(const struct aob_shot_desc *desc, struct aob_config *config, struct aob_error *error)
+static bool choose_reference(const struct aob_shot_desc *desc, struct aob_config *config,
+                             struct aob_error *error)
 {
     double spp = config->spp;
     if (!read_number("reference-spp", desc->reference_spp, 0, 65536, &spp, error) ||
-        !read_number("reference-radius", desc->reference_radius, 1e-9, INFINITY, &config->reference_radius, error))
+        !read_number("reference-radius", desc->reference_radius, 1e-9, INFINITY, &config->reference_radius,
+                     error))
         return false;
     if (spp != floor(spp) || fmod(spp, 2) != 0)
         return aob_fail(error, "--reference-spp: %s is not an even whole number (0: no reference)",
@@ -113,11 +117,13 @@ static void keep_record(void *user, size_t index, json_t *record)
 
 static void print_record(const struct shot *shot)
 {
-    const json_t *time = json_object_get(shot->record, "time"), *error = json_object_get(shot->record, "error");
+    const json_t *time = json_object_get(shot->record, "time"),
+                 *error = json_object_get(shot->record, "error");
     struct aob_text text = {0};
     aob_case_describe(&shot->plan->cases[0], &text);
     if (time)
-        aob_text_add(&text, ": %.3f ms cpu, %.2f x fixed pass", json_number_value(json_object_get(time, "cpu_ms")),
+        aob_text_add(&text, ": %.3f ms cpu, %.2f x fixed pass",
+                     json_number_value(json_object_get(time, "cpu_ms")),
                      json_number_value(json_object_get(time, "ratio_to_ref")));
     if (error)
         aob_text_add(&text, "; rmse %.4f, in band %.4f, bias %+.4f (reference SE %.4f)",
@@ -146,7 +152,8 @@ static bool measure(const struct aob_shot_desc *desc, struct aob_plan *plan, str
     aob_measurement_finish(&m);
     const char *status = json_string_value(json_object_get(shot->record, "status"));
     const char *reason = json_string_value(json_object_get(shot->record, "reason"));
-    return strcmp(status, "ok") == 0 || aob_fail(error, "%s: %s", status, reason ? reason : "no reason given");
+    return strcmp(status, "ok") == 0 ||
+           aob_fail(error, "%s: %s", status, reason ? reason : "no reason given");
 }
 
 enum aob_exit aob_shot(const struct aob_shot_desc *desc, struct aob_error *error)
@@ -155,7 +162,8 @@ enum aob_exit aob_shot(const struct aob_shot_desc *desc, struct aob_error *error
     struct aob_technique_list techniques = {0};
     struct aob_plan plan = {0};
     struct shot shot = {.plan = &plan};
-    bool ok = make_config(desc, &config, error) && aob_dispatch_describe(&desc->dispatch, &techniques, error) &&
+    bool ok = make_config(desc, &config, error) &&
+              aob_dispatch_describe(&desc->dispatch, &techniques, error) &&
               aob_plan_create(&plan, &config, &techniques, error);
     if (ok && plan.case_count != 1)
         ok = aob_fail(error, "shot takes one value a parameter");

@@ -12,7 +12,9 @@
 #include "technique/graph.h"
 #include "technique/param.h"
 
-enum { FALLOFF_ROWS = 1025 }; /* of a tabulated falloff: linear between, fine enough for Alchemy's peak at r/50 */
+enum {
+    FALLOFF_ROWS = 1025
+}; /* of a tabulated falloff: linear between, fine enough for Alchemy's peak at r/50 */
 
 void aob_worker_reply(struct aob_worker *worker, json_t *answer)
 {
@@ -121,8 +123,8 @@ static json_t *layout_case(const struct aob_technique *technique, const json_t *
         struct aob_text dot = {0};
         aob_graph_digest(graph, values, key);
         aob_graph_dot(graph, &dot);
-        answer = json_pack("{s:i, s:s, s:s, s:s, s:o}", "index", index, "status", "ok", "graph", key, "dot", dot.data,
-                           "definition", definition_to_json(technique, values));
+        answer = json_pack("{s:i, s:s, s:s, s:s, s:o}", "index", index, "status", "ok", "graph", key, "dot",
+                           dot.data, "definition", definition_to_json(technique, values));
         aob_text_finish(&dot);
     }
     free(graph);
@@ -155,10 +157,9 @@ static bool load_mesh(struct aob_worker *worker, struct aob_error *error)
     if (!ok)
         return false;
     aob_mesh_bounds(&mesh, &low, &high);
-    aob_worker_reply(worker,
-                     json_pack("{s:[fff], s:[fff], s:I, s:I}", "low", low.x, low.y, low.z, "high", high.x, high.y,
-                               high.z, "vertices", (json_int_t)mesh.vertex_count, "triangles",
-                               (json_int_t)mesh.triangle_count));
+    aob_worker_reply(worker, json_pack("{s:[fff], s:[fff], s:I, s:I}", "low", low.x, low.y, low.z, "high",
+                                       high.x, high.y, high.z, "vertices", (json_int_t)mesh.vertex_count,
+                                       "triangles", (json_int_t)mesh.triangle_count));
     aob_mesh_finish(&mesh);
     return true;
 }
@@ -168,8 +169,11 @@ static bool do_job(struct aob_worker *worker, struct aob_error *error)
     static const struct {
         const char *name;
         bool (*run)(struct aob_worker *, struct aob_error *);
-    } jobs[] = {{"describe", describe}, {"layout", layout},         {"mesh", load_mesh},
-                {"view", aob_worker_view}, {"block", aob_worker_block}};
+    } jobs[] = {{"describe", describe},
+                {"layout", layout},
+                {"mesh", load_mesh},
+                {"view", aob_worker_view},
+                {"block", aob_worker_block}};
     const char *name = json_string_value(json_object_get(worker->job, "job"));
     for (size_t i = 0; name && i < AOB_COUNT(jobs); i++)
         if (strcmp(jobs[i].name, name) == 0)

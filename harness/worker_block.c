@@ -40,18 +40,20 @@ static json_t *fingerprint(const struct block *block)
     char processor[256];
     const char *threads = getenv("LP_NUM_THREADS");
     aob_machine_processor(processor, sizeof processor);
-    return json_pack("{s:s, s:s, s:i, s:s, s:s, s:s, s:i, s:s}", "program", AOBUDGET_VERSION, "cpu", processor, "cores",
-                     aob_machine_cores(), "backend", block->gpu->info.backend, "device", block->gpu->info.device,
-                     "driver", block->gpu->info.driver, "fixed_pass", (int)aob_technique_fixed_pass.revision, "threads",
-                     threads ? threads : "default");
+    return json_pack("{s:s, s:s, s:i, s:s, s:s, s:s, s:i, s:s}", "program", AOBUDGET_VERSION, "cpu",
+                     processor, "cores", aob_machine_cores(), "backend", block->gpu->info.backend, "device",
+                     block->gpu->info.device, "driver", block->gpu->info.driver, "fixed_pass",
+                     (int)aob_technique_fixed_pass.revision, "threads", threads ? threads : "default");
 }
 
 static void reply_failure(struct aob_worker *worker, size_t index, const char *status, const char *reason)
 {
-    aob_worker_reply(worker, json_pack("{s:i, s:s, s:s}", "index", (int)index, "status", status, "reason", reason));
+    aob_worker_reply(worker,
+                     json_pack("{s:i, s:s, s:s}", "index", (int)index, "status", status, "reason", reason));
 }
 
-static void reply_all(struct aob_worker *worker, const struct block *block, const char *status, const char *reason)
+static void reply_all(struct aob_worker *worker, const struct block *block, const char *status,
+                      const char *reason)
 {
     for (size_t i = 0; i < json_array_size(block->cases); i++)
         reply_failure(worker, i, status, reason);
@@ -62,13 +64,14 @@ static bool get_block(struct aob_worker *worker, struct block *block, struct aob
     const char *gbuffer;
     block->job = worker->job;
     block->cases = json_object_get(worker->job, "cases");
-    if (json_unpack((json_t *)(uintptr_t)worker->job, "{s:i, s:i, s:i, s:s, s:F, s:b, s:b}", "width", &block->width,
-                    "height", &block->height, "guard", &block->guard, "gbuffer", &gbuffer, "seconds", &block->seconds,
-                    "time", &block->time, "error", &block->error) != 0 ||
+    if (json_unpack((json_t *)(uintptr_t)worker->job, "{s:i, s:i, s:i, s:s, s:F, s:b, s:b}", "width",
+                    &block->width, "height", &block->height, "guard", &block->guard, "gbuffer", &gbuffer,
+                    "seconds", &block->seconds, "time", &block->time, "error", &block->error) != 0 ||
         json_array_size(block->cases) < 1 || json_array_size(block->cases) > AOB_BLOCK_MAX)
         return aob_fail(error, "a block job lacks a field");
     return aob_worker_camera(json_object_get(worker->job, "camera"), &block->camera, error) &&
-           aob_gbuffer_load(&block->gbuffer, gbuffer, &block->camera, block->width, block->height, block->guard, error);
+           aob_gbuffer_load(&block->gbuffer, gbuffer, &block->camera, block->width, block->height,
+                            block->guard, error);
 }
 
 static void init_frame(struct aob_worker *worker, struct block *block, size_t index)
@@ -112,17 +115,18 @@ static json_t *time_to_json(const struct block *block, size_t f)
     json_t *passes = json_array();
     for (int p = 0; p < frame->graph.pass_count; p++)
         if (frame->passes[p])
-            json_array_append_new(passes, json_pack("{s:s, s:f}", "name", frame->graph.passes[p].name, "cpu_ms",
-                                                    t->pass_cpu_ms[p]));
+            json_array_append_new(passes, json_pack("{s:s, s:f}", "name", frame->graph.passes[p].name,
+                                                    "cpu_ms", t->pass_cpu_ms[p]));
     bool bounded = t->to_fixed.bounded;
     return json_pack("{s:s, s:f, s:o, s:f, s:o, s:o, s:i, s:i, s:i, s:f, s:f, s:f, s:f, s:o}", "clock",
                      block->gpu->info.software ? "cpu" : "wall", "cpu_ms", t->cpu_ms, "wall_ms",
                      aob_json_number(t->wall_ms), "ratio_to_ref", t->to_fixed.ratio, "ci_low",
                      bounded ? json_real(t->to_fixed.low) : json_null(), "ci_high",
-                     bounded ? json_real(t->to_fixed.high) : json_null(), "rounds", (int)t->rounds, "clean_rounds",
-                     (int)t->clean_rounds, "threads", threads ? atoi(threads) : aob_machine_cores(), "setup_ms",
-                     block->setup_ms[f], "ref_cpu_ms", block->timing.fixed_cpu_ms, "control_low",
-                     block->timing.control.low, "control_high", block->timing.control.high, "passes", passes);
+                     bounded ? json_real(t->to_fixed.high) : json_null(), "rounds", (int)t->rounds,
+                     "clean_rounds", (int)t->clean_rounds, "threads",
+                     threads ? atoi(threads) : aob_machine_cores(), "setup_ms", block->setup_ms[f],
+                     "ref_cpu_ms", block->timing.fixed_cpu_ms, "control_low", block->timing.control.low,
+                     "control_high", block->timing.control.high, "passes", passes);
 }
 
 static bool load_channel(const char *path, const char *name, const struct block *block, float **pixels,
@@ -152,11 +156,13 @@ static void crop(const struct block *block, const float *from, int stride, float
     for (int y = 0; y < block->height; y++)
         for (int x = 0; x < block->width; x++)
             into[y * block->width + x] =
-                from[((size_t)(y + block->guard) * (size_t)block->gbuffer.projection.width + (size_t)(x + block->guard)) *
+                from[((size_t)(y + block->guard) * (size_t)block->gbuffer.projection.width +
+                      (size_t)(x + block->guard)) *
                      (size_t)stride];
 }
 
-static bool load_truth(const struct block *block, const json_t *c, struct truth *truth, struct aob_error *error)
+static bool load_truth(const struct block *block, const json_t *c, struct truth *truth,
+                       struct aob_error *error)
 {
     const char *reference = json_string_value(json_object_get(c, "reference"));
     const char *definition = json_string_value(json_object_get(c, "definition"));
@@ -192,12 +198,13 @@ static void map_definition(const struct block *block, const struct aob_frame *fr
 
 static json_t *score_to_json(const struct aob_score *s, double definition_rmse)
 {
-    return json_pack("{s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:I, s:I}", "reference", "ray-traced", "rmse",
-                     aob_json_number(s->rmse), "band_rmse", aob_json_number(s->band_rmse), "border_rmse",
-                     aob_json_number(s->border_rmse), "mae", aob_json_number(s->mae), "bias", aob_json_number(s->bias),
-                     "p95", aob_json_number(s->p95), "max", aob_json_number(s->max), "reference_se",
-                     aob_json_number(s->reference_se), "definition_rmse", aob_json_number(definition_rmse), "pixels",
-                     (json_int_t)s->pixels, "band_pixels", (json_int_t)s->band_pixels);
+    return json_pack("{s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:I, s:I}", "reference",
+                     "ray-traced", "rmse", aob_json_number(s->rmse), "band_rmse",
+                     aob_json_number(s->band_rmse), "border_rmse", aob_json_number(s->border_rmse), "mae",
+                     aob_json_number(s->mae), "bias", aob_json_number(s->bias), "p95",
+                     aob_json_number(s->p95), "max", aob_json_number(s->max), "reference_se",
+                     aob_json_number(s->reference_se), "definition_rmse", aob_json_number(definition_rmse),
+                     "pixels", (json_int_t)s->pixels, "band_pixels", (json_int_t)s->band_pixels);
 }
 
 static bool score_case(const struct block *block, const json_t *c, const float *ao, const struct truth *truth,
@@ -226,7 +233,8 @@ static bool score_case(const struct block *block, const json_t *c, const float *
 static void add_plane(struct aob_image *image, const char *name, const float *pixels)
 {
     if (pixels)
-        memcpy(aob_image_add(image, name), pixels, (size_t)image->width * (size_t)image->height * sizeof(float));
+        memcpy(aob_image_add(image, name), pixels,
+               (size_t)image->width * (size_t)image->height * sizeof(float));
 }
 
 static void add_camera(struct aob_image *image, const struct aob_camera *camera)
@@ -234,7 +242,8 @@ static void add_camera(struct aob_image *image, const struct aob_camera *camera)
     aob_image_set_number(image, "aobudget.fov_deg", camera->fov_deg);
     aob_image_set_number(image, "aobudget.ortho_height", camera->ortho_height);
     aob_image_set_vec3(image, "aobudget.eye", (double[3]){camera->eye.x, camera->eye.y, camera->eye.z});
-    aob_image_set_vec3(image, "aobudget.target", (double[3]){camera->target.x, camera->target.y, camera->target.z});
+    aob_image_set_vec3(image, "aobudget.target",
+                       (double[3]){camera->target.x, camera->target.y, camera->target.z});
 }
 
 static void add_error(struct aob_image *image, const float *ao, const struct truth *truth)
@@ -271,14 +280,15 @@ static bool finish_case(struct block *block, size_t f, json_t *answer, struct ao
     const json_t *c = json_array_get(block->cases, block->case_of_frame[f]);
     const char *path = json_string_value(json_object_get(c, "image"));
     struct truth truth = {0};
-    float *ao = AOB_NEW_ARRAY(float, (size_t)block->width * (size_t)block->height);
+    float *ao = AOB_NEW_ARRAY(float, (size_t)block->width *(size_t)block->height);
     int64_t start = aob_clock_wall_ns();
     bool ok = aob_frame_run(&block->frames[f], NULL, error) &&
               aob_frame_read(&block->frames[f], AOB_OUT_VISIBILITY, ao, error) &&
               load_truth(block, c, &truth, error);
     if (ok) {
         map_definition(block, &block->frames[f], c, &truth);
-        ok = score_case(block, c, ao, &truth, answer, error) || (json_object_set_new(answer, "status", json_string("invalid")), false);
+        ok = score_case(block, c, ao, &truth, answer, error) ||
+             (json_object_set_new(answer, "status", json_string("invalid")), false);
     }
     if (path && truth.depth && (ok || *error->text))
         ok = write_image(block, c, path, ao, &truth, ok ? error : NULL) && ok;
@@ -291,9 +301,9 @@ static bool finish_case(struct block *block, size_t f, json_t *answer, struct ao
 static void reply_case(struct aob_worker *worker, struct block *block, size_t f)
 {
     struct aob_error error = {{0}};
-    json_t *answer = json_pack("{s:i, s:s, s:I, s:o}", "index", (int)block->case_of_frame[f], "status", "failed",
-                               "memory_bytes", (json_int_t)block->frames[f].memory_bytes, "fingerprint",
-                               fingerprint(block));
+    json_t *answer = json_pack("{s:i, s:s, s:I, s:o}", "index", (int)block->case_of_frame[f], "status",
+                               "failed", "memory_bytes", (json_int_t)block->frames[f].memory_bytes,
+                               "fingerprint", fingerprint(block));
     if (finish_case(block, f, answer, &error)) {
         json_object_set_new(answer, "status", json_string("ok"));
         if (block->time)
@@ -326,8 +336,8 @@ static bool run_cases(struct aob_worker *worker, struct block *block, struct aob
     for (size_t i = 0; i < json_array_size(block->cases); i++)
         init_frame(worker, block, i);
     if (block->time && block->frame_count &&
-        !aob_frame_init(&block->fixed, &block->screen, &aob_technique_fixed_pass, &(int32_t){0}, AOB_FETCH_SAMPLED,
-                        error))
+        !aob_frame_init(&block->fixed, &block->screen, &aob_technique_fixed_pass, &(int32_t){0},
+                        AOB_FETCH_SAMPLED, error))
         return false;
     block->setup_s = seconds_since(start);
     if (block->time && block->frame_count && !measure_time(block, error))

@@ -24,23 +24,25 @@ static bool get_mesh(const json_t *job, struct aob_mesh *mesh, struct aob_error 
     return true;
 }
 
-/* The terms whose files are missing; their falloff tables are owned by the terms. */
-static size_t get_terms(const json_t *list, struct aob_visibility_term *terms, const char **paths)
+/* The terms of one weighting whose files are missing; their falloff tables are owned by the terms. */
+static size_t get_terms(const json_t *list, bool uniform, struct aob_visibility_term *terms,
+                        const char **paths)
 {
     size_t count = 0;
     for (size_t i = 0; i < json_array_size(list); i++) {
         const json_t *term = json_array_get(list, i), *falloff = json_object_get(term, "falloff");
         paths[count] = json_string_value(json_object_get(term, "out"));
-        if (!paths[count] || aob_file_exists(paths[count]))
+        if (!paths[count] || aob_file_exists(paths[count]) ||
+            json_is_true(json_object_get(term, "uniform")) != uniform)
             continue;
         float *table = json_is_array(falloff) ? AOB_NEW_ARRAY(float, json_array_size(falloff)) : NULL;
         for (size_t k = 0; k < json_array_size(falloff); k++)
             table[k] = (float)json_number_value(json_array_get(falloff, k));
-        terms[count++] = (struct aob_visibility_term){
-            .radius = aob_json_to_number(json_object_get(term, "radius")),
-            .uniform = json_is_true(json_object_get(term, "uniform")),
-            .falloff = table,
-            .falloff_count = json_array_size(falloff)};
+        terms[count++] =
+            (struct aob_visibility_term){.radius = aob_json_to_number(json_object_get(term, "radius")),
+                                         .uniform = uniform,
+                                         .falloff = table,
+                                         .falloff_count = json_array_size(falloff)};
     }
     return count;
 }
@@ -57,70 +59,87 @@ static bool write_visibility(const struct aob_visibility *visibility, int width,
     return ok;
 }
 
-static bool trace_terms(struct aob_worker *worker, const struct aob_tracer *tracer, const struct aob_camera *camera,
-                        const struct aob_hits *hits, const struct aob_visibility_desc *desc, const char **paths,
+struct view {
+    struct aob_camera camera;
+    int width, height, guard, spp;
+    const char *gbuffer;
+    json_t *terms;
+    struct aob_mesh mesh;
+    struct aob_tracer *tracer;
+    struct aob_hits hits;
+};
+
+static bool get_view(const json_t *job, struct view *view, struct aob_error *error)
+{
+    if (json_unpack((json_t *)(uintptr_t)job, "{s:i, s:i, s:i, s:i, s:s, s:o}", "width", &view->width,
+                    "height", &view->height, "guard", &view->guard, "spp", &view->spp, "gbuffer",
+                    &view->gbuffer, "terms", &view->terms) != 0)
+        return aob_fail(error, "a view job lacks a field");
+    return aob_worker_camera(json_object_get(job, "camera"), &view->camera, error);
+}
+
+static bool cast_view(struct view *view, struct aob_error *error)
+{
+    struct aob_projection projection =
+        aob_camera_projection(&view->camera, view->width, view->height, view->guard);
+    view->tracer = aob_tracer_create(&view->mesh, error);
+    if (!view->tracer)
+        return false;
+    aob_tracer_cast(view->tracer, &view->camera, &projection, &view->hits);
+    return aob_file_exists(view->gbuffer) || aob_gbuffer_store(&view->hits, view->gbuffer, error);
+}
+
+static bool trace_terms(struct aob_worker *worker, const struct view *view,
+                        const struct aob_visibility_term *terms, size_t count, const char **paths,
                         struct aob_error *error)
 {
     int64_t start = aob_clock_wall_ns();
-    struct aob_visibility *result = AOB_NEW_ARRAY(struct aob_visibility, desc->term_count);
-    bool ok = aob_tracer_visibility(tracer, camera, hits, desc, result, error);
+    struct aob_visibility *result = AOB_NEW_ARRAY(struct aob_visibility, count);
+    const struct aob_visibility_desc desc = {.terms = terms,
+                                             .term_count = count,
+                                             .x0 = view->guard,
+                                             .y0 = view->guard,
+                                             .width = view->width,
+                                             .height = view->height,
+                                             .spp = view->spp};
+    bool ok = aob_tracer_visibility(view->tracer, &view->camera, &view->hits, &desc, result, error);
     if (ok)
-        aob_worker_reply(worker, json_pack("{s:f, s:f}", "trace_s", (double)(aob_clock_wall_ns() - start) * 1e-9, "rays",
-                                           (double)desc->width * desc->height * desc->spp));
-    for (size_t i = 0; i < desc->term_count; i++) {
-        ok = ok && write_visibility(&result[i], desc->width, desc->height, paths[i], error);
+        aob_worker_reply(worker,
+                         json_pack("{s:f, s:f}", "trace_s", (double)(aob_clock_wall_ns() - start) * 1e-9,
+                                   "rays", (double)view->width * view->height * view->spp));
+    for (size_t i = 0; i < count; i++) {
+        ok = ok && write_visibility(&result[i], view->width, view->height, paths[i], error);
         aob_visibility_finish(&result[i]);
     }
     free(result);
     return ok;
 }
 
-struct view {
-    struct aob_camera camera;
-    int width, height, guard, spp;
-    const char *gbuffer;
-    json_t *terms;
-};
-
-static bool get_view(const json_t *job, struct view *view, struct aob_error *error)
+/* One trace for each weighting: a cosine term traced beside a uniform one has other noise, and a cached file
+ * must not depend on what else was wanted when it was made. */
+static bool trace_weighting(struct aob_worker *worker, const struct view *view, bool uniform,
+                            struct aob_error *error)
 {
-    if (json_unpack((json_t *)(uintptr_t)job, "{s:i, s:i, s:i, s:i, s:s, s:o}", "width", &view->width, "height",
-                    &view->height, "guard", &view->guard, "spp", &view->spp, "gbuffer", &view->gbuffer, "terms",
-                    &view->terms) != 0)
-        return aob_fail(error, "a view job lacks a field");
-    return aob_worker_camera(json_object_get(job, "camera"), &view->camera, error);
-}
-
-bool aob_worker_view(struct aob_worker *worker, struct aob_error *error)
-{
-    struct view view;
-    struct aob_mesh mesh = {0};
-    struct aob_hits hits = {0};
-    if (!get_view(worker->job, &view, error) || !get_mesh(worker->job, &mesh, error))
-        return false;
-    size_t term_max = json_array_size(view.terms);
-    struct aob_visibility_term *terms = AOB_NEW_ARRAY(struct aob_visibility_term, term_max);
-    const char **paths = AOB_NEW_ARRAY(const char *, term_max + 1);
-    struct aob_projection projection = aob_camera_projection(&view.camera, view.width, view.height, view.guard);
-    struct aob_tracer *tracer = aob_tracer_create(&mesh, error);
-    bool ok = tracer != NULL;
-    if (ok) {
-        aob_tracer_cast(tracer, &view.camera, &projection, &hits);
-        ok = aob_file_exists(view.gbuffer) || aob_gbuffer_store(&hits, view.gbuffer, error);
-    }
-    size_t count = get_terms(view.terms, terms, paths);
-    if (ok && count)
-        ok = trace_terms(worker, tracer, &view.camera, &hits,
-                         &(struct aob_visibility_desc){.terms = terms, .term_count = count, .x0 = view.guard,
-                                                       .y0 = view.guard, .width = view.width,
-                                                       .height = view.height, .spp = view.spp},
-                         paths, error);
+    size_t most = json_array_size(view->terms);
+    struct aob_visibility_term *terms = AOB_NEW_ARRAY(struct aob_visibility_term, most);
+    const char **paths = AOB_NEW_ARRAY(const char *, most);
+    size_t count = get_terms(view->terms, uniform, terms, paths);
+    bool ok = !count || trace_terms(worker, view, terms, count, paths, error);
     for (size_t i = 0; i < count; i++)
         free((void *)(uintptr_t)terms[i].falloff);
     free(terms);
     free(paths);
-    aob_hits_finish(&hits);
-    aob_tracer_destroy(tracer);
-    aob_mesh_finish(&mesh);
+    return ok;
+}
+
+bool aob_worker_view(struct aob_worker *worker, struct aob_error *error)
+{
+    struct view view = {0};
+    bool ok = get_view(worker->job, &view, error) && get_mesh(worker->job, &view.mesh, error) &&
+              cast_view(&view, error) && trace_weighting(worker, &view, false, error) &&
+              trace_weighting(worker, &view, true, error);
+    aob_hits_finish(&view.hits);
+    aob_tracer_destroy(view.tracer);
+    aob_mesh_finish(&view.mesh);
     return ok;
 }

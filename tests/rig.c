@@ -13,8 +13,8 @@ static void give_up(const char *what, const struct aob_error *error)
     exit(1);
 }
 
-void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct aob_camera *camera, int width,
-                    int height, int guard)
+void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct aob_camera *camera,
+                  int width, int height, int guard)
 {
     struct aob_error error = {{0}};
     *rig = (struct aob_rig){.camera = *camera, .width = width, .height = height, .guard = guard};
@@ -78,7 +78,7 @@ static void set_params(const struct aob_technique *technique, const char *params
 }
 
 void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *name, const char *params,
-                   enum aob_fetch fetch, float *pixels)
+                 enum aob_fetch fetch, float *pixels)
 {
     const struct aob_technique *technique = builtin(name);
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
@@ -87,8 +87,8 @@ void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *nam
     unsigned char values[4 * AOB_MAX_PARAM];
     set_params(technique, params, values);
     if (!aob_screen_init(&screen, gpu, &rig->gbuffer, &error) ||
-        !aob_frame_init(frame, &screen, technique, values, fetch, &error) || !aob_frame_run(frame, NULL, &error) ||
-        !aob_frame_read(frame, AOB_OUT_VISIBILITY, pixels, &error))
+        !aob_frame_init(frame, &screen, technique, values, fetch, &error) ||
+        !aob_frame_run(frame, NULL, &error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, pixels, &error))
         give_up(name, &error);
     aob_frame_finish(frame);
     aob_screen_finish(&screen);
@@ -113,8 +113,8 @@ bool aob_rig_position(const struct aob_rig *rig, int x, int y, struct aob_vec3 *
     size_t i = (size_t)(y + rig->guard) * (size_t)rig->hits.width + (size_t)(x + rig->guard);
     if (rig->hits.primitive[i] == AOB_NO_PRIMITIVE)
         return false;
-    aob_camera_ray(&rig->camera, &rig->gbuffer.projection, x + rig->guard + 0.5, y + rig->guard + 0.5, &origin,
-                   &direction);
+    aob_camera_ray(&rig->camera, &rig->gbuffer.projection, x + rig->guard + 0.5, y + rig->guard + 0.5,
+                   &origin, &direction);
     *position = aob_vec_add(origin, aob_vec_scale(direction, rig->hits.depth[i]));
     return true;
 }

@@ -14,16 +14,19 @@ struct aob_rig {
 };
 
 /* Casts the mesh; ends the test program on any failure. The mesh may be freed afterwards. */
-void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct aob_camera *camera, int width,
-                    int height, int guard);
-void aob_rig_scene(struct aob_rig *rig, const char *scene, const char *view, int width, int height, int guard);
+void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct aob_camera *camera,
+                  int width, int height, int guard);
+void aob_rig_scene(struct aob_rig *rig, const char *scene, const char *view, int width, int height,
+                   int guard);
 void aob_rig_finish(struct aob_rig *rig);
 
-/* One frame of a built-in technique; params: "radius=1 slices=9", the rest default. pixels: width x height. */
+/* One frame of a built-in technique; params: "radius=1 slices=9", the rest default. pixels: width x height.
+ */
 void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique, const char *params,
-                   enum aob_fetch fetch, float *pixels);
+                 enum aob_fetch fetch, float *pixels);
 
-/* A device, or the program ends as skipped (77) where there is none. Vulkan runs under the validation layer. */
+/* A device, or the program ends as skipped (77) where there is none. Vulkan runs under the validation layer.
+ */
 struct aob_gpu *aob_rig_gpu(const char *backend);
 
 /* World position of the surface in view pixel (x, y), guard band not counted; false where sky. */

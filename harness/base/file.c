@@ -61,6 +61,12 @@ bool aob_file_exists(const char *path)
     return stat(path, &info) == 0;
 }
 
+size_t aob_file_size(const char *path)
+{
+    struct stat info;
+    return stat(path, &info) == 0 ? (size_t)info.st_size : 0;
+}
+
 bool aob_folder_create(const char *path, struct aob_error *error)
 {
     char *part = aob_strdup(path);

@@ -12,6 +12,7 @@ char *aob_file_read(const char *path, size_t limit, size_t *size, struct aob_err
 bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob_error *error);
 
 bool aob_file_exists(const char *path);
+size_t aob_file_size(const char *path); /* bytes; 0 if there is none */
 
 /* A folder with its parents. An existing folder is fine; it must be writable. */
 bool aob_folder_create(const char *path, struct aob_error *error);
@@ -25,6 +26,7 @@ char *aob_path_program_folder(void);
 /* The file of the running program; free() it. */
 char *aob_path_program(void);
 
-/* $AOBUDGET_CACHE, else $XDG_CACHE_HOME/aobudget, else $HOME/.cache/aobudget, else /tmp/aobudget-UID; free() it. */
+/* $AOBUDGET_CACHE, else $XDG_CACHE_HOME/aobudget, else $HOME/.cache/aobudget, else /tmp/aobudget-UID; free()
+ * it. */
 char *aob_path_cache_folder(void);
 #endif

@@ -9,7 +9,8 @@
 json_t *aob_json_number(double value);
 double aob_json_to_number(const json_t *value); /* NAN unless a number or "inf" */
 json_t *aob_json_vector(const double *values, size_t count);
-bool aob_json_to_vector(const json_t *array, double *values, size_t count); /* false: not so many finite numbers */
+bool aob_json_to_vector(const json_t *array, double *values,
+                        size_t count); /* false: not so many finite numbers */
 
 /* Compact, one line, reals with 9 digits; free() it. */
 char *aob_json_line(const json_t *value);

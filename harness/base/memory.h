@@ -4,9 +4,9 @@
 #define AOB_BASE_MEMORY_H
 #include <stddef.h>
 
-void *aob_alloc(size_t count, size_t size);              /* zeroed; count * size is checked */
+void *aob_alloc(size_t count, size_t size);                /* zeroed; count * size is checked */
 void *aob_realloc(void *block, size_t count, size_t size); /* new part is not zeroed */
-char *aob_strdup(const char *text);                      /* NULL gives NULL */
+char *aob_strdup(const char *text);                        /* NULL gives NULL */
 
 #define AOB_NEW(type)          ((type *)aob_alloc(1, sizeof(type)))
 #define AOB_NEW_ARRAY(type, n) ((type *)aob_alloc((n), sizeof(type)))

@@ -14,7 +14,8 @@ void aob_config_init(struct aob_config *config)
         .measure_time = true, .measure_error = true, .images = true, .seconds = 1.5, .spp = 256};
 }
 
-void aob_axis_add(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name, const char *value)
+void aob_axis_add(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name,
+                  const char *value)
 {
     struct aob_axis *axis = AOB_PUSH(*axes, *count, *capacity);
     axis->name = aob_strdup(name);
@@ -56,23 +57,27 @@ static bool read_axis_entry(struct aob_yaml *yaml, const char *key, yaml_node_t 
                    : strcmp(key, "to") == 0   ? &reader->to
                    : strcmp(key, "step") == 0 ? &reader->step
                                               : &reader->log2;
-    return aob_yaml_number(yaml, node, into == &reader->step || into == &reader->log2 ? 1e-9 : -1e12, 1e12, into);
+    return aob_yaml_number(yaml, node, into == &reader->step || into == &reader->log2 ? 1e-9 : -1e12, 1e12,
+                           into);
 }
 
 static bool expand_range(struct aob_yaml *yaml, struct axis_reader *reader)
 {
     bool linear = !isnan(reader->step), log = !isnan(reader->log2);
     if (isnan(reader->from) || isnan(reader->to) || linear == log)
-        return aob_yaml_fail(yaml, reader->node, "an axis needs values, or from and to with one of step and log2");
+        return aob_yaml_fail(yaml, reader->node,
+                             "an axis needs values, or from and to with one of step and log2");
     if (reader->to < reader->from || (log && reader->from <= 0))
-        return aob_yaml_fail(yaml, reader->node, "the range is empty: from must not exceed to (and log2 needs from > 0)");
+        return aob_yaml_fail(yaml, reader->node,
+                             "the range is empty: from must not exceed to (and log2 needs from > 0)");
     double factor = log ? exp2(reader->log2) : 1, value = reader->from;
     for (int i = 0; value <= reader->to * (1 + 1e-9) + 1e-12; i++) {
         char text[32];
         if (i == 1000)
             return aob_yaml_fail(yaml, reader->node, "the range has more than 1000 values");
         snprintf(text, sizeof text, "%.9g", value);
-        *AOB_PUSH(reader->axis->values, reader->axis->count, reader->capacity) = aob_yaml_value(reader->node, text);
+        *AOB_PUSH(reader->axis->values, reader->axis->count, reader->capacity) =
+            aob_yaml_value(reader->node, text);
         value = log ? reader->from * pow(factor, i + 1) : reader->from + reader->step * (i + 1);
     }
     return true;
@@ -85,7 +90,8 @@ static bool read_sweep_axis(struct aob_yaml *yaml, yaml_node_t *node, void *user
     struct aob_axis *axis = AOB_PUSH(choice->axes, choice->axis_count, choice->axis_capacity);
     axis->line = (int)node->start_mark.line + 1;
     axis->column = (int)node->start_mark.column + 1;
-    struct axis_reader reader = {.axis = axis, .from = NAN, .to = NAN, .step = NAN, .log2 = NAN, .node = node};
+    struct axis_reader reader = {
+        .axis = axis, .from = NAN, .to = NAN, .step = NAN, .log2 = NAN, .node = node};
     if (!aob_yaml_mapping(yaml, node, keys, read_axis_entry, &reader))
         return false;
     if (!axis->name)
@@ -205,7 +211,8 @@ static bool read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
     static const char *const keys[] = {"name",   "file",    "view",         "views", "eye",
                                        "target", "fov_deg", "ortho_height", NULL};
     struct scene_reader reader = {.config = user, .choice = {.fov_deg = 60}};
-    bool ok = aob_yaml_mapping(yaml, node, keys, read_scene_entry, &reader) && judge_scene(yaml, node, &reader);
+    bool ok =
+        aob_yaml_mapping(yaml, node, keys, read_scene_entry, &reader) && judge_scene(yaml, node, &reader);
     reader.choice.has_camera = reader.eye;
     reader.choice.line = (int)node->start_mark.line + 1;
     reader.choice.column = (int)node->start_mark.column + 1;
@@ -271,7 +278,8 @@ static bool read_name(struct aob_yaml *yaml, const yaml_node_t *node, struct aob
     const char *text;
     if (!aob_yaml_text(yaml, node, &text))
         return false;
-    if (strlen(text) > 60 || strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") != strlen(text))
+    if (strlen(text) > 60 ||
+        strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") != strlen(text))
         return aob_yaml_fail(yaml, node, "a name is at most 60 letters, digits, - and _");
     config->name = aob_strdup(text);
     return true;
@@ -325,7 +333,8 @@ bool aob_config_read(struct aob_config *config, const char *path, struct aob_err
     if (ok) {
         config->path = aob_strdup(path);
         aob_hash_bytes(text, size, config->hash);
-        ok = aob_yaml_mapping(&yaml, yaml_document_get_root_node(&yaml.document), keys, read_config_entry, config) &&
+        ok = aob_yaml_mapping(&yaml, yaml_document_get_root_node(&yaml.document), keys, read_config_entry,
+                              config) &&
              judge_config(config, error);
         aob_yaml_finish(&yaml);
     }

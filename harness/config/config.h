@@ -1,5 +1,5 @@
-/* The config of a run, as text with positions: what the file says, in shape checked, in values not yet (values of
- * parameters are judged by the plan, which knows the tables). Lengths in the scene's units.
+/* The config of a run, as text with positions: what the file says, in shape checked, in values not yet
+ * (values of parameters are judged by the plan, which knows the tables). Lengths in the scene's units.
  *
  *   name: demo                       # letters, digits, - and _
  *   scenes:                          # a listed scene, with views (default: its first), or a mesh file
@@ -36,8 +36,8 @@ struct aob_axis { /* values that a parameter or option takes in turn */
     int line, column;
 };
 struct aob_scene_choice {
-    char *name, *file;        /* one of the two */
-    char *view;               /* listed view, or NULL */
+    char *name, *file; /* one of the two */
+    char *view;        /* listed view, or NULL */
     bool has_camera, ortho;
     double eye[3], target[3];
     double fov_deg, ortho_height;
@@ -51,12 +51,12 @@ struct aob_technique_choice {
 struct aob_config {
     char *path; /* as given; for messages */
     char *name;
-    char hash[AOB_KEY_SIZE]; /* of the file's bytes */
+    char hash[AOB_KEY_SIZE];         /* of the file's bytes */
     struct aob_scene_choice *scenes; /* one entry a view */
     size_t scene_count, scene_capacity;
     struct aob_size {
         int width, height;
-    } *sizes;
+    } * sizes;
     size_t size_count, size_capacity;
     struct aob_value *backends;
     size_t backend_count, backend_capacity;
@@ -78,5 +78,6 @@ void aob_config_finish(struct aob_config *config);
 void aob_config_init(struct aob_config *config);
 
 /* Put one axis of one value; for the command line. */
-void aob_axis_add(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name, const char *value);
+void aob_axis_add(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name,
+                  const char *value);
 #endif

@@ -6,7 +6,8 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-bool aob_yaml_load(struct aob_yaml *yaml, const char *path, const char *text, size_t size, struct aob_error *error)
+bool aob_yaml_load(struct aob_yaml *yaml, const char *path, const char *text, size_t size,
+                   struct aob_error *error)
 {
     yaml_parser_t parser;
     *yaml = (struct aob_yaml){.path = path, .error = error};
@@ -82,20 +83,24 @@ bool aob_yaml_number(struct aob_yaml *yaml, const yaml_node_t *node, double low,
 
 bool aob_yaml_vec3(struct aob_yaml *yaml, const yaml_node_t *node, double value[3])
 {
-    if (node->type != YAML_SEQUENCE_NODE || node->data.sequence.items.top - node->data.sequence.items.start != 3)
+    if (node->type != YAML_SEQUENCE_NODE ||
+        node->data.sequence.items.top - node->data.sequence.items.start != 3)
         return aob_yaml_fail(yaml, node, "three numbers are expected: [x, y, z]");
     for (int i = 0; i < 3; i++)
-        if (!aob_yaml_number(yaml, aob_yaml_node(yaml, node->data.sequence.items.start[i]), -1e30, 1e30, &value[i]))
+        if (!aob_yaml_number(yaml, aob_yaml_node(yaml, node->data.sequence.items.start[i]), -1e30, 1e30,
+                             &value[i]))
             return false;
     return true;
 }
 
 struct aob_value aob_yaml_value(const yaml_node_t *node, const char *text)
 {
-    return (struct aob_value){aob_strdup(text), (int)node->start_mark.line + 1, (int)node->start_mark.column + 1};
+    return (struct aob_value){aob_strdup(text), (int)node->start_mark.line + 1,
+                              (int)node->start_mark.column + 1};
 }
 
-static bool known_key(struct aob_yaml *yaml, const yaml_node_t *node, const char *key, const char *const *keys)
+static bool known_key(struct aob_yaml *yaml, const yaml_node_t *node, const char *key,
+                      const char *const *keys)
 {
     struct aob_text all = {0};
     for (int i = 0; keys && keys[i]; i++) {
@@ -110,8 +115,8 @@ static bool known_key(struct aob_yaml *yaml, const yaml_node_t *node, const char
     return ok;
 }
 
-bool aob_yaml_mapping(struct aob_yaml *yaml, const yaml_node_t *node, const char *const *keys, aob_yaml_entry *read,
-                      void *user)
+bool aob_yaml_mapping(struct aob_yaml *yaml, const yaml_node_t *node, const char *const *keys,
+                      aob_yaml_entry *read, void *user)
 {
     if (node->type != YAML_MAPPING_NODE)
         return aob_yaml_fail(yaml, node, "a mapping (key: value) is expected here");
@@ -136,7 +141,8 @@ bool aob_yaml_sequence(struct aob_yaml *yaml, yaml_node_t *node, aob_yaml_elemen
 {
     if (node->type != YAML_SEQUENCE_NODE)
         return read(yaml, node, user);
-    for (yaml_node_item_t *item = node->data.sequence.items.start; item < node->data.sequence.items.top; item++)
+    for (yaml_node_item_t *item = node->data.sequence.items.start; item < node->data.sequence.items.top;
+         item++)
         if (!read(yaml, aob_yaml_node(yaml, *item), user))
             return false;
     return true;

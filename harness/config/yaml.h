@@ -1,5 +1,5 @@
-/* A YAML document as nodes with positions (libyaml), and typed reads of them. Every read that fails has written
- * FILE:LINE:COLUMN: cause. */
+/* A YAML document as nodes with positions (libyaml), and typed reads of them. Every read that fails has
+ * written FILE:LINE:COLUMN: cause. */
 #ifndef AOB_CONFIG_YAML_H
 #define AOB_CONFIG_YAML_H
 #include <stdbool.h>
@@ -12,7 +12,8 @@ struct aob_yaml {
     yaml_document_t document;
     struct aob_error *error;
 };
-bool aob_yaml_load(struct aob_yaml *yaml, const char *path, const char *text, size_t size, struct aob_error *error);
+bool aob_yaml_load(struct aob_yaml *yaml, const char *path, const char *text, size_t size,
+                   struct aob_error *error);
 void aob_yaml_finish(struct aob_yaml *yaml);
 
 bool aob_yaml_fail(const struct aob_yaml *yaml, const yaml_node_t *node, const char *format, ...)
@@ -25,10 +26,11 @@ bool aob_yaml_number(struct aob_yaml *yaml, const yaml_node_t *node, double low,
 bool aob_yaml_vec3(struct aob_yaml *yaml, const yaml_node_t *node, double value[3]);
 struct aob_value aob_yaml_value(const yaml_node_t *node, const char *text); /* copies the text */
 
-/* Call `read` for each entry of a mapping whose key is one of `keys` (NULL-ended); unknown and double keys fail. */
+/* Call `read` for each entry of a mapping whose key is one of `keys` (NULL-ended); unknown and double keys
+ * fail. */
 typedef bool aob_yaml_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *value, void *user);
-bool aob_yaml_mapping(struct aob_yaml *yaml, const yaml_node_t *node, const char *const *keys, aob_yaml_entry *read,
-                      void *user);
+bool aob_yaml_mapping(struct aob_yaml *yaml, const yaml_node_t *node, const char *const *keys,
+                      aob_yaml_entry *read, void *user);
 /* Call `read` for each element; a single scalar or mapping counts as a sequence of one. */
 typedef bool aob_yaml_element(struct aob_yaml *yaml, yaml_node_t *value, void *user);
 bool aob_yaml_sequence(struct aob_yaml *yaml, yaml_node_t *node, aob_yaml_element *read, void *user);

@@ -10,7 +10,8 @@ bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struc
     int w = gbuffer->projection.width, h = gbuffer->projection.height;
     *screen = (struct aob_screen){.gpu = gpu, .gbuffer = gbuffer};
     screen->depth = aob_gpu_texture_create(gpu, AOB_R32F, w, h, gbuffer->depth, error);
-    screen->normal = screen->depth ? aob_gpu_texture_create(gpu, AOB_RGBA32F, w, h, gbuffer->normal, error) : NULL;
+    screen->normal =
+        screen->depth ? aob_gpu_texture_create(gpu, AOB_RGBA32F, w, h, gbuffer->normal, error) : NULL;
     if (!screen->normal) {
         aob_screen_finish(screen);
         return false;
@@ -50,8 +51,8 @@ static struct aob_gpu_bind make_bind(enum aob_gpu_bind_kind kind, int binding, e
     return (struct aob_gpu_bind){kind, (uint32_t)binding, filter, texture};
 }
 
-static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph_pass *pass, enum aob_fetch fetch,
-                           struct aob_gpu_bind binds[AOB_MAX_IN + 2])
+static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph_pass *pass,
+                           enum aob_fetch fetch, struct aob_gpu_bind binds[AOB_MAX_IN + 2])
 {
     enum aob_gpu_bind_kind kind = fetch == AOB_FETCH_STORAGE ? AOB_GPU_STORAGE : AOB_GPU_SAMPLED;
     size_t count = 0;
@@ -60,9 +61,9 @@ static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph
     if (pass->reads & AOB_NORMAL)
         binds[count++] = make_bind(kind, AOB_BINDING_NORMAL, AOB_NEAREST, frame->screen->normal);
     for (int i = 0; i < pass->in_count; i++)
-        binds[count++] = make_bind(pass->in[i].filter == AOB_BILINEAR ? AOB_GPU_SAMPLED : kind,
-                                   AOB_BINDING_FIRST_INPUT + i, pass->in[i].filter,
-                                   frame->textures[pass->in[i].texture]);
+        binds[count++] =
+            make_bind(pass->in[i].filter == AOB_BILINEAR ? AOB_GPU_SAMPLED : kind,
+                      AOB_BINDING_FIRST_INPUT + i, pass->in[i].filter, frame->textures[pass->in[i].texture]);
     return count;
 }
 
@@ -75,28 +76,31 @@ static bool create_pass(struct aob_frame *frame, int index, const void *values, 
     struct aob_gpu_bind binds[AOB_MAX_IN + 2];
     const struct aob_gpu_texture *targets[AOB_MAX_OUT];
     unsigned char block[AOB_UNIFORM_MAX];
-    aob_prelude_write(&(struct aob_prelude_desc){&frame->graph, pass, values, view->perspective, fetch}, &text);
+    aob_prelude_write(&(struct aob_prelude_desc){&frame->graph, pass, values, view->perspective, fetch},
+                      &text);
     frame->programs[index] = aob_gpu_program_create(frame->screen->gpu, text.data, error);
     aob_text_finish(&text);
     if (!frame->programs[index])
         return aob_fail_in(error, "pass '%s', shader '%s'", pass->name, pass->shader);
     for (int o = 0; o < pass->out_count; o++)
         targets[o] = frame->textures[pass->out[o].texture];
-    frame->passes[index] = aob_gpu_pass_create(
-        frame->screen->gpu,
-        &(struct aob_gpu_pass_desc){.program = frame->programs[index],
-                                    .binds = binds,
-                                    .bind_count = gather_binds(frame, pass, fetch, binds),
-                                    .targets = targets,
-                                    .target_count = (size_t)pass->out_count,
-                                    .uniforms = block,
-                                    .uniform_size = aob_prelude_uniforms(&frame->graph, pass, values, view, block)},
-        error);
+    frame->passes[index] =
+        aob_gpu_pass_create(frame->screen->gpu,
+                            &(struct aob_gpu_pass_desc){.program = frame->programs[index],
+                                                        .binds = binds,
+                                                        .bind_count = gather_binds(frame, pass, fetch, binds),
+                                                        .targets = targets,
+                                                        .target_count = (size_t)pass->out_count,
+                                                        .uniforms = block,
+                                                        .uniform_size = aob_prelude_uniforms(
+                                                            &frame->graph, pass, values, view, block)},
+                            error);
     return frame->passes[index] || aob_fail_in(error, "pass '%s'", pass->name);
 }
 
-bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen, const struct aob_technique *technique,
-                    const void *values, enum aob_fetch fetch, struct aob_error *error)
+bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
+                    const struct aob_technique *technique, const void *values, enum aob_fetch fetch,
+                    struct aob_error *error)
 {
     *frame = (struct aob_frame){.screen = screen};
     bool ok = aob_graph_build(&frame->graph, technique, values, 1u << AOB_OUT_VISIBILITY, error);
@@ -134,7 +138,8 @@ bool aob_frame_run(struct aob_frame *frame, struct aob_gpu_time *times, struct a
             times[i] = (struct aob_gpu_time){0};
         if (frame->passes[i] &&
             !aob_gpu_pass_run(frame->screen->gpu, frame->passes[i], times ? &times[i] : NULL, error))
-            return aob_fail_in(error, "%s: pass '%s'", frame->graph.technique->name, frame->graph.passes[i].name);
+            return aob_fail_in(error, "%s: pass '%s'", frame->graph.technique->name,
+                               frame->graph.passes[i].name);
     }
     return true;
 }
@@ -147,7 +152,8 @@ static float half_to_float(uint16_t half)
     if (exponent == 0)
         magnitude = (float)mantissa * 0x1p-24f;
     else {
-        uint32_t bits = exponent == 31 ? 0x7f800000u | mantissa << 13 : (exponent + 112) << 23 | mantissa << 13;
+        uint32_t bits =
+            exponent == 31 ? 0x7f800000u | mantissa << 13 : (exponent + 112) << 23 | mantissa << 13;
         memcpy(&magnitude, &bits, sizeof magnitude);
     }
     return sign ? -magnitude : magnitude;
@@ -176,13 +182,15 @@ static float first_component(const unsigned char *texel, enum aob_format format)
 bool aob_frame_read(struct aob_frame *frame, enum aob_output which, float *pixels, struct aob_error *error)
 {
     const struct aob_gpu_texture *texture = frame->textures[frame->graph.outputs[which]];
-    size_t size = aob_gpu_texel_size(texture->format), w = (size_t)texture->width, h = (size_t)texture->height;
+    size_t size = aob_gpu_texel_size(texture->format), w = (size_t)texture->width,
+           h = (size_t)texture->height;
     size_t guard = (size_t)frame->screen->gbuffer->guard, inner = w - 2 * guard;
     unsigned char *texels = aob_alloc(w * h, size);
     bool ok = aob_gpu_texture_read(frame->screen->gpu, texture, texels, error);
     for (size_t y = guard; ok && y < h - guard; y++)
         for (size_t x = guard; x < w - guard; x++)
-            pixels[(y - guard) * inner + x - guard] = first_component(texels + (y * w + x) * size, texture->format);
+            pixels[(y - guard) * inner + x - guard] =
+                first_component(texels + (y * w + x) * size, texture->format);
     free(texels);
     return ok;
 }

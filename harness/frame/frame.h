@@ -27,8 +27,9 @@ struct aob_frame {
 };
 
 /* Builds the graph (module code runs here), compiles and allocates. False leaves nothing behind. */
-bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen, const struct aob_technique *technique,
-                    const void *values, enum aob_fetch fetch, struct aob_error *error);
+bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
+                    const struct aob_technique *technique, const void *values, enum aob_fetch fetch,
+                    struct aob_error *error);
 void aob_frame_finish(struct aob_frame *frame);
 
 /* All live passes in order; times[] has graph.pass_count rows (pruned passes get zeros) or is NULL. */

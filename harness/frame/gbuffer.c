@@ -50,11 +50,12 @@ static bool copy_channels(struct aob_gbuffer *gbuffer, const struct aob_image *i
     return true;
 }
 
-bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera, int width,
-                      int height, int guard, struct aob_error *error)
+bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,
+                      int width, int height, int guard, struct aob_error *error)
 {
     struct aob_image image = {0};
-    *gbuffer = (struct aob_gbuffer){.projection = aob_camera_projection(camera, width, height, guard), .guard = guard};
+    *gbuffer = (struct aob_gbuffer){.projection = aob_camera_projection(camera, width, height, guard),
+                                    .guard = guard};
     if (!aob_image_read(&image, path, error))
         return false;
     bool fits = image.width == gbuffer->projection.width && image.height == gbuffer->projection.height;
@@ -62,7 +63,8 @@ bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struc
     aob_image_finish(&image);
     if (!ok) {
         aob_gbuffer_finish(gbuffer);
-        return aob_fail(error, "%s: not a G-buffer of %dx%d with a guard band of %d", path, width, height, guard);
+        return aob_fail(error, "%s: not a G-buffer of %dx%d with a guard band of %d", path, width, height,
+                        guard);
     }
     return true;
 }

@@ -1,5 +1,6 @@
-/* The canonical G-buffer: what the ray tracer sees at pixel centres, in the form that shaders and scores read.
- * It travels between processes as an EXR file (Z, N.X N.Y N.Z, S.X S.Y S.Z, primitive; Z = 0 where sky). */
+/* The canonical G-buffer: what the ray tracer sees at pixel centres, in the form that shaders and scores
+ * read. It travels between processes as an EXR file (Z, N.X N.Y N.Z, S.X S.Y S.Z, primitive; Z = 0 where
+ * sky). */
 #ifndef AOB_FRAME_GBUFFER_H
 #define AOB_FRAME_GBUFFER_H
 #include <stdbool.h>
@@ -11,14 +12,14 @@
 struct aob_gbuffer {
     struct aob_projection projection; /* guard band included */
     int guard;
-    float *depth;   /* scene units along the view axis; AOB_GBUFFER_SKY where sky */
-    float *normal;  /* four floats a pixel: geometric normal, view space, towards the camera; 0 */
+    float *depth;  /* scene units along the view axis; AOB_GBUFFER_SKY where sky */
+    float *normal; /* four floats a pixel: geometric normal, view space, towards the camera; 0 */
 };
 #define AOB_GBUFFER_SKY 1e9f /* far beyond any scene, and its square is finite; AOB_SKY_Z in shaders */
 
 /* From hits / from a stored file that aob_gbuffer_store wrote. Both allocate; aob_gbuffer_finish frees. */
 bool aob_gbuffer_store(const struct aob_hits *hits, const char *path, struct aob_error *error);
-bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera, int width,
-                      int height, int guard, struct aob_error *error);
+bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,
+                      int width, int height, int guard, struct aob_error *error);
 void aob_gbuffer_finish(struct aob_gbuffer *gbuffer);
 #endif

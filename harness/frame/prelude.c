@@ -21,7 +21,8 @@ static const char gbuffer_text[] =
     "    return vec2(v.x, -v.y) / (param.aob_lens.xy * s) + param.aob_lens.zw;\n"
     "}\n"
     "vec3 aob_view_vector(vec3 v) { return AOB_PERSPECTIVE == 1 ? normalize(-v) : vec3(0.0, 0.0, 1.0); }\n"
-    "float aob_pixel_radius(float z, float r) { return r / (param.aob_lens.y * (AOB_PERSPECTIVE == 1 ? z : 1.0)); }\n"
+    "float aob_pixel_radius(float z, float r) { return r / (param.aob_lens.y * (AOB_PERSPECTIVE == 1 ? z : "
+    "1.0)); }\n"
     "float aob_random(ivec2 p, int i) {\n"
     "    uvec3 v = uvec3(uint(p.x), uint(p.y), uint(i) ^ (uint(AOB_SEED) << 16)) * 1664525u + 1013904223u;\n"
     "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;\n"
@@ -104,13 +105,15 @@ static void add_uniforms(const struct aob_technique *technique, struct aob_text 
 }
 
 /* Declares image `name` and T aob_texel_<name>(ivec2), for coordinates that are inside it. */
-static void add_image(const char *name, enum aob_format format, int binding, bool storage, struct aob_text *text)
+static void add_image(const char *name, enum aob_format format, int binding, bool storage,
+                      struct aob_text *text)
 {
     if (storage)
         aob_text_add(text,
                      "layout(%s, BIND(%d)) uniform readonly image2D aob_image_%s;\n"
                      "%s aob_texel_%s(ivec2 p) { return imageLoad(aob_image_%s, p).%s; }\n",
-                     aob_gpu_format_layout(format), binding, name, type_name(format), name, name, swizzle(format));
+                     aob_gpu_format_layout(format), binding, name, type_name(format), name, name,
+                     swizzle(format));
     else
         aob_text_add(text,
                      "layout(BIND(%d)) uniform sampler2D aob_image_%s;\n"
@@ -131,8 +134,8 @@ static void add_input(const struct aob_prelude_desc *desc, int index, struct aob
                  "    return aob_texel_%s(clamp(p, ivec2(0), edge));\n}\n",
                  type, bind->name, texture->divisor - 1, texture->divisor, bind->name);
     if (bind->filter == AOB_BILINEAR)
-        aob_text_add(text, "%s aob_sample_%s(vec2 uv) { return textureLod(aob_image_%s, uv, 0.0).%s; }\n", type,
-                     bind->name, bind->name, swizzle(texture->format));
+        aob_text_add(text, "%s aob_sample_%s(vec2 uv) { return textureLod(aob_image_%s, uv, 0.0).%s; }\n",
+                     type, bind->name, bind->name, swizzle(texture->format));
 }
 
 void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *text)
@@ -161,13 +164,15 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
             aob_text_add(text, "#line 1\n%s", s->text);
 }
 
-size_t aob_prelude_uniforms(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass, const void *values,
-                            const struct aob_projection *projection, unsigned char block[AOB_UNIFORM_MAX])
+size_t aob_prelude_uniforms(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass,
+                            const void *values, const struct aob_projection *projection,
+                            unsigned char block[AOB_UNIFORM_MAX])
 {
     int width, height;
-    aob_graph_texture_size(&graph->textures[pass->out[0].texture], projection->width, projection->height, &width,
-                           &height);
-    float lens[4] = {(float)projection->sx, (float)projection->sy, (float)projection->cx, (float)projection->cy};
+    aob_graph_texture_size(&graph->textures[pass->out[0].texture], projection->width, projection->height,
+                           &width, &height);
+    float lens[4] = {(float)projection->sx, (float)projection->sy, (float)projection->cx,
+                     (float)projection->cy};
     int32_t sizes[8] = {projection->width, projection->height, width, height};
     memset(block, 0, AOB_UNIFORM_MAX);
     memcpy(block, lens, sizeof lens);

@@ -12,7 +12,8 @@ static bool is_sky(const struct aob_score_desc *desc, size_t i)
 static bool near_border(const struct aob_score_desc *desc, int x, int y, size_t i)
 {
     double reach = desc->radius / (desc->pixel_scale * (desc->perspective ? desc->depth[i] : 1));
-    double horizontal = fmin(x + 0.5, desc->width - x - 0.5), vertical = fmin(y + 0.5, desc->height - y - 0.5);
+    double horizontal = fmin(x + 0.5, desc->width - x - 0.5),
+           vertical = fmin(y + 0.5, desc->height - y - 0.5);
     return fmin(horizontal, vertical) < reach;
 }
 
@@ -60,7 +61,7 @@ bool aob_score(const struct aob_score_desc *desc, struct aob_score *score, struc
     if (!judge_values(desc, error))
         return false;
     struct sums sums = {0};
-    double *errors = AOB_NEW_ARRAY(double, (size_t)desc->width * (size_t)desc->height);
+    double *errors = AOB_NEW_ARRAY(double, (size_t)desc->width *(size_t)desc->height);
     for (int y = 0; y < desc->height; y++)
         for (int x = 0; x < desc->width; x++)
             add_pixel(desc, x, y, &sums, errors);

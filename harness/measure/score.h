@@ -1,5 +1,5 @@
-/* Error of an image of visibility against a reference. All images are width x height floats, row 0 at the top;
- * sky pixels are in no score. */
+/* Error of an image of visibility against a reference. All images are width x height floats, row 0 at the
+ * top; sky pixels are in no score. */
 #ifndef AOB_MEASURE_SCORE_H
 #define AOB_MEASURE_SCORE_H
 #include <stddef.h>
@@ -11,11 +11,11 @@ struct aob_score_desc {
     const float *truth_se; /* standard error of each pixel of the truth; NULL: exact */
     const float *depth;    /* scene units along the view axis; sky where >= sky_depth */
     float sky_depth;
-    double radius;         /* scene units; INFINITY allowed: every pixel is then a border pixel */
-    double pixel_scale;    /* sy of the projection: scene units a pixel covers, at depth 1 if perspective */
+    double radius;      /* scene units; INFINITY allowed: every pixel is then a border pixel */
+    double pixel_scale; /* sy of the projection: scene units a pixel covers, at depth 1 if perspective */
     int perspective;
 };
-struct aob_score { /* NAN where no pixel is in the class */
+struct aob_score {              /* NAN where no pixel is in the class */
     double rmse, mae, bias;     /* bias: mean of image minus truth */
     double p95, max;            /* of the absolute error */
     double band_rmse;           /* pixels whose truth is below AOB_BAND_LIMIT */
@@ -28,6 +28,7 @@ struct aob_score { /* NAN where no pixel is in the class */
 /* False with a line if the image holds a value that is not finite or lies outside [0, 1]. */
 bool aob_score(const struct aob_score_desc *desc, struct aob_score *score, struct aob_error *error);
 
-/* RMS of the difference of two images over the non-sky pixels of desc (its image, truth and radius are not used). */
+/* RMS of the difference of two images over the non-sky pixels of desc (its image, truth and radius are not
+ * used). */
 double aob_score_rmse(const struct aob_score_desc *desc, const float *a, const float *b);
 #endif

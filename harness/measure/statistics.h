@@ -13,8 +13,8 @@ double aob_quantile(const double *x, size_t n, double q);
  * P(Bin(n, 1/2) < k) <= 2.5 %. False (and the whole range) for n < 6, where no such interval exists. */
 bool aob_median_interval(const double *x, size_t n, double *low, double *high);
 
-/* Ratio of two costs from paired rounds: exp of the median of ln(a_i/b_i), with the interval above carried through.
- * The pairing removes what both sides of a round share (drift, load). */
+/* Ratio of two costs from paired rounds: exp of the median of ln(a_i/b_i), with the interval above carried
+ * through. The pairing removes what both sides of a round share (drift, load). */
 struct aob_ratio {
     double ratio, low, high;
     bool bounded; /* low and high are a 95 % interval */

@@ -130,7 +130,8 @@ static bool narrow_enough(const struct run *run)
 
 static bool measure(struct run *run, struct aob_error *error)
 {
-    int64_t limit = aob_clock_wall_ns() + (int64_t)(run->desc->seconds * (double)run->desc->frame_count * 1e9);
+    int64_t limit =
+        aob_clock_wall_ns() + (int64_t)(run->desc->seconds * (double)run->desc->frame_count * 1e9);
     for (run->rounds = 0; run->rounds < AOB_ROUNDS_MAX;) {
         if (!run_round(run, run->rounds, error))
             return false;
@@ -167,10 +168,12 @@ static void summarise(const struct run *run, size_t index, struct aob_timing *ti
         timing->pass_cpu_ms[p] = aob_median(run->pass_cpu[index][p], run->rounds);
 }
 
-bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_block_timing *result, struct aob_error *error)
+bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_block_timing *result,
+                    struct aob_error *error)
 {
     struct run *run = AOB_NEW(struct run);
-    *run = (struct run){.desc = desc, .slots = SLOT_CASES + desc->frame_count, .repeats = 1, .random = desc->seed};
+    *run = (struct run){
+        .desc = desc, .slots = SLOT_CASES + desc->frame_count, .repeats = 1, .random = desc->seed};
     int64_t start = aob_clock_wall_ns();
     bool ok = warm_up(run, error);
     choose_repeats(run);

@@ -4,7 +4,8 @@
 #include "plan.h"
 #include "technique/param.h"
 
-static void add_values(const struct aob_param *params, size_t count, const double *values, struct aob_text *text)
+static void add_values(const struct aob_param *params, size_t count, const double *values,
+                       struct aob_text *text)
 {
     for (size_t i = 0; i < count; i++) {
         aob_text_add(text, " %s=", params[i].name);
@@ -30,8 +31,8 @@ struct aob_options aob_case_options(const struct aob_case *c)
 bool aob_case_same_block(const struct aob_case *a, const struct aob_case *b)
 {
     struct aob_options oa = aob_case_options(a), ob = aob_case_options(b);
-    return a->scene == b->scene && a->width == b->width && a->height == b->height && a->backend == b->backend &&
-           oa.guard_band == ob.guard_band && oa.threads == ob.threads;
+    return a->scene == b->scene && a->width == b->width && a->height == b->height &&
+           a->backend == b->backend && oa.guard_band == ob.guard_band && oa.threads == ob.threads;
 }
 
 void aob_plan_filter(struct aob_plan *plan, const char *filter)

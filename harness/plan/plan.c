@@ -14,7 +14,8 @@ static bool fail_at(const struct aob_config *config, int line, int column, struc
     return aob_fail_in(error, "%s:%d:%d", config->path, line, column);
 }
 
-static bool fail_value(const struct aob_config *config, const struct aob_value *value, struct aob_error *error)
+static bool fail_value(const struct aob_config *config, const struct aob_value *value,
+                       struct aob_error *error)
 {
     return fail_at(config, value->line, value->column, error);
 }
@@ -118,8 +119,8 @@ static void free_axes(struct axes *axes)
     free(axes->items);
 }
 
-static bool unknown_axis(const struct aob_axis *axis, const char *owner, const struct aob_param *params, size_t count,
-                         struct aob_error *error)
+static bool unknown_axis(const struct aob_axis *axis, const char *owner, const struct aob_param *params,
+                         size_t count, struct aob_error *error)
 {
     struct aob_text all = {0};
     for (size_t i = 0; i < count; i++)
@@ -176,7 +177,8 @@ static void set_row(const struct axes *axes, double *values)
 
 static double reference_radius(const struct aob_plan *plan, const struct aob_case *c)
 {
-    const struct aob_param *radius = aob_param_find(c->technique->params, c->technique->param_count, "radius");
+    const struct aob_param *radius =
+        aob_param_find(c->technique->params, c->technique->param_count, "radius");
     if (plan->config->reference_radius > 0)
         return plan->config->reference_radius;
     return radius ? c->params[radius - c->technique->params] : 1 / c->scene->metres_per_unit;
@@ -187,7 +189,8 @@ static void make_key(const struct aob_plan *plan, struct aob_case *c)
     struct aob_text text = {0};
     aob_case_describe(c, &text);
     const struct aob_camera *camera = &c->scene->camera;
-    aob_text_add(&text, "\n%s %s %u\n%.17g %.17g %.17g  %.17g %.17g %.17g  %.17g %.17g\n%.9g %d %d%d%d %.9g %s",
+    aob_text_add(&text,
+                 "\n%s %s %u\n%.17g %.17g %.17g  %.17g %.17g %.17g  %.17g %.17g\n%.9g %d %d%d%d %.9g %s",
                  c->scene->digest, c->technique->digest, c->technique->revision, camera->eye.x, camera->eye.y,
                  camera->eye.z, camera->target.x, camera->target.y, camera->target.z, camera->fov_deg,
                  camera->ortho_height, c->reference_radius, plan->config->spp, plan->config->measure_time,
@@ -247,8 +250,8 @@ static bool expand_techniques(struct aob_plan *plan, struct aob_case base,
         }
         aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, base.options);
         params = (struct axes){0};
-        ok = parse_axes(config, choice->name.text, base.technique->params, base.technique->param_count, choice->axes,
-                        choice->axis_count, &params, error) &&
+        ok = parse_axes(config, choice->name.text, base.technique->params, base.technique->param_count,
+                        choice->axes, choice->axis_count, &params, error) &&
              add_cases(plan, &base, &params, &options, error);
         free_axes(&params);
     }
@@ -256,7 +259,8 @@ static bool expand_techniques(struct aob_plan *plan, struct aob_case base,
     return ok;
 }
 
-static bool expand(struct aob_plan *plan, const struct aob_technique_list *techniques, struct aob_error *error)
+static bool expand(struct aob_plan *plan, const struct aob_technique_list *techniques,
+                   struct aob_error *error)
 {
     const struct aob_config *config = plan->config;
     for (size_t s = 0; s < plan->scene_count; s++)
@@ -264,7 +268,8 @@ static bool expand(struct aob_plan *plan, const struct aob_technique_list *techn
             for (size_t b = 0; b < config->backend_count; b++) {
                 const struct aob_gpu_fns *backend = aob_gpu_find(config->backends[b].text);
                 if (!backend) {
-                    aob_fail(error, "unknown backend '%s'; see: aobudget list backends", config->backends[b].text);
+                    aob_fail(error, "unknown backend '%s'; see: aobudget list backends",
+                             config->backends[b].text);
                     return fail_value(config, &config->backends[b], error);
                 }
                 struct aob_case base = {.scene = &plan->scenes[s],
@@ -293,8 +298,8 @@ static void gather_blocks(struct aob_plan *plan)
     }
 }
 
-bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config, const struct aob_technique_list *techniques,
-                     struct aob_error *error)
+bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
+                     const struct aob_technique_list *techniques, struct aob_error *error)
 {
     *plan = (struct aob_plan){.config = config};
     if (!choose_scenes(plan, error) || !expand(plan, techniques, error)) {

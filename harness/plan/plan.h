@@ -1,5 +1,5 @@
-/* The plan: the sweep expanded into cases, each judged against the parameter tables and given a stable key. Needs no
- * GPU, loads no scene and calls no module; files are read only for their digest. */
+/* The plan: the sweep expanded into cases, each judged against the parameter tables and given a stable key.
+ * Needs no GPU, loads no scene and calls no module; files are read only for their digest. */
 #ifndef AOB_PLAN_PLAN_H
 #define AOB_PLAN_PLAN_H
 #include "base/error.h"
@@ -10,10 +10,10 @@
 #include "technique/option.h"
 #include "technique/registry.h"
 
-struct aob_plan_scene { /* one view of one scene */
+struct aob_plan_scene {                /* one view of one scene */
     const struct aob_scene_info *info; /* NULL: a mesh file of the user's */
-    char *name;               /* "corner", or the file's path */
-    char *file;               /* mesh file to load, or NULL for a procedural scene */
+    char *name;                        /* "corner", or the file's path */
+    char *file;                        /* mesh file to load, or NULL for a procedural scene */
     char *view;               /* "front", "camera" or "framed" (from the mesh's box, once it is loaded) */
     struct aob_camera camera; /* unset while framed */
     bool framed;
@@ -41,14 +41,15 @@ struct aob_plan {
 enum { AOB_PLAN_MAX_CASES = 20000 };
 
 /* False: one line, FILE:LINE:COLUMN where the config has a position. */
-bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config, const struct aob_technique_list *techniques,
-                     struct aob_error *error);
+bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
+                     const struct aob_technique_list *techniques, struct aob_error *error);
 void aob_plan_finish(struct aob_plan *plan);
 
 /* Keep the cases whose description holds `filter` (plain text). */
 void aob_plan_filter(struct aob_plan *plan, const char *filter);
 
-/* "corner/front gtao radius=0.5 slices=3 ... vulkan 480x270 fetch=sampled": every parameter, in table order. */
+/* "corner/front gtao radius=0.5 slices=3 ... vulkan 480x270 fetch=sampled": every parameter, in table order.
+ */
 void aob_case_describe(const struct aob_case *c, struct aob_text *text);
 
 /* Whether two cases may be timed in one block: same view, size, guard band, backend and threads. */

@@ -6,14 +6,14 @@
 #include "base/error.h"
 
 struct aob_channel {
-    char name[64];  /* "technique.AO" */
-    float *pixels;  /* width * height, row 0 at the top; owned by the image */
+    char name[64]; /* "technique.AO" */
+    float *pixels; /* width * height, row 0 at the top; owned by the image */
 };
 struct aob_attribute {
-    char name[64];  /* "aobudget.fov_deg" */
+    char name[64]; /* "aobudget.fov_deg" */
     double values[3];
-    int count;      /* 1 or 3 numbers; 0: `text` */
-    char *text;     /* owned */
+    int count;  /* 1 or 3 numbers; 0: `text` */
+    char *text; /* owned */
 };
 struct aob_image {
     int width, height;
@@ -34,8 +34,8 @@ void aob_image_finish(struct aob_image *image);
 /* Whole or not at all: written beside and renamed. */
 bool aob_image_write(const struct aob_image *image, const char *path, struct aob_error *error);
 
-/* All channels as float (half and uint are converted), scan-line or tiled (first level); refuses more than 2^28
- * pixels x channels, deep or damaged files, with one line. Attributes of one or three numbers and strings are read.
- * Of a file with several parts the first is read. */
+/* All channels as float (half and uint are converted), scan-line or tiled (first level); refuses more than
+ * 2^28 pixels x channels, deep or damaged files, with one line. Attributes of one or three numbers and
+ * strings are read. Of a file with several parts the first is read. */
 bool aob_image_read(struct aob_image *image, const char *path, struct aob_error *error);
 #endif

@@ -1,13 +1,13 @@
-/* The journal of a run: one JSON object a line, each on disk (fsync) before the next case starts. A line cut short by
- * a crash is ignored when the journal is read, and cut off before the next line is written. */
+/* The journal of a run: one JSON object a line, each on disk (fsync) before the next case starts. A line cut
+ * short by a crash is ignored when the journal is read, and cut off before the next line is written. */
 #ifndef AOB_STORE_JOURNAL_H
 #define AOB_STORE_JOURNAL_H
 #include <jansson.h>
 #include <stdbool.h>
 #include "base/error.h"
 
-/* Every whole line that is an object with a "key"; of lines with one key the last stands. A missing file is an
- * empty journal. NULL after an error line; json_decref the array. */
+/* Every whole line that is an object with a "key"; of lines with one key the last stands. A missing file is
+ * an empty journal. NULL after an error line; json_decref the array. */
 json_t *aob_journal_read(const char *path, struct aob_error *error);
 
 struct aob_journal {

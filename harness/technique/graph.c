@@ -7,7 +7,8 @@ static struct aob_pass_graph *own(const struct aob_graph *graph)
     return (struct aob_pass_graph *)(uintptr_t)graph;
 }
 
-static bool copy_name(struct aob_pass_graph *graph, const char *what, const char *name, char into[AOB_NAME_SIZE])
+static bool copy_name(struct aob_pass_graph *graph, const char *what, const char *name,
+                      char into[AOB_NAME_SIZE])
 {
     if (!name || !*name)
         return aob_fail(graph->error, "a %s has no name", what);
@@ -29,7 +30,8 @@ static bool graph_wants(const struct aob_graph *graph, enum aob_output which)
 static aob_tex graph_texture(struct aob_graph *interface, const struct aob_tex_desc *desc)
 {
     struct aob_pass_graph *graph = own(interface);
-    struct aob_graph_texture texture = {.format = desc->format, .divisor = desc->divisor ? (int)desc->divisor : 1};
+    struct aob_graph_texture texture = {.format = desc->format,
+                                        .divisor = desc->divisor ? (int)desc->divisor : 1};
     if (!copy_name(graph, "texture", desc->name, texture.name))
         return (aob_tex){0};
     if (graph->texture_count == AOB_MAX_TEXTURE)
@@ -45,8 +47,8 @@ static aob_tex graph_texture(struct aob_graph *interface, const struct aob_tex_d
     return (aob_tex){(uint32_t)graph->texture_count};
 }
 
-static bool copy_binds(struct aob_pass_graph *graph, const struct aob_pass *pass, const struct aob_bind *binds,
-                       int max, struct aob_graph_bind *into, int *count)
+static bool copy_binds(struct aob_pass_graph *graph, const struct aob_pass *pass,
+                       const struct aob_bind *binds, int max, struct aob_graph_bind *into, int *count)
 {
     for (*count = 0; *count < max && binds[*count].name; (*count)++) {
         const struct aob_bind *bind = &binds[*count];
@@ -57,7 +59,8 @@ static bool copy_binds(struct aob_pass_graph *graph, const struct aob_pass *pass
             return aob_fail(graph->error, "pass '%s': bind '%s' has no texture of this graph", pass->name,
                             bind->name);
         if (bind->filter != AOB_NEAREST && bind->filter != AOB_BILINEAR)
-            return aob_fail(graph->error, "pass '%s': bind '%s' has an unknown filter", pass->name, bind->name);
+            return aob_fail(graph->error, "pass '%s': bind '%s' has an unknown filter", pass->name,
+                            bind->name);
         copy->texture = (int)bind->tex.id - 1;
         copy->filter = bind->filter;
         for (int i = 0; i < *count; i++)
@@ -89,7 +92,8 @@ static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
         if (strcmp(graph->passes[i].name, pass->name) == 0)
             return aob_fail(graph->error, "two passes are named '%s'", pass->name);
     if (!has_shader(graph->technique, pass->shader))
-        return aob_fail(graph->error, "pass '%s': the module has no shader text '%s'", pass->name, pass->shader);
+        return aob_fail(graph->error, "pass '%s': the module has no shader text '%s'", pass->name,
+                        pass->shader);
     if (desc->defines && strlen(desc->defines) >= sizeof pass->defines)
         return aob_fail(graph->error, "pass '%s': defines are longer than %zu characters", pass->name,
                         sizeof pass->defines - 1);
@@ -109,7 +113,8 @@ static bool graph_output(struct aob_graph *interface, enum aob_output which, aob
     if (which >= AOB_OUTPUT_COUNT || tex.id == 0 || tex.id > (uint32_t)graph->texture_count)
         return aob_fail(graph->error, "an output is unknown or has no texture of this graph");
     if (graph->textures[tex.id - 1].divisor != 1)
-        return aob_fail(graph->error, "output texture '%s' is not full size: upsampling is part of the technique",
+        return aob_fail(graph->error,
+                        "output texture '%s' is not full size: upsampling is part of the technique",
                         graph->textures[tex.id - 1].name);
     graph->outputs[which] = (int)tex.id - 1;
     return true;
@@ -141,8 +146,8 @@ static bool judge_pass(const struct aob_pass_graph *graph, int index)
     }
     for (int i = 0; i < pass->in_count; i++)
         if (writer_of(graph, pass->in[i].texture, index) < 0)
-            return aob_fail(graph->error, "pass '%s' reads texture '%s', which no earlier pass writes", pass->name,
-                            graph->textures[pass->in[i].texture].name);
+            return aob_fail(graph->error, "pass '%s' reads texture '%s', which no earlier pass writes",
+                            pass->name, graph->textures[pass->in[i].texture].name);
     return true;
 }
 

@@ -41,16 +41,18 @@ struct aob_pass_graph {
     struct aob_error *error;       /* during build() only */
 };
 
-/* Runs check() and build() of the technique (its code: only ever in a worker) and judges the result: names known
- * and unique, every texture written before it is read and by one pass only, none read and written by one pass, outputs of
- * one size, every wanted output full size and written. On false the line names technique and object. */
+/* Runs check() and build() of the technique (its code: only ever in a worker) and judges the result: names
+ * known and unique, every texture written before it is read and by one pass only, none read and written by
+ * one pass, outputs of one size, every wanted output full size and written. On false the line names technique
+ * and object. */
 bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *technique, const void *values,
                      uint32_t wanted, struct aob_error *error);
 
 /* Pixels of a texture in a G-buffer of width x height: divided, rounded up. */
 void aob_graph_texture_size(const struct aob_graph_texture *texture, int width, int height, int *w, int *h);
 
-/* Of the live passes, their texts, formats and the compile-time constants: what the compiled programs depend on. */
+/* Of the live passes, their texts, formats and the compile-time constants: what the compiled programs depend
+ * on. */
 void aob_graph_digest(const struct aob_pass_graph *graph, const void *values, char key[AOB_KEY_SIZE]);
 
 /* A Graphviz picture: passes as boxes (dead ones dashed), textures as edges. */

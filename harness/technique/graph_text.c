@@ -10,8 +10,8 @@ void aob_graph_texture_size(const struct aob_graph_texture *texture, int width, 
 const char *aob_format_name(enum aob_format format)
 {
     static const char *const names[AOB_FORMAT_COUNT] = {
-        [AOB_R8] = "r8",       [AOB_R16F] = "r16f",   [AOB_R32F] = "r32f",
-        [AOB_RG8] = "rg8",     [AOB_RG16F] = "rg16f", [AOB_RG32F] = "rg32f",
+        [AOB_R8] = "r8",       [AOB_R16F] = "r16f",       [AOB_R32F] = "r32f",
+        [AOB_RG8] = "rg8",     [AOB_RG16F] = "rg16f",     [AOB_RG32F] = "rg32f",
         [AOB_RGBA8] = "rgba8", [AOB_RGBA16F] = "rgba16f", [AOB_RGBA32F] = "rgba32f"};
     return names[format];
 }

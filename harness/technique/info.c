@@ -26,10 +26,11 @@ static int word_index(const char *const *words, const char *word)
 
 json_t *aob_param_to_json(const struct aob_param *param)
 {
-    json_t *p = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:f, s:f}", "name", param->name, "doc", param->doc,
-                          "type", param->type == AOB_INT ? "int" : "float", "unit", unit_words[param->unit], "scale",
-                          scale_words[param->scale], "stage", stage_words[param->stage], "min", param->min, "max",
-                          param->max, "initial", param->initial);
+    json_t *p =
+        json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:f, s:f}", "name", param->name, "doc", param->doc,
+                  "type", param->type == AOB_INT ? "int" : "float", "unit", unit_words[param->unit], "scale",
+                  scale_words[param->scale], "stage", stage_words[param->stage], "min", param->min, "max",
+                  param->max, "initial", param->initial);
     if (param->choices)
         json_object_set_new(p, "choices", choices_to_json(param->choices));
     return p;
@@ -42,8 +43,8 @@ json_t *aob_technique_to_json(const struct aob_registry_entry *entry)
     for (uint32_t i = 0; i < t->param_count; i++)
         json_array_append_new(params, aob_param_to_json(&t->params[i]));
     return json_pack("{s:s, s:s, s:s, s:i, s:s, s:s?, s:o}", "name", t->name, "title", t->title, "citation",
-                     t->citation, "revision", (int)t->revision, "digest", entry->digest, "module", entry->module,
-                     "params", params);
+                     t->citation, "revision", (int)t->revision, "digest", entry->digest, "module",
+                     entry->module, "params", params);
 }
 
 static const char *const *choices_from_json(const json_t *names)
@@ -57,11 +58,12 @@ static const char *const *choices_from_json(const json_t *names)
 static bool param_from_json(json_t *p, struct aob_param *param)
 {
     const char *name, *doc, *type, *unit, *scale, *stage;
-    if (json_unpack(p, "{s:s, s:s, s:s, s:s, s:s, s:s, s:F, s:F, s:F}", "name", &name, "doc", &doc, "type", &type,
-                    "unit", &unit, "scale", &scale, "stage", &stage, "min", &param->min, "max", &param->max,
-                    "initial", &param->initial) != 0)
+    if (json_unpack(p, "{s:s, s:s, s:s, s:s, s:s, s:s, s:F, s:F, s:F}", "name", &name, "doc", &doc, "type",
+                    &type, "unit", &unit, "scale", &scale, "stage", &stage, "min", &param->min, "max",
+                    &param->max, "initial", &param->initial) != 0)
         return false;
-    if (word_index(unit_words, unit) < 0 || word_index(scale_words, scale) < 0 || word_index(stage_words, stage) < 0)
+    if (word_index(unit_words, unit) < 0 || word_index(scale_words, scale) < 0 ||
+        word_index(stage_words, stage) < 0)
         return false;
     param->name = aob_strdup(name);
     param->doc = aob_strdup(doc);
@@ -76,16 +78,20 @@ static bool param_from_json(json_t *p, struct aob_param *param)
 
 bool aob_technique_list_add(struct aob_technique_list *list, const json_t *described)
 {
-    const char *name, *title, *citation, *digest, *module = json_string_value(json_object_get(described, "module"));
+    const char *name, *title, *citation, *digest,
+        *module = json_string_value(json_object_get(described, "module"));
     int revision;
     json_t *params;
     if (json_unpack((json_t *)(uintptr_t)described, "{s:s, s:s, s:s, s:i, s:s, s:o}", "name", &name, "title",
-                    &title, "citation", &citation, "revision", &revision, "digest", &digest, "params", &params) != 0)
+                    &title, "citation", &citation, "revision", &revision, "digest", &digest, "params",
+                    &params) != 0)
         return false;
     list->items = aob_realloc(list->items, list->count + 1, sizeof *list->items);
     struct aob_technique_info *info = &list->items[list->count++];
-    *info = (struct aob_technique_info){.name = aob_strdup(name), .title = aob_strdup(title),
-                                        .citation = aob_strdup(citation), .module = aob_strdup(module),
+    *info = (struct aob_technique_info){.name = aob_strdup(name),
+                                        .title = aob_strdup(title),
+                                        .citation = aob_strdup(citation),
+                                        .module = aob_strdup(module),
                                         .revision = (uint32_t)revision};
     strncpy(info->digest, digest, AOB_KEY_SIZE - 1);
     info->param_count = json_array_size(params);
@@ -96,7 +102,8 @@ bool aob_technique_list_add(struct aob_technique_list *list, const json_t *descr
     return true;
 }
 
-const struct aob_technique_info *aob_technique_list_find(const struct aob_technique_list *list, const char *name)
+const struct aob_technique_info *aob_technique_list_find(const struct aob_technique_list *list,
+                                                         const char *name)
 {
     for (size_t i = 0; i < list->count; i++)
         if (strcmp(list->items[i].name, name) == 0)

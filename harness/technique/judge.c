@@ -12,17 +12,19 @@ static bool judge_param(const struct aob_technique *technique, const struct aob_
                         struct aob_error *error)
 {
     if (!is_name(param->name))
-        return aob_fail(error, "technique '%s': a parameter's name is missing or not lower_snake", technique->name);
+        return aob_fail(error, "technique '%s': a parameter's name is missing or not lower_snake",
+                        technique->name);
     if (!param->doc || !*param->doc)
-        return aob_fail(error, "technique '%s': parameter '%s' has no sentence", technique->name, param->name);
+        return aob_fail(error, "technique '%s': parameter '%s' has no sentence", technique->name,
+                        param->name);
     if ((param->type != AOB_FLOAT && param->type != AOB_INT) || (unsigned)param->stage > AOB_HOST ||
-        (unsigned)param->unit > AOB_UNIT_COUNT || (unsigned)param->scale > AOB_LOG2 ||
-        param->offset % 4 || param->offset + 4 > technique->values_size)
+        (unsigned)param->unit > AOB_UNIT_COUNT || (unsigned)param->scale > AOB_LOG2 || param->offset % 4 ||
+        param->offset + 4 > technique->values_size)
         return aob_fail(error, "technique '%s': parameter '%s' has a bad type, stage, unit or offset",
                         technique->name, param->name);
     if (param->choices)
-        return param->type == AOB_INT || aob_fail(error, "technique '%s': choice '%s' is not an int32_t",
-                                                  technique->name, param->name);
+        return param->type == AOB_INT ||
+               aob_fail(error, "technique '%s': choice '%s' is not an int32_t", technique->name, param->name);
     if (!(param->min <= param->initial && param->initial <= param->max))
         return aob_fail(error, "technique '%s': parameter '%s': the default is outside its bounds",
                         technique->name, param->name);

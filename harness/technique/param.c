@@ -67,7 +67,8 @@ void aob_param_defaults(const struct aob_param *params, size_t count, double *va
         values[i] = params[i].initial;
 }
 
-void aob_param_pack(const struct aob_param *params, size_t count, const double *values, void *into, size_t size)
+void aob_param_pack(const struct aob_param *params, size_t count, const double *values, void *into,
+                    size_t size)
 {
     memset(into, 0, size);
     for (size_t i = 0; i < count; i++) {

@@ -6,7 +6,8 @@
 #include "base/error.h"
 #include "base/text.h"
 
-const struct aob_param *aob_param_find(const struct aob_param *params, size_t count, const char *name); /* or NULL */
+const struct aob_param *aob_param_find(const struct aob_param *params, size_t count,
+                                       const char *name); /* or NULL */
 
 /* Strictly: the whole text one number within bounds (whole for an int), or one of the choices. The error line
  * says what is allowed; it does not name technique or file. */
@@ -18,7 +19,8 @@ void aob_param_print(const struct aob_param *param, double value, struct aob_tex
 void aob_param_defaults(const struct aob_param *params, size_t count, double *values);
 
 /* Into the struct that the table's offsets index; `size` bytes, zeroed first. */
-void aob_param_pack(const struct aob_param *params, size_t count, const double *values, void *into, size_t size);
+void aob_param_pack(const struct aob_param *params, size_t count, const double *values, void *into,
+                    size_t size);
 
 const char *aob_unit_name(enum aob_unit unit); /* "scene units", "pixels", "rad", "" */
 #endif

@@ -40,8 +40,8 @@ void aob_registry_init(struct aob_registry *registry)
 static bool judge_module(const struct aob_module *module, const char *path, struct aob_error *error)
 {
     if (module->abi >> 16 != AOB_ABI_MAJOR || (module->abi & 0xffff) > AOB_ABI_MINOR)
-        return aob_fail(error, "%s: made for module interface %u.%u, this program has %u.%u: build it again", path,
-                        module->abi >> 16, module->abi & 0xffff, AOB_ABI_MAJOR, AOB_ABI_MINOR);
+        return aob_fail(error, "%s: made for module interface %u.%u, this program has %u.%u: build it again",
+                        path, module->abi >> 16, module->abi & 0xffff, AOB_ABI_MAJOR, AOB_ABI_MINOR);
     if (!module->techniques || !module->techniques[0])
         return aob_fail(error, "%s: the module has no technique", path);
     for (const struct aob_technique *const *t = module->techniques; *t; t++)

@@ -15,9 +15,9 @@ extern const struct aob_technique *const aob_builtin_techniques[];
 struct aob_registry {
     struct aob_registry_entry {
         const struct aob_technique *technique;
-        const char *module;      /* path of its .so; NULL: built in */
+        const char *module;        /* path of its .so; NULL: built in */
         char digest[AOB_KEY_SIZE]; /* of its texts, tables and revision; of the .so's bytes for a module */
-    } *entries;
+    } * entries;
     size_t count, capacity;
     void **handles;
     size_t handle_count, handle_capacity;
@@ -45,8 +45,10 @@ struct aob_technique_list {
 };
 
 json_t *aob_technique_to_json(const struct aob_registry_entry *entry); /* with parameters, units, bounds */
-json_t *aob_param_to_json(const struct aob_param *param); /* unit, scale and stage as words */
-bool aob_technique_list_add(struct aob_technique_list *list, const json_t *described); /* false: not of that shape */
-const struct aob_technique_info *aob_technique_list_find(const struct aob_technique_list *list, const char *name);
+json_t *aob_param_to_json(const struct aob_param *param);              /* unit, scale and stage as words */
+bool aob_technique_list_add(struct aob_technique_list *list,
+                            const json_t *described); /* false: not of that shape */
+const struct aob_technique_info *aob_technique_list_find(const struct aob_technique_list *list,
+                                                         const char *name);
 void aob_technique_list_finish(struct aob_technique_list *list);
 #endif

@@ -1,5 +1,5 @@
-/* Alchemy ambient obscurance: McGuire, Osman, Bukowski, Hennessy, "The Alchemy Screen-Space Ambient Obscurance
- * Algorithm", HPG 2011: equation 10, then a separable cross-bilateral filter. */
+/* Alchemy ambient obscurance: McGuire, Osman, Bukowski, Hennessy, "The Alchemy Screen-Space Ambient
+ * Obscurance Algorithm", HPG 2011: equation 10, then a separable cross-bilateral filter. */
 #include <aobudget/steps.h>
 #include <math.h>
 #include "shaders.h"
@@ -16,12 +16,15 @@ static const struct aob_param params[] = {
               .doc = "The text's sigma: scales the obscurance before it is subtracted from 1."),
     AOB_PARAM(struct values, contrast, .min = 0.01, .max = 100, .initial = 1,
               .doc = "The text's k: exponent of the result; more darkens the dark."),
-    AOB_PARAM(struct values, bias, .min = 0, .max = 1, .initial = 1e-4,
-              .doc = "The text's beta, times the depth: more hides self-occlusion, and leaks light into corners."),
-    AOB_PARAM(struct values, epsilon, .min = 1e-12, .max = 1, .initial = 1e-4,
-              .doc = "The text's epsilon, square scene units: keeps the division finite; more lights up corners."),
-    AOB_PARAM(struct values, samples, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT, .min = 1,
-              .max = 4096, .initial = 12, .doc = "Points on the disc a pixel (the text's s); more lowers noise."),
+    AOB_PARAM(
+        struct values, bias, .min = 0, .max = 1, .initial = 1e-4,
+        .doc = "The text's beta, times the depth: more hides self-occlusion, and leaks light into corners."),
+    AOB_PARAM(
+        struct values, epsilon, .min = 1e-12, .max = 1, .initial = 1e-4,
+        .doc = "The text's epsilon, square scene units: keeps the division finite; more lights up corners."),
+    AOB_PARAM(struct values, samples, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT,
+              .min = 1, .max = 4096, .initial = 12,
+              .doc = "Points on the disc a pixel (the text's s); more lowers noise."),
     AOB_PARAM_BLUR(struct values, blur, 13),
     AOB_PARAM(struct values, seed, .min = 0, .max = 1e6, .initial = 0,
               .doc = "Seed of the spiral's rotation per pixel."),
@@ -52,13 +55,14 @@ static bool build(struct aob_graph *graph, const void *values)
     const struct values *v = values;
     aob_tex raw = aob_texture(graph, .name = "visibility", .format = AOB_R16F);
     return aob_pass(graph, .name = "obscurance", .shader = "obscurance", .reads = AOB_DEPTH | AOB_NORMAL,
-                       .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}}) &&
+                    .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur));
 }
 
 AOB_TECHNIQUE(alchemy, .title = "Alchemy ambient obscurance", .revision = 1, .shaders = aob_shaders_alchemy,
               .citation = "McGuire, Osman, Bukowski, Hennessy: The Alchemy Screen-Space Ambient Obscurance "
                           "Algorithm, HPG 2011",
-              .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
+              .params = params, .param_count = sizeof params / sizeof *params,
+              .values_size = sizeof(struct values),
               .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .map = map}, .check = check,
               .build = build);

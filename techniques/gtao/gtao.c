@@ -14,11 +14,13 @@ static const struct aob_param params[] = {
               .initial = 0.5, .doc = "Farthest distance of an occluder; more darkens more and from farther."),
     AOB_PARAM(struct values, falloff, .min = 0, .max = 1, .initial = 0,
               .doc = "Share of the radius over which occlusion fades out; 0 is the hard cutoff."),
-    AOB_PARAM(struct values, slices, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT, .min = 1,
-              .max = 4096, .initial = 3, .doc = "Slices about the view vector (the text's sliceCount); more lowers noise."),
-    AOB_PARAM(struct values, steps, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT, .min = 1,
-              .max = 1024, .initial = 6,
-              .doc = "Taps on each side of a slice (directionSampleCount); more finds horizons more exactly."),
+    AOB_PARAM(struct values, slices, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT,
+              .min = 1, .max = 4096, .initial = 3,
+              .doc = "Slices about the view vector (the text's sliceCount); more lowers noise."),
+    AOB_PARAM(struct values, steps, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT,
+              .min = 1, .max = 1024, .initial = 6,
+              .doc =
+                  "Taps on each side of a slice (directionSampleCount); more finds horizons more exactly."),
     AOB_PARAM_BLUR(struct values, blur, 5),
 };
 
@@ -39,12 +41,14 @@ static bool build(struct aob_graph *graph, const void *values)
     const struct values *v = values;
     aob_tex raw = aob_texture(graph, .name = "visibility", .format = AOB_R16F);
     return aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL,
-                       .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}}) &&
+                    .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur));
 }
 
 AOB_TECHNIQUE(gtao, .title = "Ground-truth ambient occlusion", .revision = 1, .shaders = aob_shaders_gtao,
               .citation = "Jimenez, Wu, Pesce, Jarabo: Practical Real-Time Strategies for Accurate Indirect "
                           "Occlusion, ATVI-TR-19-01 (2016)",
-              .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
-              .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff}, .check = check, .build = build);
+              .params = params, .param_count = sizeof params / sizeof *params,
+              .values_size = sizeof(struct values),
+              .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff}, .check = check,
+              .build = build);

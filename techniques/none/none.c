@@ -11,6 +11,6 @@ static bool build(struct aob_graph *graph, const void *values)
            aob_output(graph, AOB_OUT_VISIBILITY, visibility);
 }
 
-AOB_TECHNIQUE(none, .title = "No ambient occlusion", .revision = 1, .shaders = aob_shaders_none, .build = build,
-              .citation = "the row 'No AO' of Bavoil and Sainz, ShaderX7 (2009), table 6.2.1",
+AOB_TECHNIQUE(none, .title = "No ambient occlusion", .revision = 1, .shaders = aob_shaders_none,
+              .build = build, .citation = "the row 'No AO' of Bavoil and Sainz, ShaderX7 (2009), table 6.2.1",
               .values_size = sizeof(int32_t));

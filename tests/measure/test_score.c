@@ -13,8 +13,15 @@ static struct aob_score_desc scene(float *image, float *truth, float *depth)
             image[y * W + x] = y == 0 ? 1.0f : 0.5f + 0.01f * (float)x;
             depth[y * W + x] = x == W - 1 ? 1e9f : 2.0f;
         }
-    return (struct aob_score_desc){.width = W, .height = H, .image = image, .truth = truth, .depth = depth,
-                                   .sky_depth = 5e8f, .radius = 1, .pixel_scale = 1, .perspective = 1};
+    return (struct aob_score_desc){.width = W,
+                                   .height = H,
+                                   .image = image,
+                                   .truth = truth,
+                                   .depth = depth,
+                                   .sky_depth = 5e8f,
+                                   .radius = 1,
+                                   .pixel_scale = 1,
+                                   .perspective = 1};
 }
 
 static void test_known_errors(void **state)
@@ -35,7 +42,8 @@ static void test_known_errors(void **state)
     assert_near(s.reference_se, 0, 0);
 }
 
-/* Reach: radius 1 at depth 2 with scale 1 is half a pixel, so only pixels whose centre lies within .5 of the edge: none. */
+/* Reach: radius 1 at depth 2 with scale 1 is half a pixel, so only pixels whose centre lies within .5 of the
+ * edge: none. */
 static void test_border(void **state)
 {
     (void)state;
@@ -44,7 +52,8 @@ static void test_border(void **state)
     struct aob_score s;
     assert_true(aob_score(&desc, &s, NULL));
     assert_true(isnan(s.border_rmse));
-    desc.radius = 2; /* one pixel: the outermost ring; of it row 3 has errors 0...08 and rows 1, 2 only x = 0 */
+    desc.radius =
+        2; /* one pixel: the outermost ring; of it row 3 has errors 0...08 and rows 1, 2 only x = 0 */
     assert_true(aob_score(&desc, &s, NULL));
     assert_near(s.border_rmse, sqrt(204e-4 / 20), 1e-7);
     desc.radius = INFINITY;

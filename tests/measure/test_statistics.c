@@ -18,7 +18,8 @@ static void test_interval_against_table(void **state)
     (void)state;
     const struct {
         size_t n, k;
-    } rows[] = {{6, 1}, {8, 1}, {9, 2}, {10, 2}, {12, 3}, {15, 4}, {20, 6}, {25, 8}, {30, 10}, {50, 18}, {100, 40}};
+    } rows[] = {{6, 1},  {8, 1},  {9, 2},   {10, 2},  {12, 3},  {15, 4},
+                {20, 6}, {25, 8}, {30, 10}, {50, 18}, {100, 40}};
     double x[100], low, high;
     for (size_t i = 0; i < 100; i++)
         x[i] = (double)i + 1;
@@ -37,7 +38,8 @@ static double uniform(unsigned *seed)
     return (double)(*seed >> 8) / 16777216.0;
 }
 
-/* Skewed times with a drift that both sides share: the interval must cover the true ratio in about 95 % of trials. */
+/* Skewed times with a drift that both sides share: the interval must cover the true ratio in about 95 % of
+ * trials. */
 static void test_ratio_covers_the_truth(void **state)
 {
     (void)state;

@@ -11,6 +11,6 @@ static bool build(struct aob_graph *graph, const void *values)
     abort();
 }
 
-AOB_TECHNIQUE(crash_build, .title = "Crashes in build()", .citation = "tests", .shaders = shaders, .build = build,
-              .values_size = 4);
+AOB_TECHNIQUE(crash_build, .title = "Crashes in build()", .citation = "tests", .shaders = shaders,
+              .build = build, .values_size = 4);
 AOB_MODULE(&aob_technique_crash_build);

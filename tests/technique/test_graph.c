@@ -12,23 +12,32 @@ static const struct aob_param params[] = {
     AOB_PARAM(struct values, radius, .min = 0, .max = 9, .doc = "."),
 };
 
-#define RAW(g)  aob_texture(g, .name = "raw", .format = AOB_R16F)
-#define OUT(t)  {{.name = "o", .tex = t}}
+#define RAW(g) aob_texture(g, .name = "raw", .format = AOB_R16F)
+#define OUT(t)                                                                                               \
+    {                                                                                                        \
+        {                                                                                                    \
+            .name = "o", .tex = t                                                                            \
+        }                                                                                                    \
+    }
 
 static bool build_chain(struct aob_graph *g, const void *values)
 {
     (void)values;
-    aob_tex raw = RAW(g), done = aob_texture(g, .name = "done"), unused = aob_texture(g, .name = "unused", .divisor = 2);
+    aob_tex raw = RAW(g), done = aob_texture(g, .name = "done"),
+            unused = aob_texture(g, .name = "unused", .divisor = 2);
     return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH, .out = OUT(raw)) &&
-           aob_pass(g, .name = "extra", .shader = "two", .in = {{.name = "i", .tex = raw}}, .out = OUT(unused)) &&
-           aob_pass(g, .name = "last", .shader = "two", .in = {{.name = "i", .tex = raw}}, .out = OUT(done)) &&
+           aob_pass(g, .name = "extra", .shader = "two", .in = {{.name = "i", .tex = raw}},
+                    .out = OUT(unused)) &&
+           aob_pass(g, .name = "last", .shader = "two", .in = {{.name = "i", .tex = raw}},
+                    .out = OUT(done)) &&
            aob_output(g, AOB_OUT_VISIBILITY, done);
 }
 static bool build_loop(struct aob_graph *g, const void *values)
 {
     (void)values;
     aob_tex raw = RAW(g);
-    return aob_pass(g, .name = "first", .shader = "one", .in = {{.name = "i", .tex = raw}}, .out = OUT(raw)) &&
+    return aob_pass(g, .name = "first", .shader = "one", .in = {{.name = "i", .tex = raw}},
+                    .out = OUT(raw)) &&
            aob_output(g, AOB_OUT_VISIBILITY, raw);
 }
 static bool build_no_output(struct aob_graph *g, const void *values)
@@ -46,7 +55,8 @@ static bool build_twice_written(struct aob_graph *g, const void *values)
     (void)values;
     aob_tex raw = RAW(g);
     return aob_pass(g, .name = "first", .shader = "one", .out = OUT(raw)) &&
-           aob_pass(g, .name = "again", .shader = "one", .out = OUT(raw)) && aob_output(g, AOB_OUT_VISIBILITY, raw);
+           aob_pass(g, .name = "again", .shader = "one", .out = OUT(raw)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, raw);
 }
 static bool build_no_shader(struct aob_graph *g, const void *values)
 {
@@ -62,13 +72,15 @@ static bool build_half_output(struct aob_graph *g, const void *values)
 {
     (void)values;
     aob_tex half = aob_texture(g, .name = "half", .divisor = 2);
-    return aob_pass(g, .name = "first", .shader = "one", .out = OUT(half)) && aob_output(g, AOB_OUT_VISIBILITY, half);
+    return aob_pass(g, .name = "first", .shader = "one", .out = OUT(half)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, half);
 }
 static bool build_mixed_sizes(struct aob_graph *g, const void *values)
 {
     (void)values;
     aob_tex half = aob_texture(g, .name = "half", .divisor = 2), full = RAW(g);
-    return aob_pass(g, .name = "first", .shader = "one", .out = {{.name = "a", .tex = half}, {.name = "b", .tex = full}}) &&
+    return aob_pass(g, .name = "first", .shader = "one",
+                    .out = {{.name = "a", .tex = half}, {.name = "b", .tex = full}}) &&
            aob_output(g, AOB_OUT_VISIBILITY, full);
 }
 static bool build_ignores_failure(struct aob_graph *g, const void *values)
@@ -92,8 +104,13 @@ static bool try_build(struct aob_pass_graph *graph, bool (*build)(struct aob_gra
                       struct aob_error *error)
 {
     static struct aob_technique technique;
-    technique = (struct aob_technique){.abi = AOB_ABI, .size = sizeof technique, .name = "trial", .shaders = shaders,
-                                       .params = params, .param_count = 2, .values_size = sizeof(struct values),
+    technique = (struct aob_technique){.abi = AOB_ABI,
+                                       .size = sizeof technique,
+                                       .name = "trial",
+                                       .shaders = shaders,
+                                       .params = params,
+                                       .param_count = 2,
+                                       .values_size = sizeof(struct values),
                                        .build = build};
     *error = (struct aob_error){{0}};
     return aob_graph_build(graph, &technique, &(struct values){3, 1}, 1u << AOB_OUT_VISIBILITY, error);
@@ -121,16 +138,12 @@ static void test_broken_graphs_are_named(void **state)
     const struct {
         bool (*build)(struct aob_graph *, const void *);
         const char *says;
-    } cases[] = {{build_loop, "no earlier pass writes"},
-                 {build_no_output, "no visibility output"},
-                 {build_unwritten, "no pass writes"},
-                 {build_twice_written, "already written"},
-                 {build_no_shader, "no shader text 'three'"},
-                 {build_same_names, "two textures are named 'raw'"},
-                 {build_half_output, "not full size"},
-                 {build_mixed_sizes, "different sizes"},
-                 {build_ignores_failure, "lower-case"},
-                 {build_too_many, "more than 32 textures"}};
+    } cases[] = {
+        {build_loop, "no earlier pass writes"},      {build_no_output, "no visibility output"},
+        {build_unwritten, "no pass writes"},         {build_twice_written, "already written"},
+        {build_no_shader, "no shader text 'three'"}, {build_same_names, "two textures are named 'raw'"},
+        {build_half_output, "not full size"},        {build_mixed_sizes, "different sizes"},
+        {build_ignores_failure, "lower-case"},       {build_too_many, "more than 32 textures"}};
     struct aob_pass_graph graph;
     struct aob_error error;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

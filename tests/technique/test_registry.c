@@ -70,8 +70,13 @@ static void test_bad_tables_are_refused(void **state)
 {
     (void)state;
     static const struct aob_shader shaders[] = {{NULL, NULL}};
-    const struct aob_technique good = {.abi = AOB_ABI, .size = sizeof good, .name = "good", .title = "t",
-                                       .citation = "c", .shaders = shaders, .values_size = 4,
+    const struct aob_technique good = {.abi = AOB_ABI,
+                                       .size = sizeof good,
+                                       .name = "good",
+                                       .title = "t",
+                                       .citation = "c",
+                                       .shaders = shaders,
+                                       .values_size = 4,
                                        .build = (bool (*)(struct aob_graph *, const void *))(uintptr_t)1};
     struct aob_error error;
     struct aob_technique bad = good;

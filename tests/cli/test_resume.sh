@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# kill -9 in the middle of a run, again and again: no finished case is measured again, none is lost.
+source "$(dirname "$0")/lib.sh"
+cd "$folder"
+cat >config.yaml <<EOF
+name: resume
+scenes: [{name: corner}, {name: spheres}, {name: cornell}]
+resolutions: [48x27]
+backends: [null]
+techniques:
+  - {name: gtao, sweep: [{param: slices, values: [1, 2, 3, 4]}, {param: steps, values: [2, 4]}]}
+  - name: none
+measure: {seconds: 0.1, images: false}
+reference: {spp: 2}
+EOF
+keys() { sed -n 's/^{"key":"\([0-9a-f]*\)".*}$/\1/p' out/journal.jsonl 2>/dev/null | sort; }
+
+kills=0
+for wait in 0.3 0.5 0.8 1.2 1.6; do
+  setsid "$program" run config.yaml --out out --quiet >/dev/null 2>&1 &
+  pid=$!
+  sleep "$wait"
+  kill -9 "-$pid" 2>/dev/null && kills=$((kills + 1))
+  wait "$pid" 2>/dev/null
+  keys >"keys-$wait"
+  check "no case twice" test -z "$(uniq -d "keys-$wait")"
+  check "nothing lost" test "$(comm -23 "${last:-/dev/null}" "keys-$wait" | wc -l)" -eq 0
+  last=keys-$wait
+done
+cp out/journal.jsonl before.jsonl 2>/dev/null || touch before.jsonl
+# What a kill within a write leaves behind.
+printf '{"key":"0123' >>out/journal.jsonl
+check "the run is finished" "$program" run config.yaml --out out --quiet
+check "27 cases" test "$(keys | uniq | wc -l)" -eq 27
+check "no case twice at the end" test -z "$(keys | uniq -d)"
+check "finished lines stand as they were" test "$(head -c "$(wc -c <before.jsonl)" out/journal.jsonl | cmp - before.jsonl && echo same)" = same
+cp out/journal.jsonl whole.jsonl
+check "a finished run measures nothing" "$program" run config.yaml --out out --quiet
+check "the journal did not grow" cmp out/journal.jsonl whole.jsonl
+echo "$kills kills"
+check "at least one kill hit a run" test "$kills" -ge 1
+finish

@@ -1,0 +1,109 @@
+#include "check.h"
+#include <math.h>
+#include <stdlib.h>
+#include "base/memory.h"
+#include "rig.h"
+#include "technique/registry.h"
+
+enum { W = 640, H = 360 };
+
+struct difference {
+    size_t equal, beyond; /* pixels: of the same bits, more than 1/255 apart */
+    double mean;
+};
+
+static struct difference compare(const float *a, const float *b)
+{
+    struct difference d = {0};
+    for (size_t i = 0; i < W * H; i++) {
+        double e = fabs((double)a[i] - b[i]);
+        d.equal += memcmp(&a[i], &b[i], sizeof(float)) == 0;
+        d.beyond += !(e <= 1.0 / 255);
+        d.mean += e / (W * H);
+    }
+    return d;
+}
+
+static void check_close(const char *what, const char *technique, const float *a, const float *b)
+{
+    struct difference d = compare(a, b);
+    printf("%s %s: %zu of %d pixels equal, %zu beyond 1/255, mean difference %.2e\n", technique, what,
+           d.equal, W * H, d.beyond, d.mean);
+    assert_true(d.beyond <= W * H / 10000);
+    assert_true(d.mean <= 1e-5);
+}
+
+/* Every built-in technique, on one device after the other; Vulkan under its validation layer. */
+static void test_backends_agree(void **state)
+{
+    (void)state;
+    enum { VULKAN, EGL, OSMESA, STORAGE, COUNT };
+    static const char *const backends[COUNT] = {"vulkan", "gl-egl", "gl-osmesa", "vulkan"};
+    float *ao[COUNT];
+    struct aob_rig rig;
+    aob_rig_scene(&rig, "spheres", "close", W, H, 0);
+    for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++) {
+        for (int b = 0; b < COUNT; b++) {
+            struct aob_gpu *gpu = aob_rig_gpu(backends[b]);
+            ao[b] = AOB_NEW_ARRAY(float, W *H);
+            aob_rig_run(&rig, gpu, (*t)->name, "", b == STORAGE ? AOB_FETCH_STORAGE : AOB_FETCH_SAMPLED,
+                        ao[b]);
+            aob_gpu_close(gpu);
+        }
+        check_close("vulkan against gl-egl", (*t)->name, ao[VULKAN], ao[EGL]);
+        check_close("storage against sampled", (*t)->name, ao[STORAGE], ao[VULKAN]);
+        assert_int_equal(compare(ao[EGL], ao[OSMESA]).equal, W * H);
+        for (int b = 0; b < COUNT; b++)
+            free(ao[b]);
+    }
+    aob_rig_finish(&rig);
+}
+
+/* The same frame twice on one device, and again after another technique ran there. */
+static void test_frames_repeat(void **state)
+{
+    (void)state;
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_rig rig;
+    float *first = AOB_NEW_ARRAY(float, W *H), *again = AOB_NEW_ARRAY(float, W *H);
+    aob_rig_scene(&rig, "cornell", NULL, W, H, 0);
+    aob_rig_run(&rig, gpu, "gtao", "", AOB_FETCH_SAMPLED, first);
+    aob_rig_run(&rig, gpu, "alchemy", "seed=7", AOB_FETCH_SAMPLED, again);
+    assert_true(compare(first, again).equal < W * H / 2);
+    aob_rig_run(&rig, gpu, "gtao", "", AOB_FETCH_SAMPLED, again);
+    assert_int_equal(compare(first, again).equal, W * H);
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+    free(first);
+    free(again);
+}
+
+/* The inner image of a guarded frame is the bare frame where nothing near the border matters: `none`, and the
+ * view's own depth. */
+static void test_guard_band_is_cropped(void **state)
+{
+    (void)state;
+    struct aob_rig bare, guarded;
+    aob_rig_scene(&bare, "spheres", "front", W, H, 0);
+    aob_rig_scene(&guarded, "spheres", "front", W, H, 40);
+    assert_int_equal(guarded.hits.width, W + 80);
+    size_t other = 0;
+    for (int y = 0; y < H; y++)
+        for (int x = 0; x < W; x++) {
+            size_t i = (size_t)(y * W + x), j = (size_t)((y + 40) * (W + 80) + x + 40);
+            other += bare.hits.primitive[i] != guarded.hits.primitive[j];
+            if (bare.hits.primitive[i] == guarded.hits.primitive[j])
+                assert_near(bare.hits.depth[i], guarded.hits.depth[j], 1e-5 * bare.hits.depth[i]);
+        }
+    assert_true(other <= 4); /* rays through an edge may fall on either side */
+    aob_rig_finish(&bare);
+    aob_rig_finish(&guarded);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_backends_agree),
+                                       cmocka_unit_test(test_frames_repeat),
+                                       cmocka_unit_test(test_guard_band_is_cropped)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,202 @@
+#include "check.h"
+#include <math.h>
+#include <stdlib.h>
+#include <unistd.h>
+#include "base/file.h"
+#include "plan/plan.h"
+
+static char path[256];
+static struct aob_technique_list techniques;
+
+static int set_up(void **state)
+{
+    (void)state;
+    struct aob_registry registry;
+    aob_registry_init(&registry);
+    for (size_t i = 0; i < registry.count; i++) {
+        json_t *json = aob_technique_to_json(&registry.entries[i]);
+        aob_technique_list_add(&techniques, json);
+        json_decref(json);
+    }
+    aob_registry_finish(&registry);
+    snprintf(path, sizeof path, "/tmp/aobudget-plan-%ld.yaml", (long)getpid());
+    return 0;
+}
+static int tear_down(void **state)
+{
+    (void)state;
+    aob_technique_list_finish(&techniques);
+    return unlink(path);
+}
+
+static bool make(const char *text, struct aob_config *config, struct aob_plan *plan, struct aob_error *error)
+{
+    *error = (struct aob_error){{0}};
+    aob_file_write(path, text, strlen(text), error);
+    if (!aob_config_read(config, path, error))
+        return false;
+    if (aob_plan_create(plan, config, &techniques, error))
+        return true;
+    aob_config_finish(config);
+    return false;
+}
+
+#define HEAD                                                                                                 \
+    "name: t\nscenes: [{name: corner, views: [front, far]}]\nresolutions: [64x36, 32x18]\nbackends: "        \
+    "[vulkan, gl-egl]\n"
+#define NONE "techniques: [{name: none}]\n"
+
+static void test_product_of_axes(void **state)
+{
+    (void)state;
+    struct aob_config config;
+    struct aob_plan plan;
+    struct aob_error error;
+    if (!make(HEAD
+              "options: {fetch: [sampled, storage], guard_band: 8}\n"
+              "techniques:\n"
+              "  - {name: gtao, params: {blur: 0}, sweep: [{param: radius, from: 0.25, to: 2, log2: 1},\n"
+              "                                            {param: slices, from: 1, to: 3, step: 1}]}\n"
+              "  - name: none\n",
+              &config, &plan, &error))
+        fail_msg("%s", error.text);
+    /* 2 views x 2 sizes x 2 backends x 2 fetches x (4 radii x 3 slices + 1) */
+    assert_int_equal(plan.case_count, 2 * 2 * 2 * 2 * 13);
+    for (size_t i = 0; i < plan.case_count; i++) {
+        const struct aob_case *c = &plan.cases[i];
+        assert_int_equal(aob_case_options(c).guard_band, 8);
+        assert_near(c->reference_radius, strcmp(c->technique->name, "none") == 0 ? 1 : c->params[0], 0);
+        for (size_t j = 0; j < i; j++)
+            assert_string_not_equal(c->key, plan.cases[j].key);
+        /* cases of one block lie together */
+        for (size_t j = i + 2; j < plan.case_count; j++)
+            if (aob_case_same_block(c, &plan.cases[j]))
+                assert_true(aob_case_same_block(c, &plan.cases[j - 1]));
+    }
+    aob_plan_filter(&plan, "radius=0.5 ");
+    assert_int_equal(plan.case_count, 2 * 2 * 2 * 2 * 3);
+    aob_plan_finish(&plan);
+    aob_config_finish(&config);
+}
+
+static void test_twins_are_one_case_and_keys_are_stable(void **state)
+{
+    (void)state;
+    struct aob_config config;
+    struct aob_plan plan;
+    struct aob_error error;
+    char key[AOB_KEY_SIZE];
+    assert_true(
+        make("name: a\nscenes: [{name: plane}]\nresolutions: [8x8]\nbackends: [null, null]\n"
+             "techniques: [{name: gtao, sweep: [{param: slices, values: [3, 3, 1]}]}, {name: gtao}]\n",
+             &config, &plan, &error));
+    assert_int_equal(plan.case_count, 2);
+    strcpy(key, plan.cases[0].key);
+    aob_plan_finish(&plan);
+    aob_config_finish(&config);
+    assert_true(make(
+        "name: other\nscenes: [{name: plane, view: front}]\nresolutions: [16x16, 8x8]\nbackends: [null]\n"
+        "techniques: [{name: gtao, params: {slices: 3}}]\n",
+        &config, &plan, &error));
+    assert_string_equal(plan.cases[1].key, key);
+    assert_string_not_equal(plan.cases[0].key, key);
+    aob_plan_finish(&plan);
+    aob_config_finish(&config);
+}
+
+/* Every refusal: one line with file, line and column, and what is wrong. */
+static void test_refusals(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *place, *says;
+    } rows[] = {
+        {"", "", "empty"},
+        {"[1, 2", ":1:", "not YAML"},
+        {"just text", ":1:1", "mapping"},
+        {HEAD "technics: []\n", ":5:1", "unknown key 'technics'"},
+        {HEAD "name: again\n" NONE, ":5:1", "twice"},
+        {"scenes: [{name: corner}]\n" NONE, "", "'name' is missing"},
+        {HEAD, "", "'techniques' is missing"},
+        {HEAD "techniques: [{name: gtoa}]\n", ":5:21", "unknown technique 'gtoa'"},
+        {HEAD "techniques: [{name: gtao, params: {radii: 1}}]\n", ":5:43", "no 'radii'; known: radius"},
+        {HEAD "techniques: [{name: gtao, params: {radius: 0.5x}}]\n", ":5:44", "'0.5x' is not a number"},
+        {HEAD "techniques: [{name: gtao, params: {radius: -1}}]\n", ":5:44", "outside"},
+        {HEAD "techniques: [{name: gtao, params: {slices: 1.5}}]\n", ":5:44", "whole number"},
+        {HEAD "techniques: [{name: gtao, sweep: [{param: radius}]}]\n", ":5:35", "from and to"},
+        {HEAD "techniques: [{name: gtao, sweep: [{param: radius, from: 2, to: 1, step: 1}]}]\n", ":5:35",
+         "empty"},
+        {HEAD "techniques: [{name: gtao, sweep: [{param: radius, from: 0, to: 1, step: 1e-9}]}]\n", ":5:35",
+         "1000"},
+        {HEAD "techniques: [{name: gtao, params: {radius: 1}, sweep: [{param: radius, values: [1]}]}]\n",
+         ":5:", "twice"},
+        {"name: t\nscenes: [{name: corner}]\nresolutions: [0x0]\nbackends: [null]\n" NONE, ":3:15", "0x0"},
+        {"name: t\nscenes: [{name: corner}]\nresolutions: [99999x2]\nbackends: [null]\n" NONE, ":3:15",
+         "16384"},
+        {"name: t\nscenes: [{name: crner}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":2:10",
+         "unknown scene"},
+        {"name: t\nscenes: [{name: corner, view: up}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":2:10",
+         "no view 'up'"},
+        {"name: t\nscenes: [{file: /nonexistent.obj}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":2:10",
+         "cannot open"},
+        {"name: t\nscenes: [{name: corner, eye: [0, 0]}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
+         ":2:", "three numbers"},
+        {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 1]}]\nresolutions: "
+         "[8x8]\nbackends: [null]\n" NONE,
+         ":2:", "eye"},
+        {"name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [metal]\n" NONE, ":4:12",
+         "unknown backend 'metal'"},
+        {"name: ../t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":1:7",
+         "letters"},
+        {HEAD NONE "reference: {spp: 33}\n", ":6:18", "even"},
+        {HEAD NONE "options: {fetch: texture}\n", ":6:18", "sampled, storage"},
+        {HEAD NONE "measure: {time: yes}\n", ":6:17", "true nor false"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct aob_config config;
+        struct aob_plan plan;
+        struct aob_error error;
+        if (make(rows[i].text, &config, &plan, &error))
+            fail_msg("accepted: %s", rows[i].text);
+        assert_contains(error.text, path);
+        assert_contains(error.text, rows[i].place);
+        assert_contains(error.text, rows[i].says);
+        assert_null(strchr(error.text, '\n'));
+    }
+}
+
+/* Cut and flipped configs: refused or read, never a crash (the sanitizers watch). */
+static void test_damaged_configs(void **state)
+{
+    (void)state;
+    static const char good[] =
+        HEAD "options: {fetch: [sampled, storage]}\n"
+             "techniques:\n  - name: gtao\n    sweep: [{param: radius, values: [1, 2]}]\n";
+    char text[sizeof good];
+    unsigned seed = 1;
+    for (size_t i = 0; i < 2 * sizeof good; i++) {
+        struct aob_config config;
+        struct aob_plan plan;
+        struct aob_error error;
+        strcpy(text, good);
+        if (i < sizeof good)
+            text[i] = '\0';
+        else {
+            seed = seed * 1664525u + 1013904223u;
+            text[i - sizeof good] ^= (char)(1u << (seed >> 29));
+        }
+        if (make(text, &config, &plan, &error)) {
+            aob_plan_finish(&plan);
+            aob_config_finish(&config);
+        } else
+            assert_true(*error.text);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_product_of_axes), cmocka_unit_test(test_twins_are_one_case_and_keys_are_stable),
+        cmocka_unit_test(test_refusals), cmocka_unit_test(test_damaged_configs)};
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
