@@ -80,14 +80,18 @@ static bool run_round(struct run *run, size_t round, struct aob_error *error)
     return true;
 }
 
-/* Until three successive fixed passes agree within 10 %, two rounds at least and ten at most. */
+/* Two whole rounds (drivers compile at the first draw), then the fixed pass alone until three successive ones
+ * agree within 10 %, ten at most. */
 static bool warm_up(struct run *run, struct aob_error *error)
 {
-    for (size_t round = 0; round < 10; round++) {
+    for (size_t round = 0; round < 2; round++)
         if (!run_round(run, round, error))
             return false;
+    for (size_t round = 2; round < 12; round++) {
         const double *cpu = &run->cpu[SLOT_FIXED][round];
-        if (round >= 2 && fabs(cpu[0] - cpu[-1]) < 0.1 * cpu[0] && fabs(cpu[-1] - cpu[-2]) < 0.1 * cpu[0])
+        if (!run_slot(run, SLOT_FIXED, round, error))
+            return false;
+        if (round >= 4 && fabs(cpu[0] - cpu[-1]) < 0.1 * cpu[0] && fabs(cpu[-1] - cpu[-2]) < 0.1 * cpu[0])
             break;
     }
     return true;

@@ -1,4 +1,5 @@
 # Sourced by the command-line tests: $1 is the program. Each check says what it expected.
+: "${AOBUDGET_BUILD:?the folder of the build}"
 program=$(realpath "$1")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

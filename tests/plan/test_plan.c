@@ -174,16 +174,17 @@ static void test_damaged_configs(void **state)
              "techniques:\n  - name: gtao\n    sweep: [{param: radius, values: [1, 2]}]\n";
     char text[sizeof good];
     unsigned seed = 1;
-    for (size_t i = 0; i < 2 * sizeof good; i++) {
+    const size_t size = sizeof good - 1;
+    for (size_t i = 0; i < 2 * size; i++) {
         struct aob_config config;
         struct aob_plan plan;
         struct aob_error error;
         strcpy(text, good);
-        if (i < sizeof good)
+        if (i < size)
             text[i] = '\0';
         else {
             seed = seed * 1664525u + 1013904223u;
-            text[i - sizeof good] ^= (char)(1u << (seed >> 29));
+            text[i - size] ^= (char)(1u << (seed >> 29));
         }
         if (make(text, &config, &plan, &error)) {
             aob_plan_finish(&plan);

@@ -85,7 +85,7 @@ static void tilted_plane(struct aob_rig *rig, double tilt_deg, double azimuth_de
     struct aob_mesh mesh = {0};
     struct aob_camera camera = {.eye = {0, 0, 3}, .fov_deg = 60};
     aob_mesh_add_quad(&mesh, corner, aob_vec_scale(u, size), aob_vec_scale(v, size));
-    aob_rig_init(rig, &mesh, &camera, 240, 135, 0);
+    aob_rig_init(rig, &mesh, &camera, 160, 90, 0);
     aob_mesh_finish(&mesh);
 }
 

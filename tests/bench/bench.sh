@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
+# sections whose name holds the text: reference, fetch, demo, test. A bar that is not met stands as SHORT.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+only=${1:-}
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+export AOBUDGET_CACHE=$folder/cache
+
+row() { # NAME VALUE UNIT [>=|<= BAR]
+  local verdict=
+  if [ $# -ge 5 ]; then
+    verdict=$(awk -v v="$2" -v o="$4" -v b="$5" 'BEGIN { print ((o == ">=" ? v >= b : v <= b) ? "OK" : "SHORT") }')
+  fi
+  printf '%-44s %10s %-8s %-2s %-6s %s\n' "$1" "$2" "$3" "${4:-}" "${5:-}" "$verdict"
+}
+
+number() { sed -n "s/^ *\"$2\": *\\([-0-9.e+]*\\),\\{0,1\\}\$/\\1/p" "$1" | head -1; } # of an indented JSON file
+
+wanted() { [[ -z $only || $1 == *"$only"* ]]; }
+
+echo "machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), $(nproc) cores, load $(cut -d' ' -f1 /proc/loadavg); $(uname -sr)"
+echo "clocks: process CPU time for costs on software drivers, monotonic wall time for durations"
+printf '%-44s %10s %-8s %-9s %s\n' row value unit bar verdict
+
+if wanted reference; then
+  while read -r name value unit; do
+    case $name in
+      reference_speed_bunny*) row "$name" "$value" "$unit" ">=" 0.8 ;;
+      *) row "$name" "$value" "$unit" ;;
+    esac
+  done < <(build/release/bench/bench_tracer)
+fi
+
+if wanted fetch; then
+  cat >"$folder/fetch.yaml" <<EOF
+name: fetch
+scenes: [{name: corner}]
+resolutions: [1280x720]
+backends: [vulkan]
+options: {fetch: [sampled, storage]}
+techniques: [{name: gtao, params: {slices: 3, steps: 6, blur: 0}}]
+measure: {error: false, images: false, seconds: 20}
+EOF
+  build/release/aobudget run "$folder/fetch.yaml" --out "$folder/fetch" --quiet
+  cost() { sed -n "s/.*\"fetch\":\"$1\".*\"ratio_to_ref\":\\([0-9.e+-]*\\),.*/\\1/p" "$folder/fetch/journal.jsonl"; }
+  rounds=$(sed -n 's/.*"rounds":\([0-9]*\),.*/\1/p' "$folder/fetch/journal.jsonl" | head -1)
+  row "fetch: sampled gtao 3x6 720p / fixed pass" "$(cost sampled)" ratio
+  row "fetch: storage gtao 3x6 720p / fixed pass" "$(cost storage)" ratio
+  row "fetch: sampled / storage ($rounds rounds)" "$(awk -v a="$(cost sampled)" -v b="$(cost storage)" 'BEGIN { printf "%.3f", a / b }')" ratio ">=" 1.3
+fi
+
+if wanted demo; then
+  start=$(date +%s.%N)
+  build/release/aobudget run configs/demo.yaml --out "$folder/demo" --quiet
+  row "demo: duration, cold cache" "$(awk -v s="$start" -v e="$(date +%s.%N)" 'BEGIN { printf "%.1f", e - s }')" s "<=" 180
+  run=$folder/demo/run.json
+  rest=$(number "$run" total)
+  for share in measured warmup reference images report; do
+    row "demo: share of $share" "$(awk -v v="$(number "$run" $share)" -v t="$(number "$run" total)" 'BEGIN { printf "%.1f", 100 * v / t }')" "%"
+    rest=$(awk -v r="$rest" -v v="$(number "$run" $share)" 'BEGIN { print r - v }')
+  done
+  row "demo: harness overhead (the rest)" "$(awk -v r="$rest" -v t="$(number "$run" total)" 'BEGIN { printf "%.1f", 100 * r / t }')" "%" "<=" 15
+  row "demo: size of the page with its figures" "$(du -sm "$folder/demo/report" | cut -f1)" MB
+fi
+
+if wanted test; then
+  start=$(date +%s)
+  if ./dev test >"$folder/test.log" 2>&1; then
+    row "test: duration of ./dev test" "$(($(date +%s) - start))" s "<=" 480
+  else
+    row "test: FAILED" "$(($(date +%s) - start))" s "<=" 0
+  fi
+fi

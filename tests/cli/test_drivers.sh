@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# A sweep on every driver there is, from config to page, Vulkan under its validation layer; then the fields of the
+# contract in journal, JSON documents and images.
+source "$(dirname "$0")/lib.sh"
+cd "$folder"
+export AOBUDGET_VALIDATE=1
+cat >config.yaml <<EOF
+name: drivers
+scenes: [{name: corner}, {name: spheres, view: close}]
+resolutions: [96x54]
+backends: [vulkan, gl-egl, gl-osmesa]
+options: {guard_band: 16, fetch: [sampled, storage]}
+techniques:
+  - {name: gtao, sweep: [{param: radius, values: [0.5, 1]}]}
+  - {name: alchemy, params: {radius: 0.5}}
+  - name: none
+measure: {seconds: 0.1}
+reference: {spp: 64}
+EOF
+check "the sweep" "$program" run config.yaml --out out --json summary.json
+grep -q '"ok": 48' summary.json || { cat summary.json out/journal.jsonl | cut -c1-400; }
+check "48 cases ok" grep -q '"ok": 48' summary.json
+check "the page" grep -q '<html' out/report/index.html
+check "its pictures" test "$(ls out/report/figures/*.png | wc -l)" -ge 10
+for field in key scene view technique revision params options backend width height status time error memory_bytes \
+  image fingerprint clock cpu_ms wall_ms ratio_to_ref ci_low ci_high rounds clean_rounds threads setup_ms passes reference \
+  rmse band_rmse border_rmse mae bias p95 max reference_se definition_rmse pixels; do
+  check "every line has $field" test "$(grep -c "\"$field\":" out/journal.jsonl)" -eq 48
+done
+
+# One technique at one place: the same figures on every backend and fetch, to the last digit.
+scores=$(grep '"technique":"gtao"' out/journal.jsonl | grep '"radius":0.5' | grep '"scene":"corner"' |
+  sed 's/.*"rmse":\([^,]*\),"band_rmse":\([^,]*\),.*/\1 \2/' | sort -u | wc -l)
+check "backends agree" test "$scores" -eq 1
+
+# shot: one document on standard output, nothing else; its image has the contract's channels.
+check "shot" "$program" shot --technique alchemy --scene spheres --size 96x54 --reference-spp 16 --out shot.exr --json shot.json -p fetch=storage -p radius=0.3
+check "its fields" grep -q '"band_rmse"' shot.json
+"$program" shot --technique none --scene plane --size 32x18 --backend gl-egl --reference-spp 2 --json - >document 2>/dev/null
+check "nothing but the document" test "$(head -c1 document)$(tail -c2 document | head -c1)" = "{}"
+for channel in Z N.X N.Y N.Z technique.AO reference.AO reference.SE error.AO definition.AO aobudget.eye aobudget.fov_deg; do
+  check "the image has $channel" grep -qa "$channel" shot.exr
+done
+
+# A user's mesh, framed by itself and by a camera.
+printf 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 1 -1\nv 1 1 -1\nf 1 3 2\nf 1 4 3\nf 1 2 6\nf 1 6 5\n' >mesh.obj
+check "a mesh file" "$program" shot --technique gtao --scene mesh.obj --size 96x54 --reference-spp 16
+check "and a camera" "$program" shot --technique gtao --scene mesh.obj --eye 0,1,3 --target 0,0.3,0 --fov 50 --size 96x54 --reference-spp 16
+check "orthographic" "$program" shot --technique gtao --scene mesh.obj --eye 0,1,3 --target 0,0.3,0 --ortho 2 --size 96x54 --reference-spp 16
+check "a module in place of the built-in" "$program" shot --technique gtao --scene corner --size 32x18 --reference-spp 2 --module "$AOBUDGET_BUILD/modules/gtao.so"
+
+for what in techniques scenes backends; do
+  check "list $what" "$program" list $what
+  check "list $what --json" "$program" list $what --json list.json
+  check "its list" grep -q "\"$what\"" list.json
+done
+check "plan" "$program" plan config.yaml
+check "report" "$program" report out --out page2 --json report.json
+check "the second page" test -s page2/index.html
+head -n 40 out/journal.jsonl >short.jsonl && mv short.jsonl out/journal.jsonl
+expect 3 "40 of 48 cases" "$program" report out --out page3
+check "resume measures the rest" "$program" run config.yaml --out out --quiet
+check "48 lines" test "$(wc -l <out/journal.jsonl)" -eq 48
+finish
