@@ -1,11 +1,10 @@
-/* `aobudget worker`: one job in a process of its own. Reads one JSON document on standard input, answers with
- * JSON lines on standard output. Only here are modules loaded, drivers opened, meshes parsed; so a crash
- * costs this job. describe {modules}                       -> a technique a line (aob_technique_to_json)
+/* `aobudget worker`: one job in a process of its own. Reads one JSON document on standard input, answers with JSON
+ * lines on standard output. Only here are modules loaded, drivers opened, meshes parsed; so a crash costs this job.
+ *   describe {modules}                       -> a technique a line (aob_technique_to_json)
  *   layout   {modules, technique, cases: [{params: [numbers]}]}
  *            -> {index, status, reason, graph, passes, definition: {radius, uniform, falloff}} a line
  *   mesh     {file, out}                     -> {low, high, vertices, triangles}
- *   view     {scene | mesh, camera, width, height, guard, gbuffer, spp, terms: [{radius, uniform, falloff,
- * out}]}
+ *   view     {scene | mesh, camera, width, height, guard, gbuffer, spp, terms: [{radius, uniform, falloff, out}]}
  *            -> {gbuffer_s, trace_s, rays}
  *   block    {modules, backend, camera, width, height, guard, gbuffer, seconds, time, error, folder,
  *             cases: [{technique, params, fetch, radius, reference, definition, image}]}
@@ -22,8 +21,7 @@ int aob_worker_main(void); /* the exit code */
 
 struct aob_worker {
     const json_t *job;
-    int reply; /* file descriptor of the answers; what drivers print on standard output goes to standard error
-                */
+    int reply; /* file descriptor of the answers; what drivers print on standard output goes to standard error */
 };
 void aob_worker_reply(struct aob_worker *worker, json_t *answer); /* takes the reference */
 

@@ -8,11 +8,11 @@
  * Units: lengths in scene units (1 unit = 1 m unless the scene says otherwise), angles in radians, image
  *   positions in pixels. View space is right-handed, +X right, +Y up, looking along -Z; depth is the positive
  *   distance along the view axis. Image row 0 is the top row.
- * Ownership: a technique and everything that it points to is static const; what a graph hands out is the
- * graph's. Errors: a graph function that returns false (or a texture with id 0) has already kept the reason,
- * with the names of technique, pass and object; build() then just returns false. Threads: a technique is read
- * by any thread; a graph is used by one thread at a time. Language: C11. A module has no undefined symbols:
- * it reaches the harness through a table. */
+ * Ownership: a technique and everything that it points to is static const; what a graph hands out is the graph's.
+ * Errors: a graph function that returns false (or a texture with id 0) has already kept the reason, with the
+ *   names of technique, pass and object; build() then just returns false.
+ * Threads: a technique is read by any thread; a graph is used by one thread at a time.
+ * Language: C11. A module has no undefined symbols: it reaches the harness through a table. */
 #ifndef AOBUDGET_TECHNIQUE_H
 #define AOBUDGET_TECHNIQUE_H
 #include <stdbool.h>
@@ -24,8 +24,7 @@
 #define AOB_ABI       (AOB_ABI_MAJOR << 16 | AOB_ABI_MINOR)
 enum { AOB_MAX_PARAM = 32, AOB_MAX_IN = 8, AOB_MAX_OUT = 4, AOB_MAX_PASS = 32, AOB_MAX_TEXTURE = 32 };
 
-/* --- Parameters: one table serves config, command line, sweep, GLSL, `list` and report -------------------
- */
+/* --- Parameters: one table serves config, command line, sweep, GLSL, `list` and report ------------------- */
 
 enum aob_type {
     AOB_FLOAT,
@@ -47,28 +46,24 @@ enum aob_stage {
 };
 
 struct aob_param {
-    const char *name;   /* lower_snake; the same word in config, C, GLSL and report */
-    const char *doc;    /* one sentence: what raising the value does; the text's own symbol goes here */
-    enum aob_type type; /* filled in by AOB_PARAM from the C field */
+    const char *name;       /* lower_snake; the same word in config, C, GLSL and report */
+    const char *doc;        /* one sentence: what raising the value does; the text's own symbol goes here */
+    enum aob_type type;     /* filled in by AOB_PARAM from the C field */
     enum aob_unit unit;
     enum aob_scale scale;
     enum aob_stage stage;
-    double min, max;            /* inclusive, in `unit` */
-    double initial;             /* the text's default */
+    double min, max;        /* inclusive, in `unit` */
+    double initial;         /* the text's default */
     const char *const *choices; /* NULL, or NULL-ended names of 0, 1, 2...; min and max are then ignored */
-    size_t offset;              /* of the field in the technique's values struct */
+    size_t offset;          /* of the field in the technique's values struct */
 };
 #define AOB_PARAM(T, field, ...)                                                                             \
     {                                                                                                        \
         .name = #field, .offset = offsetof(T, field),                                                        \
-        .type = _Generic(((T *)0)->field, float                                                              \
-                         : AOB_FLOAT, int32_t                                                                \
-                         : AOB_INT),                                                                         \
-        __VA_ARGS__                                                                                          \
+        .type = _Generic(((T *)0)->field, float: AOB_FLOAT, int32_t: AOB_INT), __VA_ARGS__                   \
     }
 
-/* --- Graph: what build() fills in; plain data ------------------------------------------------------------
- */
+/* --- Graph: what build() fills in; plain data ------------------------------------------------------------ */
 
 struct aob_graph; /* the harness's, valid during build() only */
 typedef struct {
@@ -76,30 +71,16 @@ typedef struct {
 } aob_tex;
 
 enum aob_read { /* parts of the G-buffer that a pass reads through the prelude; a renderer has them anyway */
-                AOB_DEPTH = 1 << 0,  /* aob_view_z, aob_position, aob_is_sky */
-                AOB_NORMAL = 1 << 1, /* aob_normal */
+    AOB_DEPTH = 1 << 0,  /* aob_view_z, aob_position, aob_is_sky */
+    AOB_NORMAL = 1 << 1, /* aob_normal */
 };
-enum aob_output {                     /* what the harness reads back and compares with the reference */
-                  AOB_OUT_VISIBILITY, /* r: visibility in the technique's own sense, 1 open to 0 closed */
-                  AOB_OUTPUT_COUNT,
+enum aob_output {       /* what the harness reads back and compares with the reference */
+    AOB_OUT_VISIBILITY, /* r: visibility in the technique's own sense, 1 open to 0 closed */
+    AOB_OUTPUT_COUNT,
 };
-enum aob_format {
-    AOB_R8,
-    AOB_R16F,
-    AOB_R32F,
-    AOB_RG8,
-    AOB_RG16F,
-    AOB_RG32F,
-    AOB_RGBA8,
-    AOB_RGBA16F,
-    AOB_RGBA32F,
-    AOB_FORMAT_COUNT
-};
+enum aob_format { AOB_R8, AOB_R16F, AOB_R32F, AOB_RG8, AOB_RG16F, AOB_RG32F, AOB_RGBA8, AOB_RGBA16F, AOB_RGBA32F, AOB_FORMAT_COUNT };
 enum aob_filter { AOB_NEAREST, AOB_BILINEAR }; /* BILINEAR inputs get aob_sample_<bind> as well */
-enum aob_border {
-    AOB_CLAMP,
-    AOB_FAR
-}; /* G-buffer reads outside the image: the edge texel, or nothing there */
+enum aob_border { AOB_CLAMP, AOB_FAR }; /* G-buffer reads outside the image: the edge texel, or nothing there */
 
 struct aob_tex_desc {
     const char *name;       /* unique in the graph; for errors and the memory table */
@@ -112,19 +93,18 @@ struct aob_bind {
     enum aob_filter filter; /* inputs only */
 };
 struct aob_pass {
-    const char *name;                 /* unique in the graph; the row of the times per pass */
-    const char *shader;               /* one of the module's texts, by name */
-    const char *defines;              /* "AXIS=0 WIDE=1", or NULL */
-    uint32_t reads;                   /* enum aob_read bits */
-    enum aob_border border;           /* of those reads */
-    struct aob_bind in[AOB_MAX_IN];   /* ended by a NULL name */
-    struct aob_bind out[AOB_MAX_OUT]; /* colour targets of one size; ended by a NULL name */
+    const char *name;    /* unique in the graph; the row of the times per pass */
+    const char *shader;  /* one of the module's texts, by name */
+    const char *defines; /* "AXIS=0 WIDE=1", or NULL */
+    uint32_t reads;      /* enum aob_read bits */
+    enum aob_border border;            /* of those reads */
+    struct aob_bind in[AOB_MAX_IN];    /* ended by a NULL name */
+    struct aob_bind out[AOB_MAX_OUT];  /* colour targets of one size; ended by a NULL name */
 };
 struct aob_graph_ops {
-    bool (*wants)(const struct aob_graph *graph,
-                  enum aob_output which); /* lay no pass for what nobody reads */
+    bool (*wants)(const struct aob_graph *graph, enum aob_output which); /* lay no pass for what nobody reads */
     aob_tex (*texture)(struct aob_graph *graph, const struct aob_tex_desc *desc);
-    bool (*pass)(struct aob_graph *graph, const struct aob_pass *pass); /* runs after the earlier ones */
+    bool (*pass)(struct aob_graph *graph, const struct aob_pass *pass);  /* runs after the earlier ones */
     bool (*output)(struct aob_graph *graph, enum aob_output which, aob_tex tex); /* full size */
 };
 struct aob_graph {
@@ -145,21 +125,23 @@ struct aob_graph {
  *   int   aob_frame             frame number, 0 for a single shot
  *   float aob_view_z(ivec2 p)   depth of the surface in pixel p, scene units; AOB_SKY_Z where there is none
  *   bool  aob_is_sky(ivec2 p)
- *   vec3  aob_position(ivec2 p)              view-space point of the surface in pixel p, at the pixel's
- * centre vec3  aob_position_at(vec2 q, float z)   the same at image position q (pixel centres at +.5) and
- * depth z vec3  aob_normal(ivec2 p)                unit, view space, towards the camera vec2 aob_project(vec3
- * v)                image position of a view-space point with v.z < 0 vec3  aob_view_vector(vec3 v) unit
- * vector from view-space point v to the eye float aob_pixel_radius(float z, float r) pixels that a length r
- * covers at depth z, parallel to the image float aob_random(ivec2 p, int i)         uniform in [0, 1): hash
- * of pixel, i, and the seed `param.seed` where the technique has such a parameter T     aob_fetch_<in>(ivec2
- * p)            texel of an input, clamped to its edge; T is float, vec2 or vec4 T     aob_sample_<in>(vec2
- * uv)           AOB_BILINEAR inputs only; uv in 0..1, clamped param.<name>                AOB_UNIFORM
- * parameters; <NAME> the AOB_CONSTANT ones; <out> the variables that the body assigns AOB_PERSPECTIVE 1 or 0
- * (orthographic); the functions above serve both, and off-centre frusta AOB_PI, AOB_SKY_Z           constants
+ *   vec3  aob_position(ivec2 p)              view-space point of the surface in pixel p, at the pixel's centre
+ *   vec3  aob_position_at(vec2 q, float z)   the same at image position q (pixel centres at +.5) and depth z
+ *   vec3  aob_normal(ivec2 p)                unit, view space, towards the camera
+ *   vec2  aob_project(vec3 v)                image position of a view-space point with v.z < 0
+ *   vec3  aob_view_vector(vec3 v)            unit vector from view-space point v to the eye
+ *   float aob_pixel_radius(float z, float r) pixels that a length r covers at depth z, parallel to the image
+ *   float aob_random(ivec2 p, int i)         uniform in [0, 1): hash of pixel, i, and the seed `param.seed`
+ *                                            where the technique has such a parameter
+ *   T     aob_fetch_<in>(ivec2 p)            texel of an input, clamped to its edge; T is float, vec2 or vec4
+ *   T     aob_sample_<in>(vec2 uv)           AOB_BILINEAR inputs only; uv in 0..1, clamped
+ *   param.<name>                AOB_UNIFORM parameters; <NAME> the AOB_CONSTANT ones; <out> the variables
+ *                               that the body assigns
+ *   AOB_PERSPECTIVE             1 or 0 (orthographic); the functions above serve both, and off-centre frusta
+ *   AOB_PI, AOB_SKY_Z           constants
  * Names that start with aob_ or AOB_ are the prelude's. Reads of the G-buffer outside it follow `border`. */
 
-/* --- What the technique claims to compute, so that the ray tracer can compute exactly that ---------------
- */
+/* --- What the technique claims to compute, so that the ray tracer can compute exactly that --------------- */
 
 enum aob_weight {
     AOB_WEIGHT_COSINE,  /* of the directions on the hemisphere: cos/pi */
@@ -170,11 +152,10 @@ struct aob_definition {
     float (*radius)(const void *values);           /* scene units; NULL: the parameter `radius` */
     float (*falloff)(const void *values, float t); /* what an occluder at distance t * radius counts, t in
                                                       [0, 1]; NULL: 1, the hard cutoff */
-    float (*map)(const void *values, float v); /* of the traced value, where the text maps it; NULL: none */
+    float (*map)(const void *values, float v);     /* of the traced value, where the text maps it; NULL: none */
 };
 
-/* --- Module: const data. A .so exports one symbol, aob_module ---------------------------------------------
- */
+/* --- Module: const data. A .so exports one symbol, aob_module --------------------------------------------- */
 
 struct aob_shader {
     const char *name, *text;
@@ -189,7 +170,7 @@ struct aob_technique {
     size_t values_size;               /* sizeof the values struct that params index */
     const struct aob_shader *shaders; /* ended by a NULL name */
     struct aob_definition definition;
-    bool (*check)(const void *values, const char **why);        /* rules across parameters; may be NULL */
+    bool (*check)(const void *values, const char **why);    /* rules across parameters; may be NULL */
     bool (*build)(struct aob_graph *graph, const void *values); /* lay the passes; pure, repeatable */
 };
 #define AOB_TECHNIQUE(id, ...)                                                                               \
