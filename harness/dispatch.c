@@ -23,7 +23,7 @@ static void pass_on(void *user, const char *line)
 bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_desc *desc,
                       struct aob_error *error)
 {
-    char *input = aob_json_line(desc->job), text[700];
+    char *input = aob_json_line(desc->job, 17), text[700];
     struct answers answers = {.desc = desc};
     struct aob_child_result result = {0};
     struct aob_child_desc child = {.argv = (const char *const[]){dispatch->program, "worker", NULL},

@@ -240,12 +240,28 @@ static int print_help(void)
     return AOB_EXIT_OK;
 }
 
+/* Jobs and journals are JSON, which has no other text. */
+static bool all_utf8(int argc, char **argv, struct aob_error *error)
+{
+    for (int i = 1; i < argc; i++) {
+        json_t *text = json_string(argv[i]);
+        if (!text)
+            return aob_fail(error, "argument %d is not UTF-8 text; rename the file", i);
+        json_decref(text);
+    }
+    return true;
+}
+
 int main(int argc, char **argv)
 {
     struct aob_error error = {{0}};
     enum aob_exit code = AOB_EXIT_USAGE;
     bool known = false;
     signal(SIGPIPE, SIG_IGN);
+    if (!all_utf8(argc, argv, &error)) {
+        aob_error_print(&error);
+        return AOB_EXIT_USAGE;
+    }
     if (argc < 2 || strcmp(argv[1], "--help") == 0)
         return print_help();
     if (strcmp(argv[1], "--version") == 0)

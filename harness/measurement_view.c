@@ -72,7 +72,7 @@ static void describe_view(const struct aob_case *c, int guard, struct aob_text *
 static char *term_path(const struct aob_measurement *m, const struct aob_case *c, json_t *term)
 {
     struct aob_text text = {0};
-    char *line = aob_json_line(term);
+    char *line = aob_json_line(term, 17);
     describe_view(c, 0, &text); /* the guard band does not change the truth */
     aob_text_add(&text, " %d %s", m->plan->config->spp, line);
     char *path = cache_path(m, "visibility", text.data, ".exr");

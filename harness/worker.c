@@ -12,13 +12,12 @@
 #include "technique/graph.h"
 #include "technique/param.h"
 
-enum {
-    FALLOFF_ROWS = 1025
-}; /* of a tabulated falloff: linear between, fine enough for Alchemy's peak at r/50 */
+/* Of a tabulated falloff, over the root of the distance: Alchemy's peak lies at sqrt(epsilon)/r. */
+enum { FALLOFF_ROWS = 1025 };
 
 void aob_worker_reply(struct aob_worker *worker, json_t *answer)
 {
-    char *line = aob_json_line(answer);
+    char *line = aob_json_line(answer, 17);
     size_t size = strlen(line), sent = 0;
     line[size++] = '\n';
     while (sent < size) {
@@ -77,36 +76,62 @@ static bool describe(struct aob_worker *worker, struct aob_error *error)
     return true;
 }
 
-static json_t *falloff_to_json(const struct aob_definition *definition, const void *values)
+/* NULL with a line if a value is not finite; null where it is 1 throughout: the definition is the truth then. */
+static json_t *falloff_to_json(const struct aob_definition *definition, const void *values,
+                               struct aob_error *error)
 {
     json_t *falloff = json_array();
-    bool hard = true;
+    bool hard = true, finite = true;
     for (int i = 0; i < FALLOFF_ROWS; i++) {
-        double share = (double)definition->falloff(values, (float)i / (FALLOFF_ROWS - 1));
+        double root = (double)i / (FALLOFF_ROWS - 1);
+        double share = (double)definition->falloff(values, (float)(root * root));
         hard = hard && share == 1;
+        finite = finite && isfinite(share);
         json_array_append_new(falloff, aob_json_number(share));
     }
-    if (!hard)
+    if (!hard && finite)
         return falloff;
     json_decref(falloff);
-    return json_null(); /* then the definition is the truth itself */
+    if (finite)
+        return json_null();
+    aob_fail(error, "its definition's falloff is not finite");
+    return NULL;
 }
 
-static json_t *definition_to_json(const struct aob_technique *technique, const void *values)
+/* null where the technique has no radius to trace; NULL with a line if the definition makes no sense. */
+static json_t *definition_to_json(const struct aob_technique *technique, const void *values,
+                                  struct aob_error *error)
 {
     const struct aob_definition *definition = &technique->definition;
     const struct aob_param *row = aob_param_find(technique->params, technique->param_count, "radius");
-    float radius = NAN;
+    float radius = 0;
     if (definition->radius)
         radius = definition->radius(values);
     else if (row && row->type == AOB_FLOAT)
         memcpy(&radius, (const char *)values + row->offset, sizeof radius);
-    if (isnan(radius))
+    else
         return json_null();
+    if (!(radius > 0)) {
+        aob_fail(error, "its definition's radius is %g: it must be above 0", (double)radius);
+        return NULL;
+    }
     bool fades = definition->falloff && isfinite(radius);
-    json_t *falloff = fades ? falloff_to_json(definition, values) : json_null();
-    return json_pack("{s:o, s:b, s:o}", "radius", aob_json_number((double)radius), "uniform",
-                     definition->weight == AOB_WEIGHT_UNIFORM, "falloff", falloff);
+    json_t *falloff = fades ? falloff_to_json(definition, values, error) : json_null();
+    return falloff ? json_pack("{s:o, s:b, s:o}", "radius", aob_json_number((double)radius), "uniform",
+                               definition->weight == AOB_WEIGHT_UNIFORM, "falloff", falloff)
+                   : NULL;
+}
+
+static json_t *laid_out(const struct aob_pass_graph *graph, const void *values, int index, json_t *definition)
+{
+    struct aob_text dot = {0};
+    char key[AOB_KEY_SIZE];
+    aob_graph_digest(graph, values, key);
+    aob_graph_dot(graph, &dot);
+    json_t *answer = json_pack("{s:i, s:s, s:s, s:s, s:o}", "index", index, "status", "ok", "graph", key,
+                               "dot", dot.data, "definition", definition);
+    aob_text_finish(&dot);
+    return answer;
 }
 
 static json_t *layout_case(const struct aob_technique *technique, const json_t *numbers, int index)
@@ -114,19 +139,13 @@ static json_t *layout_case(const struct aob_technique *technique, const json_t *
     struct aob_pass_graph *graph = AOB_NEW(struct aob_pass_graph);
     struct aob_error error = {{0}};
     unsigned char values[4 * AOB_MAX_PARAM];
-    char key[AOB_KEY_SIZE];
-    json_t *answer;
-    if (!aob_worker_params(technique, numbers, values, &error) ||
-        !aob_graph_build(graph, technique, values, 1u << AOB_OUT_VISIBILITY, &error))
-        answer = json_pack("{s:i, s:s, s:s}", "index", index, "status", "invalid", "reason", error.text);
-    else {
-        struct aob_text dot = {0};
-        aob_graph_digest(graph, values, key);
-        aob_graph_dot(graph, &dot);
-        answer = json_pack("{s:i, s:s, s:s, s:s, s:o}", "index", index, "status", "ok", "graph", key, "dot",
-                           dot.data, "definition", definition_to_json(technique, values));
-        aob_text_finish(&dot);
-    }
+    json_t *definition = NULL, *answer;
+    bool ok = aob_worker_params(technique, numbers, values, &error) &&
+              aob_graph_build(graph, technique, values, 1u << AOB_OUT_VISIBILITY, &error);
+    if (ok && !(definition = definition_to_json(technique, values, &error)))
+        ok = aob_fail_in(&error, "%s", technique->name);
+    answer = ok ? laid_out(graph, values, index, definition)
+                : json_pack("{s:i, s:s, s:s}", "index", index, "status", "invalid", "reason", error.text);
     free(graph);
     return answer;
 }

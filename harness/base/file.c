@@ -41,17 +41,50 @@ static bool write_and_sync(FILE *file, const void *bytes, size_t size)
     return fclose(file) == 0 && ok;
 }
 
+static bool is_special(const char *path)
+{
+    struct stat info;
+    return stat(path, &info) == 0 && !S_ISREG(info.st_mode);
+}
+
+char *aob_file_target(const char *path, struct aob_error *error)
+{
+    char *real = realpath(path, NULL);
+    if (!real)
+        return aob_strdup(path);
+    if (!is_special(real))
+        return real;
+    aob_fail(error, "%s: cannot write: it is no regular file", path);
+    free(real);
+    return NULL;
+}
+
+static bool write_into(const char *path, const void *bytes, size_t size, struct aob_error *error)
+{
+    FILE *file = fopen(path, "wb");
+    bool ok = file && fwrite(bytes, 1, size, file) == size;
+    if (file)
+        ok = fclose(file) == 0 && ok;
+    return ok || aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
+}
+
 bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob_error *error)
 {
-    char *part = aob_alloc(strlen(path) + 32, 1);
-    sprintf(part, "%s.%ld.part", path, (long)getpid());
+    if (is_special(path))
+        return write_into(path, bytes, size, error);
+    char *target = aob_file_target(path, error);
+    if (!target)
+        return false;
+    char *part = aob_alloc(strlen(target) + 32, 1);
+    sprintf(part, "%s.%ld.part", target, (long)getpid());
     FILE *file = fopen(part, "wb");
-    bool ok = file && write_and_sync(file, bytes, size) && rename(part, path) == 0;
+    bool ok = file && write_and_sync(file, bytes, size) && rename(part, target) == 0;
     if (!ok) {
         aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
         unlink(part);
     }
     free(part);
+    free(target);
     return ok;
 }
 

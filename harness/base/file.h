@@ -8,8 +8,13 @@
 /* The file's bytes with a NUL behind them; free() them. At most `limit` bytes, else an error. */
 char *aob_file_read(const char *path, size_t limit, size_t *size, struct aob_error *error);
 
-/* Write beside `path`, flush to disk, rename: a reader sees the old file or the new one. */
+/* Write beside `path`, flush to disk, rename: a reader sees the old file or the new one. A link stays a link, and
+ * what is no file at all (a device, a pipe) is written into, not replaced. */
 bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob_error *error);
+
+/* Where a whole file for `path` may be renamed to: links followed; NULL after a line if that is no regular file.
+ * free() it. */
+char *aob_file_target(const char *path, struct aob_error *error);
 
 bool aob_file_exists(const char *path);
 size_t aob_file_size(const char *path); /* bytes; 0 if there is none */

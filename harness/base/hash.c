@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <xxhash.h>
 
 static void write_key(XXH128_hash_t hash, char key[AOB_KEY_SIZE])
@@ -23,6 +24,11 @@ void aob_hash_text(const char *text, char key[AOB_KEY_SIZE])
 
 bool aob_hash_file(const char *path, char key[AOB_KEY_SIZE], struct aob_error *error)
 {
+    struct stat info; /* before it is opened: a pipe would wait for its writer, a device would never end */
+    if (stat(path, &info) != 0)
+        return aob_fail(error, "%s: cannot open: %s", path, strerror(errno));
+    if (!S_ISREG(info.st_mode))
+        return aob_fail(error, "%s: cannot read: is it a file?", path);
     FILE *file = fopen(path, "rb");
     if (!file)
         return aob_fail(error, "%s: cannot open: %s", path, strerror(errno));

@@ -39,9 +39,9 @@ bool aob_json_to_vector(const json_t *array, double *values, size_t count)
     return json_array_size(array) == count;
 }
 
-char *aob_json_line(const json_t *value)
+char *aob_json_line(const json_t *value, int digits)
 {
-    return json_dumps(value, JSON_COMPACT | JSON_REAL_PRECISION(9) | JSON_ENCODE_ANY);
+    return json_dumps(value, JSON_COMPACT | JSON_REAL_PRECISION((size_t)digits) | JSON_ENCODE_ANY);
 }
 
 bool aob_json_write(const json_t *document, const char *path, struct aob_error *error)

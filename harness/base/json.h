@@ -12,8 +12,8 @@ json_t *aob_json_vector(const double *values, size_t count);
 bool aob_json_to_vector(const json_t *array, double *values,
                         size_t count); /* false: not so many finite numbers */
 
-/* Compact, one line, reals with 9 digits; free() it. */
-char *aob_json_line(const json_t *value);
+/* Compact, one line, reals with so many digits (17: exact; 9: a float exactly); free() it. */
+char *aob_json_line(const json_t *value, int digits);
 
 /* One indented document into a file, whole or not at all; "-" is standard output. */
 bool aob_json_write(const json_t *document, const char *path, struct aob_error *error);

@@ -16,7 +16,7 @@
  *         - {param: radius, from: 0.25, to: 2, log2: 1}    # steps of a factor 2^1; or step: 0.25
  *         - {param: slices, values: [1, 3]}
  *   measure: {time: true, error: true, images: true, seconds: 1.5}   # seconds of timing a case, at most
- *   reference: {spp: 256, radius: 1} # radius: for techniques without one; "inf" allowed
+ *   reference: {spp: 256, radius: 1} # radius: of the truth, in place of the techniques' own; inf allowed
  */
 #ifndef AOB_CONFIG_CONFIG_H
 #define AOB_CONFIG_CONFIG_H

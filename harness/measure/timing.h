@@ -36,7 +36,7 @@ struct aob_block_timing {
 
 /* Warm-up (two rounds, then the fixed pass until it is steady; drivers compile at the first draw), then
  * rounds in a seeded cyclic order until every ratio's 95 % interval is within 3 % at a check point (20, 30,
- * 45, 68, 102, 153, 230 rounds) or time is up. */
+ * 45, 67, 101, 151, 227 rounds) or time is up. */
 bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_block_timing *result,
                     struct aob_error *error);
 #endif

@@ -42,7 +42,7 @@ void aob_hits_finish(struct aob_hits *hits);
 struct aob_visibility_term {
     double radius;        /* scene units; INFINITY allowed (then falloff must be NULL) */
     bool uniform;         /* weighting of directions: uniform over the hemisphere, else cosine */
-    const float *falloff; /* table of `falloff_count` values over t = 0..1, linear between; NULL: 1 */
+    const float *falloff; /* `falloff_count` values over sqrt(t) = 0..1, linear between; NULL: 1 */
     size_t falloff_count; /* >= 1 with a table; 1: that value throughout */
 };
 struct aob_visibility_desc {

@@ -12,7 +12,7 @@ struct term {
     bool uniform;
     const float *falloff;
     size_t falloff_count;
-    double scale; /* distance -> place in the table */
+    double scale; /* root of the distance -> place in the table */
 };
 
 struct job {
@@ -66,7 +66,7 @@ static double falloff_at(const struct term *term, float distance)
 {
     if (!term->falloff)
         return 1;
-    double place = distance * term->scale;
+    double place = sqrt(distance) * term->scale;
     size_t i = (size_t)place;
     if (i + 1 >= term->falloff_count)
         return term->falloff[term->falloff_count - 1];
@@ -121,6 +121,10 @@ static void do_pixel(const struct job *job, int x, int y, const struct scratch *
 {
     size_t out = (size_t)y * (size_t)job->width + (size_t)x;
     size_t pixel = (size_t)(y + job->y0) * (size_t)job->hits->width + (size_t)(x + job->x0);
+    /* Counted from the middle, so that neither a guard band nor a part changes a pixel's rays. */
+    uint32_t across = (uint32_t)(x + job->x0 - job->hits->width / 2);
+    uint32_t down = (uint32_t)(y + job->y0 - job->hits->height / 2);
+    size_t seed = (size_t)down << 32 | across;
     if (job->hits->primitive[pixel] == AOB_NO_PRIMITIVE) {
         for (size_t k = 0; k < job->term_count; k++)
             job->result[k].ao[out] = 1;
@@ -128,10 +132,10 @@ static void do_pixel(const struct job *job, int x, int y, const struct scratch *
     }
     struct aob_surface surface;
     aob_surface_at(job->tracer, &job->axes, job->hits, pixel, &surface);
-    trace_half(job, &surface, pixel, 0, scratch);
+    trace_half(job, &surface, seed, 0, scratch);
     for (size_t k = 0; k < job->term_count; k++)
         scratch->half[k] = occlusion(job, &job->terms[k], scratch);
-    trace_half(job, &surface, pixel, 1, scratch);
+    trace_half(job, &surface, seed, 1, scratch);
     for (size_t k = 0; k < job->term_count; k++) {
         double a = scratch->half[k], b = occlusion(job, &job->terms[k], scratch);
         job->result[k].ao[out] = (float)(1 - (a + b) / 2);
@@ -202,7 +206,7 @@ static struct term unit_term(const struct aob_visibility_term *from, double to_u
                         .falloff = from->falloff,
                         .falloff_count = from->falloff_count};
     if (term.radius > 0 && from->falloff)
-        term.scale = (double)(from->falloff_count - 1) / term.radius;
+        term.scale = (double)(from->falloff_count - 1) / sqrt(term.radius);
     return term;
 }
 

@@ -1,4 +1,5 @@
 #include "image.h"
+#include "base/file.h"
 #include "base/memory.h"
 #include <OpenEXR/openexr.h>
 #include <stdio.h>
@@ -129,16 +130,20 @@ bool aob_image_write(const struct aob_image *image, const char *path, struct aob
 {
     if (image->width < 1 || image->height < 1 || image->channel_count == 0)
         return aob_fail(error, "%s: cannot write an image without pixels or channels", path);
-    size_t room = strlen(path) + 32;
+    char *target = aob_file_target(path, error);
+    if (!target)
+        return false;
+    size_t room = strlen(target) + 32;
     char *part = aob_alloc(room, 1);
-    snprintf(part, room, "%s.%ld.part", path, (long)getpid());
+    snprintf(part, room, "%s.%ld.part", target, (long)getpid());
     exr_result_t rc = write_file(image, part);
-    bool ok = rc == EXR_ERR_SUCCESS && rename(part, path) == 0;
+    bool ok = rc == EXR_ERR_SUCCESS && rename(part, target) == 0;
     if (!ok) {
         aob_fail(error, "%s: cannot write the image: %s", path,
                  rc == EXR_ERR_SUCCESS ? "the folder is not writable" : exr_get_default_error_message(rc));
         unlink(part);
     }
+    free(target);
     free(part);
     return ok;
 }

@@ -74,7 +74,7 @@ bool aob_journal_open(struct aob_journal *journal, const char *path, struct aob_
 
 bool aob_journal_append(struct aob_journal *journal, const json_t *record, struct aob_error *error)
 {
-    char *line = aob_json_line(record);
+    char *line = aob_json_line(record, 9);
     size_t size = strlen(line);
     line[size] = '\n';
     ssize_t written = write(journal->file, line, size + 1);

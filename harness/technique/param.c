@@ -64,7 +64,7 @@ void aob_param_print(const struct aob_param *param, double value, struct aob_tex
 void aob_param_defaults(const struct aob_param *params, size_t count, double *values)
 {
     for (size_t i = 0; i < count; i++)
-        values[i] = params[i].initial;
+        values[i] = params[i].type == AOB_FLOAT ? (double)(float)params[i].initial : params[i].initial;
 }
 
 void aob_param_pack(const struct aob_param *params, size_t count, const double *values, void *into,

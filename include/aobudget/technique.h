@@ -46,21 +46,24 @@ enum aob_stage {
 };
 
 struct aob_param {
-    const char *name;       /* lower_snake; the same word in config, C, GLSL and report */
-    const char *doc;        /* one sentence: what raising the value does; the text's own symbol goes here */
-    enum aob_type type;     /* filled in by AOB_PARAM from the C field */
+    const char *name;   /* lower_snake; the same word in config, C, GLSL and report */
+    const char *doc;    /* one sentence: what raising the value does; the text's own symbol goes here */
+    enum aob_type type; /* filled in by AOB_PARAM from the C field */
     enum aob_unit unit;
     enum aob_scale scale;
     enum aob_stage stage;
-    double min, max;        /* inclusive, in `unit` */
-    double initial;         /* the text's default */
+    double min, max;            /* inclusive, in `unit` */
+    double initial;             /* the text's default */
     const char *const *choices; /* NULL, or NULL-ended names of 0, 1, 2...; min and max are then ignored */
-    size_t offset;          /* of the field in the technique's values struct */
+    size_t offset;              /* of the field in the technique's values struct */
 };
 #define AOB_PARAM(T, field, ...)                                                                             \
     {                                                                                                        \
         .name = #field, .offset = offsetof(T, field),                                                        \
-        .type = _Generic(((T *)0)->field, float: AOB_FLOAT, int32_t: AOB_INT), __VA_ARGS__                   \
+        .type = _Generic(((T *)0)->field, float                                                              \
+                         : AOB_FLOAT, int32_t                                                                \
+                         : AOB_INT),                                                                         \
+        __VA_ARGS__                                                                                          \
     }
 
 /* --- Graph: what build() fills in; plain data ------------------------------------------------------------ */
@@ -71,16 +74,30 @@ typedef struct {
 } aob_tex;
 
 enum aob_read { /* parts of the G-buffer that a pass reads through the prelude; a renderer has them anyway */
-    AOB_DEPTH = 1 << 0,  /* aob_view_z, aob_position, aob_is_sky */
-    AOB_NORMAL = 1 << 1, /* aob_normal */
+                AOB_DEPTH = 1 << 0,  /* aob_view_z, aob_position, aob_is_sky */
+                AOB_NORMAL = 1 << 1, /* aob_normal */
 };
-enum aob_output {       /* what the harness reads back and compares with the reference */
-    AOB_OUT_VISIBILITY, /* r: visibility in the technique's own sense, 1 open to 0 closed */
-    AOB_OUTPUT_COUNT,
+enum aob_output {                     /* what the harness reads back and compares with the reference */
+                  AOB_OUT_VISIBILITY, /* r: visibility in the technique's own sense, 1 open to 0 closed */
+                  AOB_OUTPUT_COUNT,
 };
-enum aob_format { AOB_R8, AOB_R16F, AOB_R32F, AOB_RG8, AOB_RG16F, AOB_RG32F, AOB_RGBA8, AOB_RGBA16F, AOB_RGBA32F, AOB_FORMAT_COUNT };
+enum aob_format {
+    AOB_R8,
+    AOB_R16F,
+    AOB_R32F,
+    AOB_RG8,
+    AOB_RG16F,
+    AOB_RG32F,
+    AOB_RGBA8,
+    AOB_RGBA16F,
+    AOB_RGBA32F,
+    AOB_FORMAT_COUNT
+};
 enum aob_filter { AOB_NEAREST, AOB_BILINEAR }; /* BILINEAR inputs get aob_sample_<bind> as well */
-enum aob_border { AOB_CLAMP, AOB_FAR }; /* G-buffer reads outside the image: the edge texel, or nothing there */
+enum aob_border {
+    AOB_CLAMP,
+    AOB_FAR
+}; /* G-buffer reads outside the image: the edge texel, or nothing there */
 
 struct aob_tex_desc {
     const char *name;       /* unique in the graph; for errors and the memory table */
@@ -93,18 +110,19 @@ struct aob_bind {
     enum aob_filter filter; /* inputs only */
 };
 struct aob_pass {
-    const char *name;    /* unique in the graph; the row of the times per pass */
-    const char *shader;  /* one of the module's texts, by name */
-    const char *defines; /* "AXIS=0 WIDE=1", or NULL */
-    uint32_t reads;      /* enum aob_read bits */
-    enum aob_border border;            /* of those reads */
-    struct aob_bind in[AOB_MAX_IN];    /* ended by a NULL name */
-    struct aob_bind out[AOB_MAX_OUT];  /* colour targets of one size; ended by a NULL name */
+    const char *name;                 /* unique in the graph; the row of the times per pass */
+    const char *shader;               /* one of the module's texts, by name */
+    const char *defines;              /* "AXIS=0 WIDE=1", or NULL */
+    uint32_t reads;                   /* enum aob_read bits */
+    enum aob_border border;           /* of those reads */
+    struct aob_bind in[AOB_MAX_IN];   /* ended by a NULL name */
+    struct aob_bind out[AOB_MAX_OUT]; /* colour targets of one size; ended by a NULL name */
 };
 struct aob_graph_ops {
-    bool (*wants)(const struct aob_graph *graph, enum aob_output which); /* lay no pass for what nobody reads */
+    bool (*wants)(const struct aob_graph *graph,
+                  enum aob_output which); /* lay no pass for what nobody reads */
     aob_tex (*texture)(struct aob_graph *graph, const struct aob_tex_desc *desc);
-    bool (*pass)(struct aob_graph *graph, const struct aob_pass *pass);  /* runs after the earlier ones */
+    bool (*pass)(struct aob_graph *graph, const struct aob_pass *pass); /* runs after the earlier ones */
     bool (*output)(struct aob_graph *graph, enum aob_output which, aob_tex tex); /* full size */
 };
 struct aob_graph {
@@ -152,7 +170,7 @@ struct aob_definition {
     float (*radius)(const void *values);           /* scene units; NULL: the parameter `radius` */
     float (*falloff)(const void *values, float t); /* what an occluder at distance t * radius counts, t in
                                                       [0, 1]; NULL: 1, the hard cutoff */
-    float (*map)(const void *values, float v);     /* of the traced value, where the text maps it; NULL: none */
+    float (*map)(const void *values, float v); /* of the traced value, where the text maps it; NULL: none */
 };
 
 /* --- Module: const data. A .so exports one symbol, aob_module --------------------------------------------- */
@@ -170,7 +188,7 @@ struct aob_technique {
     size_t values_size;               /* sizeof the values struct that params index */
     const struct aob_shader *shaders; /* ended by a NULL name */
     struct aob_definition definition;
-    bool (*check)(const void *values, const char **why);    /* rules across parameters; may be NULL */
+    bool (*check)(const void *values, const char **why);        /* rules across parameters; may be NULL */
     bool (*build)(struct aob_graph *graph, const void *values); /* lay the passes; pure, repeatable */
 };
 #define AOB_TECHNIQUE(id, ...)                                                                               \

@@ -1,5 +1,5 @@
 /* Jimenez et al. 2016, horizon search and inner integral, with four corrections that the text needs to be exact
- * off-centre (docs/techniques: gtao): slices even about the view vector, taps below the tangent plane ignored,
+ * off-centre (docs/decisions/0009): slices even about the view vector, taps below the tangent plane ignored,
  * a search as long as the slice's disc, and the ratio to the open slice. */
 #include "common/noise.glsl"
 #include "common/frame.glsl"

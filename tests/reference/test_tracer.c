@@ -263,7 +263,7 @@ static double falloff_integral(double t, bool uniform)
     double sum = 0;
     for (int i = 0; i < STEPS && t < 1; i++) {
         double y = t + (1 - t) * (i + 0.5) / STEPS;
-        sum += table_at(fade, AOB_COUNT(fade), t / y) * (uniform ? 0.5 : 2 / M_PI * sqrt(1 - y * y));
+        sum += table_at(fade, AOB_COUNT(fade), sqrt(t / y)) * (uniform ? 0.5 : 2 / M_PI * sqrt(1 - y * y));
     }
     return 1 - sum * (1 - t) / STEPS;
 }
