@@ -75,6 +75,9 @@ bool aob_dispatch_describe(const struct aob_dispatch *dispatch, struct aob_techn
         return true;
     if (!*error->text)
         aob_fail(error, "the worker describes no technique");
+    if (dispatch->module_count && !strstr(error->text, dispatch->modules[0]))
+        aob_fail_in(error, "loading modules (%s%s)", dispatch->modules[0],
+                    dispatch->module_count > 1 ? ", ..." : "");
     aob_technique_list_finish(list);
     return false;
 }

@@ -145,11 +145,12 @@ enum aob_exit aob_list(const struct aob_dispatch *dispatch, const char *what, co
     return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
 }
 
-static json_t *plan_to_json(const struct aob_plan *plan)
+static json_t *plan_to_json(struct aob_plan *plan)
 {
+    const struct aob_measurement unmeasured = {.plan = plan};
     json_t *cases = json_array();
     for (size_t i = 0; i < plan->case_count; i++)
-        json_array_append_new(cases, aob_record_create(&plan->cases[i], "planned", NULL, NULL));
+        json_array_append_new(cases, aob_record_create(&unmeasured, i, "planned", NULL, NULL));
     return json_pack("{s:s, s:f, s:o}", "name", plan->config->name, "estimated_s", aob_plan_estimate_s(plan),
                      "cases", cases);
 }
@@ -163,7 +164,7 @@ static void print_plan(const struct aob_plan *plan, bool quiet)
         aob_text_finish(&text);
     }
     long seconds = (long)aob_plan_estimate_s(plan);
-    printf("%zu cases, about %ld:%02ld minutes at most\n", plan->case_count, seconds / 60, seconds % 60);
+    printf("%zu cases, about %ld:%02ld minutes\n", plan->case_count, seconds / 60, seconds % 60);
 }
 
 enum aob_exit aob_plan_print(const struct aob_dispatch *dispatch, const char *path, const char *json,

@@ -10,6 +10,7 @@
 struct aob_state { /* of one planned case; same index */
     enum { AOB_PENDING, AOB_DONE, AOB_REFUSED } stage;
     char status[16], reason[640]; /* where refused: invalid or failed */
+    char graph[AOB_KEY_SIZE];     /* digest of its pass graph, once it is laid out */
     json_t *definition;           /* {radius, uniform, falloff} or NULL */
 };
 struct aob_shares { /* seconds of wall time */
@@ -41,8 +42,8 @@ void aob_measurement_layout(struct aob_measurement *m);
 void aob_measurement_block(struct aob_measurement *m, const size_t *indices, size_t count);
 
 /* The record of a case: identity first, then what the worker answered (NULL: status and reason). */
-json_t *aob_record_create(const struct aob_case *c, const char *status, const char *reason,
-                          const json_t *answer);
+json_t *aob_record_create(const struct aob_measurement *m, size_t index, const char *status,
+                          const char *reason, const json_t *answer);
 
 /* For aob_measurement_block: the files of a view. Loads, casts and traces what the cache lacks. */
 struct aob_view_files {

@@ -3,39 +3,75 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/json.h"
+#include "base/machine.h"
 #include "base/memory.h"
 #include "gpu/gpu.h"
 #include "measure/timing.h"
 #include "measurement.h"
 #include "technique/param.h"
 
+/* A float by its shortest text, so that 0.2 is read as it was written. */
+static json_t *value_to_json(const struct aob_param *param, double value)
+{
+    struct aob_text text = {0};
+    double shortest = value;
+    if (param->choices)
+        return json_string(param->choices[(int)value]);
+    if (param->type == AOB_INT)
+        return json_integer((json_int_t)value);
+    aob_param_print(param, value, &text);
+    aob_parse_double(text.data, &shortest);
+    aob_text_finish(&text);
+    return json_real(shortest);
+}
+
 static json_t *values_to_json(const struct aob_param *params, size_t count, const double *values)
 {
     json_t *object = json_object();
     for (size_t i = 0; i < count; i++)
-        json_object_set_new(object, params[i].name,
-                            params[i].choices           ? json_string(params[i].choices[(int)values[i]])
-                            : params[i].type == AOB_INT ? json_integer((json_int_t)values[i])
-                                                        : json_real(values[i]));
+        json_object_set_new(object, params[i].name, value_to_json(&params[i], values[i]));
     return object;
 }
 
-json_t *aob_record_create(const struct aob_case *c, const char *status, const char *reason,
-                          const json_t *answer)
+/* Who measured, as far as it is known without a device. */
+static json_t *bare_fingerprint(void)
 {
-    json_t *record = json_pack("{s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:s, s:i, s:i, s:o, s:s}", "key", c->key,
-                               "scene", c->scene->name, "view", c->scene->view, "technique",
-                               c->technique->name, "revision", (int)c->technique->revision, "params",
-                               values_to_json(c->technique->params, c->technique->param_count, c->params),
-                               "options", values_to_json(aob_option_params, AOB_OPTION_COUNT, c->options),
-                               "backend", c->backend, "width", c->width, "height", c->height,
-                               "reference_radius", aob_json_number(c->reference_radius), "status", status);
-    if (reason && *reason)
-        json_object_set_new(record, "reason", json_string(reason));
+    char processor[256];
+    aob_machine_processor(processor, sizeof processor);
+    return json_pack("{s:s, s:s, s:i}", "program", AOBUDGET_VERSION, "cpu", processor, "cores",
+                     aob_machine_cores());
+}
+
+static json_t *identity(const struct aob_case *c)
+{
+    return json_pack("{s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:s, s:i, s:i, s:o, s:o}", "key", c->key, "scene",
+                     c->scene->name, "view", c->scene->view, "technique", c->technique->name, "revision",
+                     (int)c->technique->revision, "params",
+                     values_to_json(c->technique->params, c->technique->param_count, c->params), "options",
+                     values_to_json(aob_option_params, AOB_OPTION_COUNT, c->options), "backend", c->backend,
+                     "width", c->width, "height", c->height, "reference_radius",
+                     aob_json_number(c->reference_radius), "camera",
+                     c->scene->framed ? json_null() : aob_camera_to_json(&c->scene->camera));
+}
+
+json_t *aob_record_create(const struct aob_measurement *m, size_t index, const char *status,
+                          const char *reason, const json_t *answer)
+{
+    json_t *record = identity(&m->plan->cases[index]), *value;
     const char *name;
-    json_t *value;
-    json_object_foreach((json_t *)(uintptr_t)answer, name, value) if (strcmp(name, "index") != 0)
-        json_object_set(record, name, value);
+    json_object_set_new(record, "spp",
+                        json_integer(m->plan->config->measure_error ? m->plan->config->spp : 0));
+    if (m->states && *m->states[index].graph)
+        json_object_set_new(record, "graph", json_string(m->states[index].graph));
+    json_object_set_new(record, "status", json_string(status));
+    json_object_set_new(record, "reason", json_string(reason ? reason : ""));
+    json_object_foreach((json_t *)(uintptr_t)answer, name, value)
+    {
+        if (strcmp(name, "index") != 0)
+            json_object_set(record, name, value);
+    }
+    if (!json_object_get(record, "fingerprint"))
+        json_object_set_new(record, "fingerprint", bare_fingerprint());
     return record;
 }
 
@@ -51,7 +87,7 @@ static void finish_case(struct block *block, size_t i, const char *status, const
                         const json_t *answer)
 {
     size_t index = block->indices[i];
-    json_t *record = aob_record_create(&block->m->plan->cases[index], status, reason, answer);
+    json_t *record = aob_record_create(block->m, index, status, reason, answer);
     block->answered[i] = true;
     block->m->states[index].stage = AOB_DONE;
     block->m->on_record(block->m->user, index, record);

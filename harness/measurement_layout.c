@@ -41,6 +41,24 @@ struct layout {
     size_t count, capacity, answered;
 };
 
+/* The digest goes into the record, the picture into the run's folder: graphs/DIGEST.dot. */
+static void keep_graph(const struct aob_measurement *m, struct aob_state *state, const json_t *answer)
+{
+    const char *graph = json_string_value(json_object_get(answer, "graph"));
+    const char *dot = json_string_value(json_object_get(answer, "dot"));
+    if (!graph || !dot)
+        return;
+    snprintf(state->graph, sizeof state->graph, "%s", graph);
+    char *folder = m->folder ? aob_path_join(m->folder, "graphs") : NULL;
+    if (folder && aob_folder_create(folder, NULL)) {
+        struct aob_text path = {0};
+        aob_text_add(&path, "%s/%s.dot", folder, graph);
+        aob_file_write(path.data, dot, strlen(dot), NULL);
+        aob_text_finish(&path);
+    }
+    free(folder);
+}
+
 static void take_answer(void *user, json_t *answer)
 {
     struct layout *layout = user;
@@ -49,6 +67,7 @@ static void take_answer(void *user, json_t *answer)
     if (!status || layout->answered == layout->count)
         return;
     struct aob_state *state = &layout->m->states[layout->indices[layout->answered++]];
+    keep_graph(layout->m, state, answer);
     if (strcmp(status, "ok") != 0)
         refuse(state, status, reason ? reason : "refused without a reason");
     else if (json_is_object(json_object_get(answer, "definition")))
@@ -81,6 +100,8 @@ static void run_layout(struct layout *layout)
         if (aob_dispatch_job(layout->m->dispatch, &desc, &error) && layout->answered == layout->count)
             return;
         const struct aob_case *c = &layout->m->plan->cases[layout->indices[layout->answered]];
+        if (!*error.text)
+            aob_fail(&error, "the worker ended without an answer: does the module end the process?");
         aob_fail_in(&error, "%s: laying out its passes", c->technique->name);
         deaths++;
         do

@@ -14,6 +14,6 @@ struct aob_report_desc {
     bool quiet;
 };
 
-/* PART: a journal lacks cases of its run's plan; the page says so. */
+/* PART: a journal lacks cases of its run's plan (or the plan is not known), or some are not ok; the page says so. */
 enum aob_exit aob_report(const struct aob_report_desc *desc, struct aob_error *error);
 #endif

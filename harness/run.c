@@ -1,9 +1,7 @@
 #include "run.h"
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/json.h"
@@ -14,7 +12,7 @@
 #include "plan/plan.h"
 #include "progress.h"
 #include "reports/page.h"
-#include "store/journal.h"
+#include "run_folder.h"
 
 /* One run, from its config to its page. */
 struct run {
@@ -23,16 +21,54 @@ struct run {
     struct aob_technique_list techniques;
     struct aob_plan plan;
     struct aob_measurement measurement;
-    struct aob_journal journal;
+    struct aob_run_folder folder;
     struct aob_progress progress;
-    char *folder, *run_json, *journal_path;
-    size_t planned;   /* cases of the whole config, whatever the filter */
-    json_t *keys;     /* of them */
+    json_t *
+        info; /* what run.json says: name, config_hash, build, program, date, cases, keys; seconds at the end */
     size_t counts[4]; /* by status, in status_names' order, of the cases in this run's plan */
     struct aob_error store_error;
     int64_t start_ns;
 };
 static const char *const status_names[4] = {"ok", "unsupported", "invalid", "failed"};
+
+static bool make_plan(struct run *run, struct aob_error *error)
+{
+    return aob_config_read(&run->config, run->desc->config, error) &&
+           aob_dispatch_describe(&run->desc->dispatch, &run->techniques, error) &&
+           aob_plan_create(&run->plan, &run->config, &run->techniques, error);
+}
+
+/* Of the whole plan, whatever the filter: a page is complete when all of it is measured. */
+static bool make_info(struct run *run, struct aob_error *error)
+{
+    char date[32], build[AOB_KEY_SIZE];
+    time_t now = time(NULL);
+    json_t *keys = json_array();
+    strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
+    for (size_t i = 0; i < run->plan.case_count; i++)
+        json_array_append_new(keys, json_string(run->plan.cases[i].key));
+    bool ok = aob_hash_file(run->desc->dispatch.program, build, error);
+    run->info = json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:o}", "name", run->config.name, "config_hash",
+                          run->config.hash, "build", ok ? build : "", "program", AOBUDGET_VERSION, "date",
+                          date, "cases", (int)run->plan.case_count, "keys", keys);
+    return ok;
+}
+
+static bool apply_filter(struct run *run, struct aob_error *error)
+{
+    if (run->desc->filter)
+        aob_plan_filter(&run->plan, run->desc->filter);
+    return run->plan.case_count || aob_fail(error, "no case of %s matches '%s'; see: aobudget plan %s",
+                                            run->desc->config, run->desc->filter, run->desc->config);
+}
+
+static bool open_folder(struct run *run, struct aob_error *error)
+{
+    char *path = run->desc->out ? aob_strdup(run->desc->out) : aob_path_join("results", run->config.name);
+    bool ok = aob_run_folder_open(&run->folder, path, run->info, run->desc->fresh, error);
+    free(path);
+    return ok;
+}
 
 static void count(struct run *run, const json_t *record)
 {
@@ -41,89 +77,28 @@ static void count(struct run *run, const json_t *record)
         run->counts[i] += strcmp(status, status_names[i]) == 0;
 }
 
-static bool make_plan(struct run *run, struct aob_error *error)
+static void skip_case(struct run *run, const json_t *record)
 {
-    if (!aob_config_read(&run->config, run->desc->config, error) ||
-        !aob_dispatch_describe(&run->desc->dispatch, &run->techniques, error) ||
-        !aob_plan_create(&run->plan, &run->config, &run->techniques, error))
-        return false;
-    run->planned = run->plan.case_count;
-    run->keys = json_array();
-    for (size_t i = 0; i < run->planned; i++)
-        json_array_append_new(run->keys, json_string(run->plan.cases[i].key));
-    if (run->desc->filter)
-        aob_plan_filter(&run->plan, run->desc->filter);
-    return run->plan.case_count || aob_fail(error, "no case of %s matches '%s'; see: aobudget plan %s",
-                                            run->desc->config, run->desc->filter, run->desc->config);
-}
-
-/* An earlier run of another config is not overwritten: its figures would be lost. */
-static bool judge_earlier_run(const struct run *run, struct aob_error *error)
-{
-    if (!aob_file_exists(run->run_json) && !aob_file_exists(run->journal_path))
-        return true;
-    json_t *earlier = json_load_file(run->run_json, 0, NULL);
-    const char *hash = json_string_value(json_object_get(earlier, "config_hash"));
-    bool same = hash && strcmp(hash, run->config.hash) == 0;
-    json_decref(earlier);
-    return same ||
-           aob_fail(error,
-                    "%s holds a run of another config (or of this one before it was changed): use --fresh to "
-                    "discard it, or another --out",
-                    run->folder);
-}
-
-static bool write_run_json(struct run *run, const json_t *shares, struct aob_error *error)
-{
-    char date[32];
-    time_t now = time(NULL);
-    strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
-    json_t *document =
-        json_pack("{s:s, s:s, s:s, s:s, s:i, s:O}", "name", run->config.name, "config_hash", run->config.hash,
-                  "program", AOBUDGET_VERSION, "date", date, "cases", (int)run->planned, "keys", run->keys);
-    if (shares)
-        json_object_set(document, "seconds", (json_t *)(uintptr_t)shares);
-    char *text = json_dumps(document, JSON_INDENT(1) | JSON_REAL_PRECISION(6));
-    bool ok = aob_file_write(run->run_json, text, strlen(text), error);
-    free(text);
-    json_decref(document);
-    return ok;
-}
-
-static bool open_folder(struct run *run, struct aob_error *error)
-{
-    run->folder = run->desc->out ? aob_strdup(run->desc->out) : aob_path_join("results", run->config.name);
-    run->run_json = aob_path_join(run->folder, "run.json");
-    run->journal_path = aob_path_join(run->folder, "journal.jsonl");
-    char *images = aob_path_join(run->folder, "images");
-    bool ok = aob_folder_create(run->folder, error) && aob_folder_create(images, error);
-    free(images);
-    if (!ok || (!run->desc->fresh && !judge_earlier_run(run, error)) ||
-        !aob_journal_open(&run->journal, run->journal_path, error))
-        return false;
-    if (run->desc->fresh && ftruncate(run->journal.file, 0) != 0)
-        return aob_fail(error, "%s: cannot be emptied", run->journal_path);
-    return write_run_json(run, NULL, error);
+    const char *key = json_string_value(json_object_get(record, "key"));
+    for (size_t i = 0; i < run->plan.case_count; i++)
+        if (strcmp(run->plan.cases[i].key, key) == 0 && run->measurement.states[i].stage == AOB_PENDING) {
+            run->measurement.states[i].stage = AOB_DONE;
+            count(run, record);
+        }
 }
 
 /* Cases with a verdict stay; failed and unsupported ones get another chance. */
 static bool skip_finished(struct run *run, struct aob_error *error)
 {
-    json_t *records = aob_journal_read(run->journal_path, error), *record;
+    json_t *records = aob_journal_read(run->folder.journal_path, error), *record;
     size_t at;
     if (!records)
         return false;
     json_array_foreach(records, at, record)
     {
-        const char *key = json_string_value(json_object_get(record, "key"));
         const char *status = json_string_value(json_object_get(record, "status"));
-        if (!status || (strcmp(status, "ok") != 0 && strcmp(status, "invalid") != 0))
-            continue;
-        for (size_t i = 0; i < run->plan.case_count; i++)
-            if (strcmp(run->plan.cases[i].key, key) == 0 && run->measurement.states[i].stage == AOB_PENDING) {
-                run->measurement.states[i].stage = AOB_DONE;
-                count(run, record);
-            }
+        if (status && (strcmp(status, "ok") == 0 || strcmp(status, "invalid") == 0))
+            skip_case(run, record);
     }
     json_decref(records);
     return true;
@@ -134,7 +109,7 @@ static void store_record(void *user, size_t index, json_t *record)
     struct run *run = user;
     struct aob_text next = {0};
     if (!*run->store_error.text)
-        aob_journal_append(&run->journal, record, &run->store_error);
+        aob_journal_append(&run->folder.journal, record, &run->store_error);
     count(run, record);
     aob_case_describe(&run->plan.cases[index], &next);
     aob_progress_step(&run->progress, next.data);
@@ -147,7 +122,7 @@ static void store_refused(struct run *run)
         struct aob_state *state = &run->measurement.states[i];
         if (state->stage != AOB_REFUSED)
             continue;
-        json_t *record = aob_record_create(&run->plan.cases[i], state->status, state->reason, NULL);
+        json_t *record = aob_record_create(&run->measurement, i, state->status, state->reason, NULL);
         store_record(run, i, record);
         json_decref(record);
     }
@@ -162,7 +137,7 @@ static bool measure_blocks(struct run *run, struct aob_error *error)
             if (run->measurement.states[i].stage == AOB_PENDING &&
                 aob_case_same_block(&run->plan.cases[first], &run->plan.cases[i]))
                 indices[used++] = i;
-        if (used && run->measurement.states[first].stage == AOB_PENDING)
+        if (run->measurement.states[first].stage == AOB_PENDING)
             aob_measurement_block(&run->measurement, indices, used);
         if (*run->store_error.text) {
             *error = run->store_error;
@@ -185,7 +160,7 @@ static bool measure(struct run *run, struct aob_error *error)
     if (!aob_measurement_init(&run->measurement, &run->desc->dispatch, &run->plan, error) ||
         !skip_finished(run, error))
         return false;
-    run->measurement.folder = run->folder;
+    run->measurement.folder = run->folder.path;
     run->measurement.on_record = store_record;
     run->measurement.user = run;
     aob_progress_init(&run->progress, pending(run), run->desc->quiet);
@@ -204,32 +179,34 @@ static json_t *shares_to_json(const struct run *run, double report_s)
                      s->warmup, "reference", s->reference, "images", s->images, "report", report_s);
 }
 
-static bool write_report(struct run *run, json_t **shares, struct aob_error *error)
+static bool write_report(struct run *run, struct aob_error *error)
 {
     int64_t start = aob_clock_wall_ns();
-    char *report = aob_path_join(run->folder, "report");
-    bool ok = aob_page_write(&(struct aob_page_desc){.folders = (const char *const[]){run->folder, NULL},
+    char *report = aob_path_join(run->folder.path, "report");
+    bool ok = aob_page_write(&(struct aob_page_desc){.folders = (const char *const[]){run->folder.path, NULL},
                                                      .out = report,
                                                      .program = run->desc->dispatch.program},
                              error);
     free(report);
-    *shares = shares_to_json(run, (double)(aob_clock_wall_ns() - start) * 1e-9);
-    return ok;
+    json_object_set_new(run->info, "seconds",
+                        shares_to_json(run, (double)(aob_clock_wall_ns() - start) * 1e-9));
+    return ok && aob_run_folder_describe(&run->folder, run->info, error);
 }
 
-static bool print_summary(const struct run *run, const json_t *shares, struct aob_error *error)
+static bool print_summary(const struct run *run, struct aob_error *error)
 {
     if (!run->desc->quiet)
         aob_note("%zu cases: %zu ok, %zu unsupported, %zu invalid, %zu failed; page: %s/report/index.html",
                  run->plan.case_count, run->counts[0], run->counts[1], run->counts[2], run->counts[3],
-                 run->folder);
+                 run->folder.path);
     if (!run->desc->json)
         return true;
     json_t *counts = json_object();
     for (size_t i = 0; i < AOB_COUNT(status_names); i++)
         json_object_set_new(counts, status_names[i], json_integer((json_int_t)run->counts[i]));
-    json_t *document = json_pack("{s:s, s:s, s:i, s:o, s:O}", "name", run->config.name, "folder", run->folder,
-                                 "cases", (int)run->plan.case_count, "status", counts, "seconds", shares);
+    json_t *document = json_pack("{s:s, s:s, s:i, s:o, s:O}", "name", run->config.name, "folder",
+                                 run->folder.path, "cases", (int)run->plan.case_count, "status", counts,
+                                 "seconds", json_object_get(run->info, "seconds"));
     bool ok = aob_json_write(document, run->desc->json, error);
     json_decref(document);
     return ok;
@@ -242,27 +219,22 @@ static enum aob_exit verdict(const struct run *run, struct aob_error *error)
     if (run->counts[0])
         return AOB_EXIT_PART;
     aob_fail(error, "nothing could run: %zu cases, none ok; the reasons are in %s", run->plan.case_count,
-             run->journal_path);
+             run->folder.journal_path);
     return AOB_EXIT_USAGE;
 }
 
 enum aob_exit aob_run(const struct aob_run_desc *desc, struct aob_error *error)
 {
     struct run run = {.desc = desc, .start_ns = aob_clock_wall_ns()};
-    json_t *shares = NULL;
-    bool ok = make_plan(&run, error) && open_folder(&run, error) && measure(&run, error) &&
-              write_report(&run, &shares, error) && write_run_json(&run, shares, error) &&
-              print_summary(&run, shares, error);
+    bool ok = make_plan(&run, error) && make_info(&run, error) && apply_filter(&run, error) &&
+              open_folder(&run, error) && measure(&run, error) && write_report(&run, error) &&
+              print_summary(&run, error);
     enum aob_exit code = ok ? verdict(&run, error) : AOB_EXIT_USAGE;
-    json_decref(shares);
-    json_decref(run.keys);
+    json_decref(run.info);
     aob_measurement_finish(&run.measurement);
-    aob_journal_close(&run.journal);
+    aob_run_folder_close(&run.folder);
     aob_plan_finish(&run.plan);
     aob_technique_list_finish(&run.techniques);
     aob_config_finish(&run.config);
-    free(run.folder);
-    free(run.run_json);
-    free(run.journal_path);
     return code;
 }

@@ -146,7 +146,7 @@ static bool measure(const struct aob_shot_desc *desc, struct aob_plan *plan, str
     m.user = shot;
     aob_measurement_layout(&m);
     if (m.states[0].stage == AOB_REFUSED)
-        shot->record = aob_record_create(&plan->cases[0], m.states[0].status, m.states[0].reason, NULL);
+        shot->record = aob_record_create(&m, 0, m.states[0].status, m.states[0].reason, NULL);
     else
         aob_measurement_block(&m, (size_t[]){0}, 1);
     aob_measurement_finish(&m);

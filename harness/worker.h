@@ -1,14 +1,16 @@
 /* `aobudget worker`: one job in a process of its own. Reads one JSON document on standard input, answers with JSON
  * lines on standard output. Only here are modules loaded, drivers opened, meshes parsed; so a crash costs this job.
- *   describe {modules}                       -> a technique a line (aob_technique_to_json)
- *   layout   {modules, technique, cases: [{params: [numbers]}]}
- *            -> {index, status, reason, graph, passes, definition: {radius, uniform, falloff}} a line
- *   mesh     {file, out}                     -> {low, high, vertices, triangles}
+ *   describe {modules}
+ *            -> a technique a line (aob_technique_to_json)
+ *   layout   {modules, technique, cases: [[number a parameter]]}
+ *            -> {index, status, reason | graph, dot, definition: {radius, uniform, falloff} or null} a line
+ *   mesh     {file, out}
+ *            -> {low, high, vertices, triangles}
  *   view     {scene | mesh, camera, width, height, guard, gbuffer, spp, terms: [{radius, uniform, falloff, out}]}
- *            -> {gbuffer_s, trace_s, rays}
- *   block    {modules, backend, camera, width, height, guard, gbuffer, seconds, time, error, folder,
+ *            -> {trace_s, rays} for each trace
+ *   block    {modules, backend, validate, camera, width, height, guard, gbuffer, seconds, time, error,
  *             cases: [{technique, params, fetch, radius, reference, definition, image}]}
- *            -> {index, status, reason, time, error, memory_bytes, image, fingerprint} a line, then {shares}
+ *            -> {index, status, reason, time, error, memory_bytes, fingerprint} a line, then {shares}
  * A job that cannot be done says so in one line on standard error and exits with 2. */
 #ifndef AOB_WORKER_H
 #define AOB_WORKER_H

@@ -90,6 +90,19 @@ static void read_info(struct aob_run *run)
     free(path);
 }
 
+/* A journal may also hold cases of an earlier state of the program or its modules: their keys are not planned. */
+static bool is_planned(const struct aob_run *run, const json_t *line)
+{
+    const json_t *keys = json_object_get(run->info, "keys"), *key;
+    size_t i;
+    json_array_foreach(keys, i, key)
+    {
+        if (strcmp(json_string_value(key) ? json_string_value(key) : "", aob_member_text(line, "key")) == 0)
+            return true;
+    }
+    return !keys;
+}
+
 static bool read_run(struct aob_rows *rows, size_t index, struct aob_error *error)
 {
     struct aob_run *run = &rows->runs[index];
@@ -104,6 +117,8 @@ static bool read_run(struct aob_rows *rows, size_t index, struct aob_error *erro
     json_t *line;
     json_array_foreach(run->lines, i, line)
     {
+        if (!is_planned(run, line))
+            continue;
         take_line(AOB_PUSH(rows->list, rows->count, rows->capacity), index, line);
         run->cases++;
     }

@@ -96,7 +96,10 @@ static bool read_sweep_axis(struct aob_yaml *yaml, yaml_node_t *node, void *user
         return false;
     if (!axis->name)
         return aob_yaml_fail(yaml, node, "an axis needs param: NAME");
-    return axis->count ? true : expand_range(yaml, &reader);
+    bool range = !isnan(reader.from) || !isnan(reader.to) || !isnan(reader.step) || !isnan(reader.log2);
+    if (axis->count && range)
+        return aob_yaml_fail(yaml, node, "give values or a range, not both");
+    return axis->count || expand_range(yaml, &reader);
 }
 
 struct axes { /* a mapping of name: value or name: [values] */
@@ -147,7 +150,7 @@ struct scene_reader {
     struct aob_scene_choice choice; /* what all views of the entry share; owns its texts */
     char **views;
     size_t view_count, view_capacity;
-    bool eye, target;
+    bool eye, target, fov;
 };
 
 static bool add_view(struct aob_yaml *yaml, yaml_node_t *node, void *user)
@@ -178,7 +181,7 @@ static bool read_scene_entry(struct aob_yaml *yaml, const char *key, yaml_node_t
     if (strcmp(key, "target") == 0)
         return (reader->target = true) && aob_yaml_vec3(yaml, node, choice->target);
     if (strcmp(key, "fov_deg") == 0)
-        return aob_yaml_number(yaml, node, 1, 170, &choice->fov_deg);
+        return (reader->fov = true) && aob_yaml_number(yaml, node, 1, 170, &choice->fov_deg);
     choice->ortho = true;
     return aob_yaml_number(yaml, node, 1e-9, 1e12, &choice->ortho_height);
 }
@@ -199,6 +202,8 @@ static bool judge_scene(struct aob_yaml *yaml, const yaml_node_t *node, struct s
         return aob_yaml_fail(yaml, node, "a scene needs either name: SCENE or file: MESH");
     if (reader->eye != reader->target)
         return aob_yaml_fail(yaml, node, "a camera needs both eye and target");
+    if (!reader->eye && (reader->fov || reader->choice.ortho))
+        return aob_yaml_fail(yaml, node, "fov_deg and ortho_height need eye and target");
     if (reader->choice.file && reader->view_count)
         return aob_yaml_fail(yaml, node, "a mesh file has no named views: give eye, target and fov_deg");
     if (reader->eye && reader->view_count)

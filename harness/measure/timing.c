@@ -21,7 +21,7 @@ struct run {
 
 static struct aob_frame *slot_frame(const struct run *run, size_t slot)
 {
-    return slot < SLOT_CASES ? run->desc->fixed : &run->desc->frames[slot - SLOT_CASES];
+    return slot < SLOT_CASES ? run->desc->fixed : run->desc->frames[slot - SLOT_CASES];
 }
 
 static bool run_slot(struct run *run, size_t slot, size_t round, struct aob_error *error)
@@ -168,7 +168,7 @@ static void summarise(const struct run *run, size_t index, struct aob_timing *ti
     timing->wall_ms = timing->clean_rounds ? aob_median(clean, timing->clean_rounds) : NAN;
     timing->to_fixed = aob_paired_ratio(judged(run, slot), judged(run, SLOT_FIXED), run->rounds);
     timing->measured_s = total_seconds(run, slot);
-    for (int p = 0; p < run->desc->frames[index].graph.pass_count; p++)
+    for (int p = 0; p < run->desc->frames[index]->graph.pass_count; p++)
         timing->pass_cpu_ms[p] = aob_median(run->pass_cpu[index][p], run->rounds);
 }
 
@@ -178,10 +178,8 @@ bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_block_timing 
     struct run *run = AOB_NEW(struct run);
     *run = (struct run){
         .desc = desc, .slots = SLOT_CASES + desc->frame_count, .repeats = 1, .random = desc->seed};
-    int64_t start = aob_clock_wall_ns();
     bool ok = warm_up(run, error);
     choose_repeats(run);
-    result->warmup_s = (double)(aob_clock_wall_ns() - start) * 1e-9;
     ok = ok && measure(run, error);
     for (size_t i = 0; ok && i < desc->frame_count; i++)
         summarise(run, i, &result->cases[i]);

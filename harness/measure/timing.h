@@ -11,7 +11,7 @@
 
 struct aob_timing_desc {
     struct aob_frame *fixed; /* the fixed reference pass; run twice a round (the second is the A/A control) */
-    struct aob_frame *frames; /* frame_count cases, 1..AOB_BLOCK_MAX */
+    struct aob_frame *const *frames; /* frame_count cases, 1..AOB_BLOCK_MAX */
     size_t frame_count;
     double seconds; /* a case; timing stops there even if the interval is still wide */
     uint32_t seed;  /* of the order within rounds */
@@ -30,8 +30,7 @@ struct aob_block_timing {
     struct aob_timing cases[AOB_BLOCK_MAX];
     struct aob_ratio control; /* fixed pass against itself: what this block cannot resolve */
     double fixed_cpu_ms;
-    double warmup_s; /* compilation in the driver and warm-up rounds */
-    double fixed_s;  /* wall time inside the fixed pass, all rounds */
+    double fixed_s; /* wall time inside the fixed pass, all rounds */
 };
 
 /* Warm-up (two rounds, then the fixed pass until it is steady; drivers compile at the first draw), then

@@ -15,7 +15,13 @@ static void add_values(const struct aob_param *params, size_t count, const doubl
 
 void aob_case_describe(const struct aob_case *c, struct aob_text *text)
 {
-    aob_text_add(text, "%s/%s %s", c->scene->name, c->scene->view, c->technique->name);
+    aob_text_add(text, "%s/%s ", c->scene->name, c->scene->view);
+    aob_case_settings(c, text);
+}
+
+void aob_case_settings(const struct aob_case *c, struct aob_text *text)
+{
+    aob_text_add(text, "%s", c->technique->name);
     add_values(c->technique->params, c->technique->param_count, c->params, text);
     aob_text_add(text, " %s %dx%d", c->backend, c->width, c->height);
     add_values(aob_option_params, AOB_OPTION_COUNT, c->options, text);
@@ -61,7 +67,7 @@ double aob_plan_estimate_s(const struct aob_plan *plan)
                             plan->cases[j].height != c->height;
         if (first_of_view && plan->config->measure_error)
             seconds += (double)c->width * c->height * plan->config->spp / 4e6;
-        seconds += 0.5 + (plan->config->measure_time ? plan->config->seconds : 0);
+        seconds += 1 + (plan->config->measure_time ? plan->config->seconds : 0);
     }
     return seconds;
 }

@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "gpu/gpu.h"
+#include "scene/source.h"
 #include "technique/param.h"
 
 static bool fail_at(const struct aob_config *config, int line, int column, struct aob_error *error)
@@ -77,12 +78,7 @@ static bool choose_scene(struct aob_plan_scene *scene, const struct aob_scene_ch
     }
     const char *file = scene->info ? scene->info->file : choice->file;
     scene->file = aob_strdup(file);
-    if (!file) {
-        struct aob_text source = {0};
-        aob_text_add(&source, "%s %s", scene->name, AOBUDGET_VERSION);
-        aob_hash_text(source.data, scene->digest);
-        aob_text_finish(&source);
-    } else if (!aob_hash_file(file, scene->digest, error))
+    if (!aob_source_digest(scene->info, file, scene->digest, error))
         return scene->info && scene->info->package && !aob_file_exists(file)
                    ? aob_fail(error, "scene '%s' needs %s: apt-get install %s", scene->name, file,
                               scene->info->package)
@@ -184,17 +180,19 @@ static double reference_radius(const struct aob_plan *plan, const struct aob_cas
     return radius ? c->params[radius - c->technique->params] : 1 / c->scene->metres_per_unit;
 }
 
+/* What decides the figures, and no more: the scene by its geometry and camera, whatever they are called. */
 static void make_key(const struct aob_plan *plan, struct aob_case *c)
 {
     struct aob_text text = {0};
-    aob_case_describe(c, &text);
     const struct aob_camera *camera = &c->scene->camera;
+    const struct aob_config *config = plan->config;
+    aob_case_settings(c, &text);
     aob_text_add(&text,
-                 "\n%s %s %u\n%.17g %.17g %.17g  %.17g %.17g %.17g  %.17g %.17g\n%.9g %d %d%d%d %.9g %s",
-                 c->scene->digest, c->technique->digest, c->technique->revision, camera->eye.x, camera->eye.y,
-                 camera->eye.z, camera->target.x, camera->target.y, camera->target.z, camera->fov_deg,
-                 camera->ortho_height, c->reference_radius, plan->config->spp, plan->config->measure_time,
-                 plan->config->measure_error, plan->config->images, plan->config->seconds, AOBUDGET_VERSION);
+                 "\n%s %s %u\n%d %.17g %.17g %.17g  %.17g %.17g %.17g  %.17g %.17g\n%.9g %d %d%d%d %.9g",
+                 c->scene->digest, c->technique->digest, c->technique->revision, c->scene->framed,
+                 camera->eye.x, camera->eye.y, camera->eye.z, camera->target.x, camera->target.y,
+                 camera->target.z, camera->fov_deg, camera->ortho_height, c->reference_radius, config->spp,
+                 config->measure_time, config->measure_error, config->images, config->seconds);
     aob_hash_text(text.data, c->key);
     aob_text_finish(&text);
 }
@@ -207,6 +205,15 @@ static bool key_is_new(const struct aob_plan *plan, const char *key)
     return true;
 }
 
+/* About 150 bytes of memory a pixel, and one view has to fit. */
+static bool judge_pixels(const struct aob_case *c, struct aob_error *error)
+{
+    double guard = aob_case_options(c).guard_band;
+    return (c->width + 2 * guard) * (c->height + 2 * guard) <= 4e7 ||
+           aob_fail(error, "%dx%d with a guard band of %g is more than 40 million pixels", c->width,
+                    c->height, guard);
+}
+
 static bool add_cases(struct aob_plan *plan, struct aob_case *base, struct axes *params, struct axes *options,
                       struct aob_error *error)
 {
@@ -217,6 +224,8 @@ static bool add_cases(struct aob_plan *plan, struct aob_case *base, struct axes 
         set_row(params, values);
         do {
             set_row(options, base->options);
+            if (!judge_pixels(base, error))
+                return false;
             base->reference_radius = reference_radius(plan, base);
             make_key(plan, base);
             if (!key_is_new(plan, base->key))

@@ -52,12 +52,15 @@ void aob_plan_filter(struct aob_plan *plan, const char *filter);
  */
 void aob_case_describe(const struct aob_case *c, struct aob_text *text);
 
+/* The same without scene and view. */
+void aob_case_settings(const struct aob_case *c, struct aob_text *text);
+
 /* Whether two cases may be timed in one block: same view, size, guard band, backend and threads. */
 bool aob_case_same_block(const struct aob_case *a, const struct aob_case *b);
 
 /* Option by its struct: packed from c->options. */
 struct aob_options aob_case_options(const struct aob_case *c);
 
-/* Seconds that a run of the plan takes at most, roughly: timing as configured, references at 4 M rays/s. */
+/* Seconds that a run of the plan takes, roughly: a second for each case besides its timing, references at 4 M rays/s. */
 double aob_plan_estimate_s(const struct aob_plan *plan);
 #endif

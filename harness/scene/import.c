@@ -5,6 +5,8 @@
 #include <assimp/scene.h>
 #include "base/memory.h"
 
+const char aob_mesh_importer_version[] = "1";
+
 /* Materials go with the rest: they would only split the mesh. */
 static const int dropped = aiComponent_TEXCOORDS | aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS |
                            aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES |

@@ -47,4 +47,7 @@ bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error 
  * with limits. Warns (one line each) of a file that loads suspiciously: < 0.1 triangles a vertex, |centre| >
  * 1e4 extents. */
 bool aob_mesh_import(struct aob_mesh *mesh, const char *path, struct aob_error *error);
+
+/* Raised when the importer would make other geometry of the same file; part of cache keys. */
+extern const char aob_mesh_importer_version[];
 #endif

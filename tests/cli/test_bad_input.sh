@@ -83,6 +83,34 @@ check "the crash is named" grep -q 'crash_build: laying out its passes: .*crashe
 config '{name: crash_build}'
 expect 2 "nothing could run" "$program" run config.yaml --out crash2 --quiet --module "$modules/crash_build.so"
 
+config '{name: bad_definition, sweep: [{param: fault, values: [radius, falloff]}]}, {name: none}'
+expect 3 "3 cases: 1 ok, 0 unsupported, 2 invalid, 0 failed" "$program" run config.yaml --out nonsense --module "$modules/bad_definition.so"
+check "the radius is named" grep -q 'definition.s radius is -1' nonsense/journal.jsonl
+check "the falloff is named" grep -q 'falloff is not finite' nonsense/journal.jsonl
+
+# Outputs that are no plain files keep what they are; inputs that never end are not begun.
+mkfifo pipe
+cat pipe >from-pipe &
+check "into a pipe" "${shot[@]}" --json pipe
+wait
+check "it is still one" test -p pipe
+check "and got the document" grep -q '"band_rmse"' from-pipe
+echo old >target && ln -s target link
+check "through a link" "${shot[@]}" --json link
+check "it is still one" test -L link
+check "its target was written" grep -q '"band_rmse"' target
+expect 2 "no regular file" "${shot[@]}" --out pipe
+expect 2 "is it a file" "$program" shot --technique none --scene pipe --backend null --size 8x8
+expect 2 "not UTF-8" "$program" shot --technique none --scene "$(printf 'b\377.obj')" --backend null --size 8x8
+expect 2 "40 million pixels" "$program" shot --technique none --scene plane --backend null --size 16384x16384
+
+# A damaged cache heals itself.
+export AOBUDGET_CACHE=$folder/own-cache
+check "a shot fills the cache" "${shot[@]}"
+for file in own-cache/visibility-*.exr; do truncate -s 300 "$file"; done
+expect 2 "was damaged and is removed; run again" "${shot[@]}"
+check "and again" "${shot[@]}"
+
 # No driver.
 config '{name: none}'
 sed -i 's/backends: \[null\]/backends: [vulkan, null]/' config.yaml

@@ -1,0 +1,33 @@
+/* The inside of a block job (worker.h): what its timing and its scoring share. */
+#ifndef AOB_WORKER_BLOCK_H
+#define AOB_WORKER_BLOCK_H
+#include <jansson.h>
+#include "frame/frame.h"
+#include "measure/timing.h"
+#include "worker.h"
+
+/* One block while it is worked on. */
+struct aob_block {
+    const json_t *job, *cases;
+    struct aob_registry registry;
+    struct aob_gbuffer gbuffer;
+    struct aob_gpu *gpu;
+    struct aob_screen screen;
+    struct aob_frame fixed, frames[AOB_BLOCK_MAX];
+    size_t case_of_frame[AOB_BLOCK_MAX], frame_count;
+    double setup_ms[AOB_BLOCK_MAX];
+    struct aob_camera camera;
+    int width, height, guard;
+    double seconds;
+    int time, error;
+    struct aob_block_timing timing[AOB_BLOCK_MAX]; /* of each frame, as cases[0] */
+    double images_s, measured_s, warmup_s;
+};
+
+/* Runs the frame once more, scores its image against the references and writes the EXR that the case asks for. Puts
+ * `error` into the answer, and `status` invalid where the image is no visibility. */
+bool aob_block_finish_case(struct aob_block *block, size_t f, json_t *answer, struct aob_error *error);
+
+/* What the cache holds can be made again: a damaged file goes, so that the next run makes it. Always false. */
+bool aob_block_drop_damaged(const char *path, struct aob_error *error);
+#endif

@@ -1,0 +1,185 @@
+#include "worker_block.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "base/clock.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "measure/score.h"
+#include "store/image.h"
+
+bool aob_block_drop_damaged(const char *path, struct aob_error *error)
+{
+    unlink(path);
+    return aob_fail_in(error, "the cached file was damaged and is removed; run again");
+}
+
+static bool load_channel(const char *path, const char *name, const struct aob_block *block, float **pixels,
+                         struct aob_error *error)
+{
+    struct aob_image image = {0};
+    if (!aob_image_read(&image, path, error))
+        return aob_block_drop_damaged(path, error);
+    const float *channel = aob_image_channel(&image, name);
+    size_t count = (size_t)block->width * (size_t)block->height;
+    bool ok = channel && image.width == block->width && image.height == block->height;
+    if (ok) {
+        *pixels = AOB_NEW_ARRAY(float, count);
+        memcpy(*pixels, channel, count * sizeof(float));
+    }
+    aob_image_finish(&image);
+    return ok || aob_fail(error, "%s: not a reference of %dx%d", path, block->width, block->height);
+}
+
+/* What one case is compared with, cropped to the view. */
+struct truth {
+    float *depth, *ao, *se, *definition;
+};
+
+static void crop(const struct aob_block *block, const float *from, int stride, float *into)
+{
+    for (int y = 0; y < block->height; y++)
+        for (int x = 0; x < block->width; x++)
+            into[y * block->width + x] =
+                from[((size_t)(y + block->guard) * (size_t)block->gbuffer.projection.width +
+                      (size_t)(x + block->guard)) *
+                     (size_t)stride];
+}
+
+static bool load_truth(const struct aob_block *block, const json_t *c, struct truth *truth,
+                       struct aob_error *error)
+{
+    const char *reference = json_string_value(json_object_get(c, "reference"));
+    const char *definition = json_string_value(json_object_get(c, "definition"));
+    size_t count = (size_t)block->width * (size_t)block->height;
+    truth->depth = AOB_NEW_ARRAY(float, count);
+    crop(block, block->gbuffer.depth, 1, truth->depth);
+    if (!reference || !block->error)
+        return true;
+    return load_channel(reference, "AO", block, &truth->ao, error) &&
+           load_channel(reference, "SE", block, &truth->se, error) &&
+           (!definition || load_channel(definition, "AO", block, &truth->definition, error));
+}
+
+static void free_truth(struct truth *truth)
+{
+    free(truth->depth);
+    free(truth->ao);
+    free(truth->se);
+    free(truth->definition);
+}
+
+static void map_definition(const struct aob_block *block, const struct aob_frame *frame, const json_t *c,
+                           struct truth *truth)
+{
+    const struct aob_technique *technique = frame->graph.technique;
+    unsigned char values[4 * AOB_MAX_PARAM];
+    if (!truth->definition || !technique->definition.map ||
+        !aob_worker_params(technique, json_object_get(c, "params"), values, NULL))
+        return;
+    for (size_t i = 0; i < (size_t)block->width * (size_t)block->height; i++)
+        truth->definition[i] = technique->definition.map(values, truth->definition[i]);
+}
+
+static json_t *score_to_json(const struct aob_score *s, double definition_rmse)
+{
+    return json_pack("{s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:I, s:I}", "reference",
+                     "ray-traced", "rmse", aob_json_number(s->rmse), "band_rmse",
+                     aob_json_number(s->band_rmse), "border_rmse", aob_json_number(s->border_rmse), "mae",
+                     aob_json_number(s->mae), "bias", aob_json_number(s->bias), "p95",
+                     aob_json_number(s->p95), "max", aob_json_number(s->max), "reference_se",
+                     aob_json_number(s->reference_se), "definition_rmse", aob_json_number(definition_rmse),
+                     "pixels", (json_int_t)s->pixels, "band_pixels", (json_int_t)s->band_pixels);
+}
+
+static bool score_case(const struct aob_block *block, const json_t *c, const float *ao,
+                       const struct truth *truth, json_t *answer, struct aob_error *error)
+{
+    struct aob_score score;
+    const struct aob_projection *view = &block->gbuffer.projection;
+    struct aob_score_desc desc = {.width = block->width,
+                                  .height = block->height,
+                                  .image = ao,
+                                  .truth = truth->ao ? truth->ao : ao,
+                                  .truth_se = truth->se,
+                                  .depth = truth->depth,
+                                  .sky_depth = 0.5f * AOB_GBUFFER_SKY,
+                                  .radius = aob_json_to_number(json_object_get(c, "radius")),
+                                  .pixel_scale = view->sy,
+                                  .perspective = view->perspective};
+    if (!aob_score(&desc, &score, error))
+        return false;
+    double definition = truth->definition ? aob_score_rmse(&desc, truth->definition, truth->ao) : NAN;
+    if (truth->ao)
+        json_object_set_new(answer, "error", score_to_json(&score, definition));
+    return true;
+}
+
+static void add_plane(struct aob_image *image, const char *name, const float *pixels)
+{
+    if (pixels)
+        memcpy(aob_image_add(image, name), pixels,
+               (size_t)image->width * (size_t)image->height * sizeof(float));
+}
+
+static void add_camera(struct aob_image *image, const struct aob_camera *camera)
+{
+    aob_image_set_number(image, "aobudget.fov_deg", camera->fov_deg);
+    aob_image_set_number(image, "aobudget.ortho_height", camera->ortho_height);
+    aob_image_set_vec3(image, "aobudget.eye", (double[3]){camera->eye.x, camera->eye.y, camera->eye.z});
+    aob_image_set_vec3(image, "aobudget.target",
+                       (double[3]){camera->target.x, camera->target.y, camera->target.z});
+}
+
+static void add_error(struct aob_image *image, const float *ao, const struct truth *truth)
+{
+    float *error = truth->ao ? aob_image_add(image, "error.AO") : NULL;
+    for (size_t i = 0; error && i < (size_t)image->width * (size_t)image->height; i++)
+        error[i] = truth->depth[i] < 0.5f * AOB_GBUFFER_SKY ? ao[i] - truth->ao[i] : 0;
+}
+
+static bool write_image(const struct aob_block *block, const json_t *c, const char *path, const float *ao,
+                        const struct truth *truth, struct aob_error *error)
+{
+    static const char *const normals[3] = {"N.X", "N.Y", "N.Z"};
+    struct aob_image image = {.width = block->width, .height = block->height};
+    float *z = aob_image_add(&image, "Z");
+    for (size_t i = 0; i < (size_t)block->width * (size_t)block->height; i++)
+        z[i] = truth->depth[i] < 0.5f * AOB_GBUFFER_SKY ? truth->depth[i] : INFINITY;
+    for (int n = 0; n < 3; n++)
+        crop(block, block->gbuffer.normal + n, 4, aob_image_add(&image, normals[n]));
+    add_plane(&image, "technique.AO", ao);
+    add_plane(&image, "reference.AO", truth->ao);
+    add_plane(&image, "reference.SE", truth->se);
+    add_plane(&image, "definition.AO", truth->definition);
+    add_error(&image, ao, truth);
+    add_camera(&image, &block->camera);
+    aob_image_set_text(&image, "aobudget.technique", json_string_value(json_object_get(c, "technique")));
+    bool ok = aob_image_write(&image, path, error);
+    aob_image_finish(&image);
+    return ok;
+}
+
+bool aob_block_finish_case(struct aob_block *block, size_t f, json_t *answer, struct aob_error *error)
+{
+    const json_t *c = json_array_get(block->cases, block->case_of_frame[f]);
+    const char *path = json_string_value(json_object_get(c, "image"));
+    struct truth truth = {0};
+    float *ao = AOB_NEW_ARRAY(float, (size_t)block->width *(size_t)block->height);
+    int64_t start = aob_clock_wall_ns();
+    bool ok = aob_frame_run(&block->frames[f], NULL, error) &&
+              aob_frame_read(&block->frames[f], AOB_OUT_VISIBILITY, ao, error) &&
+              load_truth(block, c, &truth, error);
+    if (ok) {
+        map_definition(block, &block->frames[f], c, &truth);
+        ok = score_case(block, c, ao, &truth, answer, error) ||
+             (json_object_set_new(answer, "status", json_string("invalid")), false);
+    }
+    if (path && truth.depth && (ok || *error->text))
+        ok = write_image(block, c, path, ao, &truth, ok ? error : NULL) && ok;
+    block->images_s += (double)(aob_clock_wall_ns() - start) * 1e-9;
+    free_truth(&truth);
+    free(ao);
+    return ok;
+}
