@@ -93,7 +93,7 @@ static void run_layout(struct layout *layout)
     for (int deaths = 0; layout->answered < layout->count;) {
         struct aob_error error = {{0}};
         struct aob_job_desc desc = {.job = layout_job(layout),
-                                    .timeout_s = 30,
+                                    .timeout_s = 10,
                                     .memory_limit = (size_t)4 << 30,
                                     .on_answer = take_answer,
                                     .user = layout};

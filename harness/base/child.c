@@ -2,6 +2,7 @@
 #include "child.h"
 #include "clock.h"
 #include "memory.h"
+#include "text.h"
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -18,7 +19,8 @@
 
 extern char **environ;
 
-/* AddressSanitizer reserves terabytes of address space, so it cannot run under a limit. */
+/* AddressSanitizer reserves terabytes of address space, so it cannot run under a limit of it; it watches what is
+ * resident instead. */
 #ifdef __SANITIZE_ADDRESS__
 static const bool limits_memory = false;
 #else
@@ -45,6 +47,7 @@ struct child {
     pid_t pid;
     int input, start_pipe[2], out_pipe[2], err_pipe[2];
     char **env;
+    char *sanitizer; /* "ASAN_OPTIONS=..." with the memory limit; NULL where the kernel holds it */
 };
 
 static void take_complaint(void *user, const char *line)
@@ -173,13 +176,41 @@ static void child_finish(struct child *child)
     for (size_t i = 0; i < AOB_COUNT(fds); i++)
         close_fd(fds[i]);
     free(child->env);
+    free(child->sanitizer);
     child->env = NULL;
+    child->sanitizer = NULL;
+}
+
+static char *sanitizer_limit(size_t bytes)
+{
+    struct aob_text text = {0};
+    const char *set = getenv("ASAN_OPTIONS");
+    aob_text_add(&text, "ASAN_OPTIONS=%s%shard_rss_limit_mb=%zu", set ? set : "", set ? ":" : "",
+                 bytes >> 20);
+    return text.data;
+}
+
+static char **child_environment(struct child *child, const struct aob_child_desc *desc)
+{
+    size_t count = 0;
+    const char **extra = NULL;
+    if (limits_memory || !desc->memory_limit)
+        return merge_environment(desc->env);
+    while (desc->env && desc->env[count])
+        count++;
+    extra = AOB_NEW_ARRAY(const char *, count + 2);
+    for (size_t i = 0; i < count; i++)
+        extra[i] = desc->env[i];
+    extra[count] = child->sanitizer = sanitizer_limit(desc->memory_limit);
+    char **merged = merge_environment(extra);
+    free(extra);
+    return merged;
 }
 
 static bool child_prepare(struct child *child, const struct aob_child_desc *desc)
 {
     *child = (struct child){.input = -1, .start_pipe = {-1, -1}, .out_pipe = {-1, -1}, .err_pipe = {-1, -1}};
-    child->env = merge_environment(desc->env);
+    child->env = child_environment(child, desc);
     child->input = open_input(desc->input, desc->input_size);
     return child->input >= 0 && !pipe2(child->start_pipe, O_CLOEXEC) && !pipe2(child->out_pipe, O_CLOEXEC) &&
            !pipe2(child->err_pipe, O_CLOEXEC) && !fcntl(child->out_pipe[0], F_SETFL, O_NONBLOCK) &&

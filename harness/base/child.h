@@ -13,7 +13,7 @@ struct aob_child_desc {
     const char *input;       /* given on standard input; NULL: empty */
     size_t input_size;
     double timeout_s;    /* of the whole run; 0: none */
-    size_t memory_limit; /* bytes of address space; 0: none. Ignored under AddressSanitizer */
+    size_t memory_limit; /* bytes of address space (of resident memory under AddressSanitizer); 0: none */
     /* Each line of standard output, of any length, without the newline; may be NULL. A last line that lacks
      * its newline counts only if the child exited by itself: a crash may have cut it. */
     void (*on_line)(void *user, const char *line);

@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "statistics.h"
 
-static bool is_sky(const struct aob_score_desc *desc, size_t i)
+bool aob_score_is_sky(const struct aob_score_desc *desc, size_t i)
 {
     return !(desc->depth[i] < desc->sky_depth);
 }
@@ -20,10 +20,24 @@ static bool near_border(const struct aob_score_desc *desc, int x, int y, size_t 
 static bool judge_values(const struct aob_score_desc *desc, struct aob_error *error)
 {
     for (size_t i = 0; i < (size_t)desc->width * (size_t)desc->height; i++)
-        if (!is_sky(desc, i) && !(desc->image[i] >= 0 && desc->image[i] <= 1))
+        if (!aob_score_is_sky(desc, i) && !(desc->image[i] >= 0 && desc->image[i] <= 1))
             return aob_fail(error, "pixel (%zu, %zu) is %g: visibility must be finite and within 0..1",
                             i % (size_t)desc->width, i / (size_t)desc->width, (double)desc->image[i]);
     return true;
+}
+
+bool aob_score_judge_drawn(const struct aob_score_desc *desc, struct aob_error *error)
+{
+    float low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    const float *images[2] = {desc->image, desc->truth};
+    for (size_t i = 0; i < (size_t)desc->width * (size_t)desc->height; i++)
+        for (int k = 0; k < 2 && !aob_score_is_sky(desc, i); k++) {
+            low[k] = fminf(low[k], images[k][i]);
+            high[k] = fmaxf(high[k], images[k][i]);
+        }
+    return low[0] != high[0] || !(high[1] - low[1] > 0.05f) ||
+           aob_fail(error, "draws nothing: %g in every pixel, where the truth spans %.3f .. %.3f",
+                    (double)low[0], (double)low[1], (double)high[1]);
 }
 
 struct sums {
@@ -34,7 +48,7 @@ struct sums {
 static void add_pixel(const struct aob_score_desc *desc, int x, int y, struct sums *sums, double *errors)
 {
     size_t i = (size_t)y * (size_t)desc->width + (size_t)x;
-    if (is_sky(desc, i))
+    if (aob_score_is_sky(desc, i))
         return;
     double e = (double)desc->image[i] - desc->truth[i];
     sums->square += e * e;
@@ -87,7 +101,7 @@ double aob_score_rmse(const struct aob_score_desc *desc, const float *a, const f
     double sum = 0;
     size_t count = 0;
     for (size_t i = 0; i < (size_t)desc->width * (size_t)desc->height; i++)
-        if (!is_sky(desc, i)) {
+        if (!aob_score_is_sky(desc, i)) {
             double e = (double)a[i] - b[i];
             sum += e * e;
             count++;

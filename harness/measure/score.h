@@ -25,8 +25,15 @@ struct aob_score {              /* NAN where no pixel is in the class */
 };
 #define AOB_BAND_LIMIT 0.995
 
+/* Whether pixel i, counted from the top left, is sky; a depth that is NaN is. */
+bool aob_score_is_sky(const struct aob_score_desc *desc, size_t i);
+
 /* False with a line if the image holds a value that is not finite or lies outside [0, 1]. */
 bool aob_score(const struct aob_score_desc *desc, struct aob_score *score, struct aob_error *error);
+
+/* A technique that draws nothing: its image has one value over pixels whose truth spans more than 0.05. Then false, with
+ * a line that gives the value. */
+bool aob_score_judge_drawn(const struct aob_score_desc *desc, struct aob_error *error);
 
 /* RMS of the difference of two images over the non-sky pixels of desc (its image, truth and radius are not
  * used). */

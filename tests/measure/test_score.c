@@ -95,10 +95,27 @@ static void test_rubbish_is_invalid(void **state)
     }
 }
 
+static void test_nothing_drawn(void **state)
+{
+    (void)state;
+    float image[W * H], truth[W * H], depth[W * H];
+    struct aob_score_desc desc = scene(image, truth, depth);
+    struct aob_error error = {{0}};
+    assert_true(aob_score_judge_drawn(&desc, &error));
+    for (int i = 0; i < W * H; i++)
+        image[i] = 0.25f;
+    image[W - 1] = 1; /* sky does not count */
+    assert_false(aob_score_judge_drawn(&desc, &error));
+    assert_contains(error.text, "0.25 in every pixel");
+    desc.truth = image; /* nothing to draw */
+    assert_true(aob_score_judge_drawn(&desc, &error));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_known_errors), cmocka_unit_test(test_border),
                                        cmocka_unit_test(test_identity_and_offset),
-                                       cmocka_unit_test(test_rubbish_is_invalid)};
+                                       cmocka_unit_test(test_rubbish_is_invalid),
+                                       cmocka_unit_test(test_nothing_drawn)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Ten kinds of evil technique in one sweep with good ones: each costs its own cases only, and is named.
+source "$(dirname "$0")/lib.sh"
+cd "$folder"
+modules=$AOBUDGET_BUILD/tests/modules
+cat >config.yaml <<EOF
+name: evil
+scenes: [{name: corner}]
+resolutions: [96x54]
+backends: [gl-egl]
+techniques: [{name: gtao}, {name: evil_crash}, {name: evil_loop}, {name: evil_growth}, {name: evil_exit}, {name: evil_graph},
+  {name: evil_black}, {name: evil_white}, {name: evil_constant}, {name: evil_nan}, {name: evil_shader}, {name: alchemy},
+  {name: hbao}, {name: none}]
+measure: {seconds: 0.05, images: false}
+reference: {spp: 32}
+EOF
+expect 3 "14 cases: 4 ok, 0 unsupported, 5 invalid, 5 failed" "$program" run config.yaml --out out --module "$modules/evil.so"
+named() { # TECHNIQUE STATUS 'REASON'
+  check "$1 is $2: $3" grep -qE "\"technique\":\"$1\".*\"status\":\"$2\",\"reason\":\"[^\"]*($3)" out/journal.jsonl
+}
+for good in gtao alchemy hbao none; do named $good ok ''; done
+named evil_crash failed 'crashed|signal'
+named evil_loop failed 'took longer than 10 s'
+named evil_growth failed '.'
+named evil_exit failed 'without an answer'
+named evil_graph invalid 'no texture of this graph'
+named evil_black invalid 'draws nothing: 0 in every pixel'
+named evil_white invalid 'draws nothing: 1 in every pixel'
+named evil_constant invalid 'draws nothing: 0.69970'
+named evil_nan invalid 'must be finite'
+named evil_shader failed 'syntax error|unexpected'
+check "no process is left over" test -z "$(pgrep -f "^$program worker")"
+if [ -n "${AOBUDGET_SANITIZED:-}" ]; then
+  expect 2 "heap-buffer-overflow" "$program" shot --technique overflow --scene plane --backend null --size 8x8 --module "$modules/overflow.so"
+fi
+finish
