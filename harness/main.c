@@ -5,6 +5,7 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "doctor.h"
 #include "flags.h"
 #include "list.h"
 #include "report.h"
@@ -221,12 +222,29 @@ static enum aob_exit command_report(int argc, char **argv, struct aob_error *err
     return code;
 }
 
+static enum aob_exit command_doctor(int argc, char **argv, struct aob_error *error)
+{
+    struct common common = {0};
+    enum aob_exit code;
+    const struct aob_flag flags[] = {COMMON_FLAGS(common)};
+    const struct aob_flags table = {
+        "doctor", "", "Drivers, helpers and meshes: what is there, and how to install the rest.",
+        flags,    0,  0};
+    if (start(&table, &common, argc, argv, &code, error)) {
+        struct aob_dispatch dispatch = make_dispatch(&common);
+        code = aob_doctor(&dispatch, common.json, common.quiet, error);
+    }
+    common_finish(&common);
+    return code;
+}
+
 static const struct command commands[] = {
     {"list", "what there is: techniques, scenes, backends", command_list},
     {"plan", "the cases that a config comes to", command_plan},
     {"run", "a sweep: times, errors, images, report", command_run},
     {"shot", "one frame, timed and scored", command_shot},
     {"report", "page and pictures from finished runs", command_report},
+    {"doctor", "drivers and meshes: what is missing, and its cure", command_doctor},
 };
 
 static int print_help(void)

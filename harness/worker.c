@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "gpu/gpu.h"
 #include "scene/camera.h"
 #include "scene/mesh.h"
 #include "technique/graph.h"
@@ -183,16 +184,25 @@ static bool load_mesh(struct aob_worker *worker, struct aob_error *error)
     return true;
 }
 
+static bool probe(struct aob_worker *worker, struct aob_error *error)
+{
+    const char *backend = json_string_value(json_object_get(worker->job, "backend"));
+    struct aob_gpu *gpu = aob_gpu_open(backend ? backend : "", &(struct aob_gpu_desc){0}, error);
+    if (!gpu)
+        return false;
+    aob_worker_reply(worker, json_pack("{s:s, s:s, s:b}", "device", gpu->info.device, "driver",
+                                       gpu->info.driver, "software", gpu->info.software));
+    aob_gpu_close(gpu);
+    return true;
+}
+
 static bool do_job(struct aob_worker *worker, struct aob_error *error)
 {
     static const struct {
         const char *name;
         bool (*run)(struct aob_worker *, struct aob_error *);
-    } jobs[] = {{"describe", describe},
-                {"layout", layout},
-                {"mesh", load_mesh},
-                {"view", aob_worker_view},
-                {"block", aob_worker_block}};
+    } jobs[] = {{"describe", describe}, {"probe", probe},          {"layout", layout},
+                {"mesh", load_mesh},    {"view", aob_worker_view}, {"block", aob_worker_block}};
     const char *name = json_string_value(json_object_get(worker->job, "job"));
     for (size_t i = 0; name && i < AOB_COUNT(jobs); i++)
         if (strcmp(jobs[i].name, name) == 0)

@@ -2,6 +2,8 @@
  * lines on standard output. Only here are modules loaded, drivers opened, meshes parsed; so a crash costs this job.
  *   describe {modules}
  *            -> a technique a line (aob_technique_to_json)
+ *   probe    {backend}
+ *            -> {device, driver, software}
  *   layout   {modules, technique, cases: [[number a parameter]]}
  *            -> {index, status, reason | graph, dot, definition: {radius, uniform, falloff} or null} a line
  *   mesh     {file, out}

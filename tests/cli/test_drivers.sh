@@ -49,6 +49,12 @@ check "and a camera" "$program" shot --technique gtao --scene mesh.obj --eye 0,1
 check "orthographic" "$program" shot --technique gtao --scene mesh.obj --eye 0,1,3 --target 0,0.3,0 --ortho 2 --size 96x54 --reference-spp 16
 check "a module in place of the built-in" "$program" shot --technique gtao --scene corner --size 32x18 --reference-spp 2 --module "$AOBUDGET_BUILD/modules/gtao.so"
 
+check "doctor" "$program" doctor --json doctor.json
+check "every backend is found" test "$(grep -c '"what": "backend"' doctor.json)" -eq 4
+code=0; VK_ICD_FILENAMES=/nonexistent.json VK_DRIVER_FILES=/nonexistent.json "$program" doctor >sick 2>&1 || code=$?
+check "a missing driver gives 3" test $code -eq 3
+check "with its cure" grep -q 'apt-get install libvulkan1 mesa-vulkan-drivers' sick
+
 for what in techniques scenes backends; do
   check "list $what" "$program" list $what
   check "list $what --json" "$program" list $what --json list.json

@@ -1,0 +1,138 @@
+#include "doctor.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/json.h"
+#include "base/machine.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "gpu/gpu.h"
+#include "scene/scene.h"
+
+struct checkup {
+    const struct aob_dispatch *dispatch;
+    json_t *findings; /* [{what, name, ok, says, cure}] */
+    size_t drawing, missing;
+};
+
+static void find(struct checkup *checkup, const char *what, const char *name, bool ok, const char *says,
+                 const char *cure)
+{
+    checkup->missing += !ok;
+    json_array_append_new(checkup->findings,
+                          json_pack("{s:s, s:s, s:b, s:s, s:s}", "what", what, "name", name, "ok", ok, "says",
+                                    says, "cure", ok || !cure ? "" : cure));
+}
+
+static void take_device(void *user, json_t *answer)
+{
+    json_t **device = user;
+    json_decref(*device);
+    *device = json_incref(answer);
+}
+
+static void check_backend(struct checkup *checkup, const struct aob_gpu_fns *backend)
+{
+    static const struct {
+        const char *backend, *cure;
+    } cures[] = {{"vulkan", "apt-get install libvulkan1 mesa-vulkan-drivers"},
+                 {"gl-egl", "apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri"},
+                 {"gl-osmesa", "apt-get install libosmesa6"}};
+    json_t *device = NULL;
+    struct aob_error error = {{0}};
+    struct aob_job_desc desc = {.job = json_pack("{s:s, s:s}", "job", "probe", "backend", backend->name),
+                                .env = backend->environment,
+                                .timeout_s = 30,
+                                .on_answer = take_device,
+                                .user = &device};
+    bool ok = aob_dispatch_job(checkup->dispatch, &desc, &error) && device;
+    const char *cure = NULL;
+    for (size_t i = 0; i < AOB_COUNT(cures); i++)
+        if (strcmp(cures[i].backend, backend->name) == 0)
+            cure = cures[i].cure;
+    struct aob_text says = {0};
+    if (ok)
+        aob_text_add(&says, "%s; %s", json_string_value(json_object_get(device, "device")),
+                     json_string_value(json_object_get(device, "driver")));
+    else
+        aob_text_add(&says, "%s", error.text);
+    find(checkup, "backend", backend->name, ok, says.data, cure);
+    checkup->drawing += ok && cure; /* null draws nothing */
+    aob_text_finish(&says);
+    json_decref(device);
+}
+
+static void check_scene(struct checkup *checkup, const struct aob_scene_info *scene)
+{
+    char cure[128];
+    if (!scene->file)
+        return;
+    bool ok = aob_file_exists(scene->file);
+    snprintf(cure, sizeof cure, "apt-get install %s", scene->package ? scene->package : "?");
+    find(checkup, "scene", scene->name, ok, scene->file, cure);
+}
+
+static void check_program(struct checkup *checkup)
+{
+    struct aob_error error = {{0}};
+    char *folder = aob_path_program_folder(), *plot = aob_path_join(folder, "aobudget-plot");
+    char *cache = aob_path_cache_folder();
+    find(checkup, "pictures", "aobudget-plot", aob_file_exists(plot), plot,
+         "build the whole project: ./dev build");
+    bool ok = aob_folder_create(cache, &error);
+    find(checkup, "cache", "folder", ok, ok ? cache : error.text,
+         "set AOBUDGET_CACHE to a folder that can be written");
+    free(plot);
+    free(folder);
+    free(cache);
+}
+
+static void print_findings(const struct checkup *checkup)
+{
+    char processor[256];
+    json_t *finding;
+    size_t at;
+    aob_machine_processor(processor, sizeof processor);
+    printf("aobudget %s on %s, %d cores\n", AOBUDGET_VERSION, processor, aob_machine_cores());
+    json_array_foreach(checkup->findings, at, finding)
+    {
+        const char *cure = json_string_value(json_object_get(finding, "cure"));
+        printf("%-8s %-9s %-14s %s\n", json_is_true(json_object_get(finding, "ok")) ? "ok" : "missing",
+               json_string_value(json_object_get(finding, "what")),
+               json_string_value(json_object_get(finding, "name")),
+               json_string_value(json_object_get(finding, "says")));
+        if (*cure)
+            printf("%-33s cure: %s\n", "", cure);
+    }
+}
+
+static enum aob_exit verdict(const struct checkup *checkup, struct aob_error *error)
+{
+    if (!checkup->drawing) {
+        aob_fail(error, "no backend that draws works: install a driver (see above)");
+        return AOB_EXIT_USAGE;
+    }
+    return checkup->missing ? AOB_EXIT_PART : AOB_EXIT_OK;
+}
+
+enum aob_exit aob_doctor(const struct aob_dispatch *dispatch, const char *json, bool quiet,
+                         struct aob_error *error)
+{
+    struct checkup checkup = {.dispatch = dispatch, .findings = json_array()};
+    for (const struct aob_gpu_fns *const *backend = aob_gpu_backends; *backend; backend++)
+        check_backend(&checkup, *backend);
+    for (const struct aob_scene_info *const *scene = aob_scenes; *scene; scene++)
+        check_scene(&checkup, *scene);
+    check_program(&checkup);
+    bool ok = true;
+    if (json) {
+        json_t *document = json_pack("{s:s, s:O}", "program", AOBUDGET_VERSION, "findings", checkup.findings);
+        ok = aob_json_write(document, json, error);
+        json_decref(document);
+    }
+    if (!quiet && !(json && strcmp(json, "-") == 0))
+        print_findings(&checkup);
+    json_decref(checkup.findings);
+    return ok ? verdict(&checkup, error) : AOB_EXIT_USAGE;
+}
