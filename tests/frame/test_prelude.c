@@ -24,7 +24,8 @@ static const struct aob_shader shaders[] = {
                    "    o = 1.0 - max(abs(back.x - q.x), abs(back.y - q.y));\n}\n"},
     {"random", "void main() { o = aob_random(aob_pixel, 3); }\n"},
     {"values", "void main() { o = (float(COUNT) + param.scale + float(param.seed)) / 100.0; }\n"},
-    {"position", "void main() { o = aob_is_sky(aob_pixel) ? 0.0 : -aob_position(aob_pixel).y / 10.0 + 0.5; }\n"},
+    {"position",
+     "void main() { o = aob_is_sky(aob_pixel) ? 0.0 : -aob_position(aob_pixel).y / 10.0 + 0.5; }\n"},
     {"facing", "void main() { o = aob_is_sky(aob_pixel) ? 1.0 :\n"
                "    dot(aob_normal(aob_pixel), aob_view_vector(aob_position(aob_pixel))); }\n"},
     {"border", "void main() { o = aob_view_z(aob_pixel - ivec2(aob_size.x, 0)) > 1e8 ? 1.0 : 0.0; }\n"},
@@ -40,13 +41,19 @@ static bool build(struct aob_graph *graph, const void *values)
 {
     (void)values;
     aob_tex out = aob_texture(graph, .name = "o", .format = AOB_R32F);
-    return aob_pass(graph, .name = "only", .shader = chosen, .reads = AOB_DEPTH | AOB_NORMAL, .border = border,
-                    .out = {{.name = "o", .tex = out}}) &&
+    return aob_pass(graph, .name = "only", .shader = chosen, .reads = AOB_DEPTH | AOB_NORMAL,
+                    .border = border, .out = {{.name = "o", .tex = out}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, out);
 }
-static const struct aob_technique technique = {.abi = AOB_ABI, .size = sizeof technique, .name = "prelude",
-                                               .title = "t", .citation = "c", .params = params, .param_count = 3,
-                                               .values_size = sizeof(struct values), .shaders = shaders,
+static const struct aob_technique technique = {.abi = AOB_ABI,
+                                               .size = sizeof technique,
+                                               .name = "prelude",
+                                               .title = "t",
+                                               .citation = "c",
+                                               .params = params,
+                                               .param_count = 3,
+                                               .values_size = sizeof(struct values),
+                                               .shaders = shaders,
                                                .build = build};
 
 static void run(const struct aob_rig *rig, const char *shader, struct values values, float *pixels)
@@ -69,7 +76,8 @@ static void run(const struct aob_rig *rig, const char *shader, struct values val
 static void rig_of(struct aob_rig *rig, double ortho)
 {
     struct aob_mesh mesh = {0};
-    struct aob_camera camera = {.eye = {0, 2, 4}, .target = {0, 0.8, 0}, .fov_deg = 60, .ortho_height = ortho};
+    struct aob_camera camera = {
+        .eye = {0, 2, 4}, .target = {0, 0.8, 0}, .fov_deg = 60, .ortho_height = ortho};
     aob_scene_find("spheres")->build(&mesh);
     aob_rig_init(rig, &mesh, &camera, W, H, 0);
     aob_mesh_finish(&mesh);

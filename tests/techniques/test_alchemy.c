@@ -53,7 +53,8 @@ static void test_against_quadrature(void **state)
             occluded += truth < 0.9;
         }
     double rmse = sqrt(sum / (W * H));
-    printf("alchemy, 1024 samples, against quadrature of equation 10: RMSE %.4f, bias %+.5f\n", rmse, bright / (W * H));
+    printf("alchemy, 1024 samples, against quadrature of equation 10: RMSE %.4f, bias %+.5f\n", rmse,
+           bright / (W * H));
     assert_true(occluded > 500);
     assert_true(rmse <= 0.005);
     assert_true(fabs(bright / (W * H)) <= 0.001);

@@ -45,7 +45,8 @@ static void test_corner_approaches_its_definition(void **state)
     for (double radius = 0.5; radius <= 2; radius *= 2) {
         double coarse = corner_rmse(gpu, &rig, radius, "directions=4 steps=4");
         double fine = corner_rmse(gpu, &rig, radius, "directions=32 steps=16");
-        printf("hbao on corner/front R=%g against its definition: 4x4 %.4f, 32x16 %.4f\n", radius, coarse, fine);
+        printf("hbao on corner/front R=%g against its definition: 4x4 %.4f, 32x16 %.4f\n", radius, coarse,
+               fine);
         assert_true(fine < 0.7 * coarse);
         assert_true(fine < 0.0425);
     }
@@ -80,7 +81,8 @@ static void test_open_plane(void **state)
         aob_rig_init(&rig, &mesh, &camera, W, H, 0);
         double with = mean_of_plane(gpu, &rig, "blur=0 radius=1", &least);
         double without = mean_of_plane(gpu, &rig, "blur=0 radius=1 tangents=per_direction", &snapped_least);
-        printf("hbao on a plane tilted %d degrees: per sample mean %.4f min %.4f, per direction mean %.4f min %.4f\n",
+        printf("hbao on a plane tilted %d degrees: per sample mean %.4f min %.4f, per direction mean %.4f "
+               "min %.4f\n",
                tilt, with, least, without, snapped_least);
         assert_true(with >= 0.999);
         assert_true(least >= 0.995);
