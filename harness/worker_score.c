@@ -6,7 +6,9 @@
 #include "base/clock.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "measure/flip.h"
 #include "measure/score.h"
+#include "measure/ssim.h"
 #include "store/image.h"
 
 bool aob_block_drop_damaged(const char *path, struct aob_error *error)
@@ -82,14 +84,16 @@ static void map_definition(const struct aob_block *block, const struct aob_frame
         truth->definition[i] = technique->definition.map(values, truth->definition[i]);
 }
 
-static json_t *score_to_json(const struct aob_score *s, double definition_rmse)
+static json_t *score_to_json(const struct aob_score_desc *desc, const struct aob_score *s,
+                             double definition_rmse)
 {
-    return json_pack("{s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:I, s:I}", "reference",
+    return json_pack("{s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:I, s:I}", "reference",
                      "ray-traced", "rmse", aob_json_number(s->rmse), "band_rmse",
                      aob_json_number(s->band_rmse), "border_rmse", aob_json_number(s->border_rmse), "mae",
                      aob_json_number(s->mae), "bias", aob_json_number(s->bias), "p95",
                      aob_json_number(s->p95), "max", aob_json_number(s->max), "reference_se",
                      aob_json_number(s->reference_se), "definition_rmse", aob_json_number(definition_rmse),
+                     "flip", aob_json_number(aob_flip(desc)), "ssim", aob_json_number(aob_ssim(desc)),
                      "pixels", (json_int_t)s->pixels, "band_pixels", (json_int_t)s->band_pixels);
 }
 
@@ -113,7 +117,7 @@ static bool score_case(const struct aob_block *block, const json_t *c, const flo
         return false;
     double definition = truth->definition ? aob_score_rmse(&desc, truth->definition, truth->ao) : NAN;
     if (truth->ao)
-        json_object_set_new(answer, "error", score_to_json(&score, definition));
+        json_object_set_new(answer, "error", score_to_json(&desc, &score, definition));
     return true;
 }
 

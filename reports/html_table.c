@@ -23,6 +23,8 @@ static void add_head(struct aob_text *page, const struct aob_rows *rows)
         {"RMSE in band", "", "where the reference is occluded at all: visibility below 0.995", true},
         {"bias", "", "mean of technique minus reference: negative is too dark", true},
         {"p95", "", "95th percentile of the absolute error", true},
+        {"FLIP", "", "mean difference that one notices between the two images: 0 none, 1 most", true},
+        {"SSIM", "", "mean structural similarity: 1 if the two images are equal", true},
         {"ref. SE", "", "standard error of the reference itself", true},
         {"memory", "MiB", "textures of the technique", true},
     };
@@ -107,6 +109,8 @@ static void add_row(struct aob_text *page, const struct aob_rows *rows, const st
     add_decimal(page, row->band_rmse);
     add_decimal(page, row->bias);
     add_decimal(page, row->p95);
+    add_decimal(page, row->flip);
+    add_decimal(page, row->ssim);
     add_decimal(page, row->reference_se);
     add_memory(page, row->memory_bytes);
     aob_text_add(page, "</tr>\n");

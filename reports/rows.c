@@ -74,6 +74,8 @@ static void take_line(struct aob_row *row, size_t run, const json_t *line)
         .band_rmse = aob_member_number(score, "band_rmse"),
         .bias = aob_member_number(score, "bias"),
         .p95 = aob_member_number(score, "p95"),
+        .flip = aob_member_number(score, "flip"),
+        .ssim = aob_member_number(score, "ssim"),
         .reference_se = aob_member_number(score, "reference_se"),
         .memory_bytes = aob_member_number(line, "memory_bytes"),
     };

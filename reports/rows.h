@@ -24,7 +24,7 @@ struct aob_row {
     int width, height;
     double cost_ms;                /* of a frame: processor time, or wall time if that is the case's clock */
     double ratio, ci_low, ci_high; /* the 95 % interval is the ratio's */
-    double rmse, band_rmse, bias, p95, reference_se, memory_bytes;
+    double rmse, band_rmse, bias, p95, flip, ssim, reference_se, memory_bytes;
     char *label; /* "radius=0.5 slices=2", then the run options that are not the same everywhere */
 };
 
