@@ -3,22 +3,13 @@
 file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true RELATIVE ${CMAKE_SOURCE_DIR}/techniques
      ${CMAKE_SOURCE_DIR}/techniques/*)
 list(SORT folders)
-file(GLOB COMMON_SHADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/common/*.glsl)
-
-# Writes the texts of shaders/NAME as a header that `#include "shaders.h"` finds.
-function(aobudget_shaders name)
-  file(GLOB texts CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/${name}/*.glsl)
-  set(header ${CMAKE_BINARY_DIR}/generated/${name}/shaders.h)
-  add_custom_command(OUTPUT ${header} DEPENDS ${texts} ${COMMON_SHADERS} ${CMAKE_SOURCE_DIR}/cmake/shaders.cmake
-    COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DSOURCE=${CMAKE_SOURCE_DIR}/shaders -DOUT=${header}
-            -P ${CMAKE_SOURCE_DIR}/cmake/shaders.cmake)
-  add_custom_target(shaders_${name} DEPENDS ${header})
-endfunction()
+set(aobudget_SHADERS_DIR ${CMAKE_SOURCE_DIR}/shaders)
+include(${CMAKE_CURRENT_LIST_DIR}/module.cmake)
 
 set(declarations "")
 set(rows "")
 foreach(name ${folders})
-  aobudget_shaders(${name})
+  aobudget_shaders(${name} shaders/${name})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/techniques/${name}/*.c)
   add_library(technique_${name} OBJECT ${sources})
   target_include_directories(technique_${name} PRIVATE include ${CMAKE_BINARY_DIR}/generated/${name})
@@ -33,6 +24,7 @@ foreach(name ${folders})
   target_include_directories(module_${name} PRIVATE include)
   set_target_properties(module_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name}
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/modules)
+  list(APPEND BUILTIN_MODULES module_${name})
 endforeach()
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/builtin.c @ONLY CONTENT
 "/* Written by the build from the folders in techniques/. */
@@ -41,4 +33,4 @@ const struct aob_technique *const aob_builtin_techniques[] = {\n${rows}    NULL,
 list(APPEND BUILTIN_OBJECTS ${CMAKE_BINARY_DIR}/generated/builtin.c)
 
 # The fixed pass that every block is timed against: laid out like a technique, listed nowhere.
-aobudget_shaders(fixed_pass)
+aobudget_shaders(fixed_pass shaders/fixed_pass)

@@ -112,7 +112,8 @@ static bool score_case(const struct aob_block *block, const json_t *c, const flo
                                   .radius = aob_json_to_number(json_object_get(c, "radius")),
                                   .pixel_scale = view->sy,
                                   .perspective = view->perspective};
-    bool claims = json_is_string(json_object_get(c, "definition")); /* `none` claims nothing, and draws it */
+    /* `none` claims nothing, and draws it; the null backend draws nothing of any. */
+    bool claims = json_is_string(json_object_get(c, "definition")) && !block->gpu->info.draws_nothing;
     if (!aob_score(&desc, &score, error) || (claims && !aob_score_judge_drawn(&desc, error)))
         return false;
     double definition = truth->definition ? aob_score_rmse(&desc, truth->definition, truth->ao) : NAN;

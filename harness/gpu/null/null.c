@@ -28,8 +28,11 @@ static struct aob_gpu *null_open(const struct aob_gpu_desc *desc, struct aob_err
     (void)error;
     struct aob_gpu *gpu = AOB_NEW(struct aob_gpu);
     gpu->fns = &aob_gpu_null;
-    gpu->info = (struct aob_gpu_info){
-        .backend = aob_gpu_null.name, .device = "none", .driver = "none", .software = true};
+    gpu->info = (struct aob_gpu_info){.backend = aob_gpu_null.name,
+                                      .device = "none",
+                                      .driver = "none",
+                                      .software = true,
+                                      .draws_nothing = true};
     return gpu;
 }
 

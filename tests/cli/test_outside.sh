@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# A module from outside, made of the installed files only; docs/adding-a-technique.md shows its code and builds it.
+source "$(dirname "$0")/lib.sh"
+tree=$(realpath "$(dirname "$0")/../..")
+tutorial=$tree/docs/adding-a-technique.md
+export prefix=$folder/prefix
+export PKG_CONFIG_PATH=$prefix/lib/pkgconfig
+export ASAN_OPTIONS=detect_leaks=0 # drivers are loaded here
+
+check "install" cmake --install "$AOBUDGET_BUILD" --prefix "$prefix"
+mv "$prefix" "$folder/moved" && prefix=$folder/moved # nothing may name where it was
+export PKG_CONFIG_PATH=$prefix/lib/pkgconfig
+cp -r "$tree/examples/outside" "$folder/outside"
+cd "$folder/outside"
+program=$prefix/bin/aobudget
+
+# What is installed stands alone.
+for file in bin/aobudget bin/aobudget-plot lib/libaoviz.so lib/aobudget/modules/gtao.so include/aobudget/technique.h \
+  include/aobudget/steps.h share/aobudget/shaders/common/noise.glsl lib/cmake/aobudget/aobudgetConfig.cmake; do
+  check "$file" test -s "$prefix/$file"
+done
+check "no path of tree or build" bash -c "! grep -rIF -e '$tree' -e '$AOBUDGET_BUILD' '$prefix'"
+check "the plotter finds its library" bash -c "ldd '$prefix/bin/aobudget-plot' | grep -F 'libaoviz.so => $prefix/'"
+check "the plotter starts" bash -c "echo '{\"figures\": []}' | '$prefix/bin/aobudget-plot'"
+check "an installed built-in" "$program" list techniques --module "$prefix/lib/aobudget/modules/gtao.so"
+
+# The tutorial shows the files, and the files hold nothing that it does not show.
+awk '/^```/ { on = 0; if ($0 ~ /^```[a-z]/) { on = 1; file = sprintf("%s/block%02d.%s", out, ++n, substr($0, 4)) } next }
+  on { print > file }' out="$folder" "$tutorial"
+shows() { # BLOCK: it stands in one of the files as it is
+  local block file
+  block=$(cat "$1")
+  for file in CMakeLists.txt sweep.yaml depth_unsharp.c shaders/*.glsl; do
+    [[ "$(cat "$file")" == *"$block"* ]] && return
+  done
+  cat "$1"
+  return 1
+}
+check "the tutorial has its blocks" test "$(ls "$folder"/block*.{c,glsl,cmake,yaml} | wc -l)" -ge 9
+for block in "$folder"/block*.{c,glsl,cmake,yaml}; do
+  check "$(basename "$block") of the tutorial is the example's" shows "$block"
+done
+cat "$folder"/block*.{c,glsl,cmake,yaml} | grep . >"$folder/shown"
+for file in CMakeLists.txt sweep.yaml depth_unsharp.c shaders/*.glsl; do
+  check "the tutorial shows all of $file" bash -c "! grep . '$file' | grep -vxFf '$folder/shown'"
+done
+
+# Its commands, as they stand; without drivers those up to the first drawing.
+module=build/depth_unsharp.so
+shot=("$program" shot --technique depth_unsharp --module $module --scene corner --size 96x54)
+drivers=yes
+for backend in vulkan gl-egl; do
+  "$program" shot --technique none --scene plane --size 8x8 --reference-spp 0 --backend $backend >/dev/null 2>&1 || drivers=
+done
+for block in "$folder"/block*.sh; do
+  [ -z "$drivers" ] && ! grep -qE 'cmake|null' "$block" && continue
+  check "$(basename "$block") of the tutorial" bash -euo pipefail "$block"
+done
+check "listed with its table" bash -c "'$program' list techniques --module $module | grep -F 'Two standard deviations'"
+check "null" "${shot[@]}" --backend null --reference-spp 0
+check "null, plain gcc" "${shot[@]}" --backend null --reference-spp 0 --module plain/depth_unsharp.so
+expect 2 "must be odd" "${shot[@]}" --backend null -p blur=2
+if [ -n "$drivers" ]; then
+  figure() { # FIELD ARGUMENTS...: of the record
+    local field=$1
+    shift
+    "$program" shot --size 96x54 --backend gl-egl --reference-spp 64 --json - "$@" | grep -oE "\"$field\": ?[-0-9.e]+" | grep -oE '[-0-9.e]+$'
+  }
+  ours=$(figure rmse --technique depth_unsharp --module plain/depth_unsharp.so --scene corner -p kernel=8)
+  none=$(figure rmse --technique none --scene corner --reference-radius 0.5)
+  plane=$(figure rmse --technique depth_unsharp --module $module --scene plane)
+  check "better than nothing: $ours < 0.6 x $none" awk "BEGIN { exit !($ours > 0 && $ours < 0.6 * $none) }"
+  check "an open plane stays open: $plane" awk "BEGIN { exit !(\"$plane\" != \"\" && $plane < 0.001) }"
+fi
+
+# What is no module of this interface: one line, code 2.
+strip --strip-all -o stripped.so $module
+check "stripped of debug symbols, it still is one" "$program" list techniques --module stripped.so
+echo 'int nothing;' | gcc -x c -shared -fPIC - -o empty.so
+expect 2 "exports no symbol aob_module" "$program" list techniques --module empty.so
+cp -r "$prefix/include" old
+sed -i 's/AOB_ABI_MAJOR [0-9]*u/AOB_ABI_MAJOR 77u/' old/aobudget/technique.h
+gcc -std=c11 -shared -fPIC -Iplain -Iold depth_unsharp.c -o old.so -lm
+major=$(sed -nE 's/^#define AOB_ABI_MAJOR ([0-9]+)u.*/\1/p' "$prefix/include/aobudget/technique.h")
+minor=$(sed -nE 's/^#define AOB_ABI_MINOR ([0-9]+)u.*/\1/p' "$prefix/include/aobudget/technique.h")
+expect 2 "made for module interface 77.$minor, this program has $major.$minor" "${shot[@]:0:4}" --scene corner --module old.so
+expect 2 "is it a file" "$program" list techniques --module build
+expect 2 "cannot load the module" "$program" list techniques --module CMakeLists.txt
+head -c 4096 $module >cut.so
+expect 2 "cut.so" "$program" list techniques --module cut.so
+
+# Mistakes of an author are named when the module is built.
+echo '#include "common/nose.glsl"' >shaders/broken.glsl
+check "a missing include is named" bash -c "! cmake --build build && cmake --build build | grep -F 'common/nose.glsl'"
+echo '#include "broken.glsl"' >shaders/broken.glsl
+check "so is one of itself" bash -c "cmake --build build 2>&1 | grep -F 'include itself'"
+finish
