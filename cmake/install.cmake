@@ -13,3 +13,5 @@ write_basic_package_version_file(${package}/aobudgetConfigVersion.cmake COMPATIB
 install(FILES ${package}/aobudget.pc DESTINATION lib/pkgconfig)
 install(FILES cmake/aobudgetConfig.cmake cmake/module.cmake cmake/shaders.cmake
   ${package}/aobudgetConfigVersion.cmake DESTINATION lib/cmake/aobudget)
+install(FILES ${CMAKE_SOURCE_DIR}/share/aobudget.1 DESTINATION share/man/man1)
+install(FILES ${CMAKE_SOURCE_DIR}/share/aobudget.bash DESTINATION share/bash-completion/completions RENAME aobudget)

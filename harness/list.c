@@ -9,8 +9,16 @@
 #include "measurement.h"
 #include "plan/plan.h"
 #include "scene/scene.h"
+#include "scene/scene_folder.h"
 #include "technique/option.h"
 #include "technique/param.h"
+
+static bool write_document(json_t *document, const char *json, struct aob_error *error)
+{
+    bool ok = aob_json_write(document, json, error);
+    json_decref(document);
+    return ok;
+}
 
 static json_t *params_to_json(const struct aob_param *params, size_t count)
 {
@@ -70,31 +78,61 @@ static json_t *scene_to_json(const struct aob_scene_info *scene)
         json_object_set_new(view, "name", json_string(scene->views[i].name));
         json_array_append_new(views, view);
     }
-    return json_pack("{s:s, s:s, s:f, s:s?, s:s?, s:b, s:o}", "name", scene->name, "geometry", scene->title,
-                     "metres_per_unit", scene->metres_per_unit, "file", scene->file, "package",
-                     scene->package, "available", !scene->file || aob_file_exists(scene->file), "views",
-                     views);
+    return json_pack("{s:s, s:s, s:f, s:s?, s:s?, s:s?, s:s?, s:b, s:o}", "name", scene->name, "geometry",
+                     scene->title, "metres_per_unit", scene->metres_per_unit, "file", scene->file, "package",
+                     scene->package, "licence", scene->licence, "sha256", scene->sha256, "available",
+                     !scene->file || aob_file_exists(scene->file), "views", views);
 }
 
-static json_t *scenes_to_json(void)
+/* A file name that is not UTF-8 cannot be in JSON, nor in a plan: jansson packs no object then. */
+static json_t *scenes_to_json(const struct aob_scene_folder *folder)
 {
-    json_t *array = json_array();
+    json_t *array = json_array(), *own = json_array(), *known = json_array();
     for (const struct aob_scene_info *const *s = aob_scenes; *s; s++)
         json_array_append_new(array, scene_to_json(*s));
-    return json_pack("{s:o}", "scenes", array);
+    for (size_t i = 0; i < folder->count; i++)
+        json_array_append_new(
+            own, json_pack("{s:s, s:s}", "name", folder->files[i].name, "file", folder->files[i].path));
+    for (const struct aob_known_scene *k = aob_known_scenes; k->name; k++)
+        json_array_append_new(known, json_pack("{s:s, s:s, s:s, s:s}", "name", k->name, "geometry", k->title,
+                                               "source", k->source, "licence", k->licence));
+    return json_pack("{s:o, s:o, s:o}", "scenes", array, "own", own, "known_elsewhere", known);
 }
 
-static void print_scenes(void)
+static void print_scene(const struct aob_scene_info *scene)
 {
-    for (const struct aob_scene_info *const *s = aob_scenes; *s; s++) {
-        printf("%s: %s\n    views:", (*s)->name, (*s)->title);
-        for (size_t i = 0; i < (*s)->view_count; i++)
-            printf(" %s", (*s)->views[i].name);
-        if ((*s)->file)
-            printf("\n    %s (package %s)%s", (*s)->file, (*s)->package,
-                   aob_file_exists((*s)->file) ? "" : ": not installed");
-        printf("\n");
-    }
+    printf("%s: %s\n    views:", scene->name, scene->title);
+    for (size_t i = 0; i < scene->view_count; i++)
+        printf(" %s", scene->views[i].name);
+    if (scene->file)
+        printf("\n    %s (package %s)%s\n    licence %s; sha256 %s", scene->file, scene->package,
+               aob_file_exists(scene->file) ? "" : ": not installed", scene->licence, scene->sha256);
+    printf("\n");
+}
+
+static void print_scenes(const struct aob_scene_folder *folder)
+{
+    for (const struct aob_scene_info *const *s = aob_scenes; *s; s++)
+        print_scene(*s);
+    if (folder->count)
+        printf("your own, in AOBUDGET_SCENES\n");
+    for (size_t i = 0; i < folder->count; i++)
+        printf("    %s: %s\n", folder->files[i].name, folder->files[i].path);
+    printf("known elsewhere: put a mesh into the folder AOBUDGET_SCENES to use it by its name\n");
+    for (const struct aob_known_scene *k = aob_known_scenes; k->name; k++)
+        printf("    %s: %s\n        %s; %s\n", k->name, k->title, k->source, k->licence);
+}
+
+static bool list_scenes(const char *json, struct aob_error *error)
+{
+    struct aob_scene_folder folder;
+    bool ok = aob_scene_folder_read(&folder, error);
+    if (ok && json)
+        ok = write_document(scenes_to_json(&folder), json, error);
+    else if (ok)
+        print_scenes(&folder);
+    aob_scene_folder_finish(&folder);
+    return ok;
 }
 
 static json_t *backends_to_json(void)
@@ -109,13 +147,6 @@ static void print_backends(void)
 {
     for (const struct aob_gpu_fns *const *b = aob_gpu_backends; *b; b++)
         printf("%-12s %s\n", (*b)->name, (*b)->title);
-}
-
-static bool write_document(json_t *document, const char *json, struct aob_error *error)
-{
-    bool ok = aob_json_write(document, json, error);
-    json_decref(document);
-    return ok;
 }
 
 static bool list_techniques(const struct aob_dispatch *dispatch, const char *json, struct aob_error *error)
@@ -137,7 +168,7 @@ enum aob_exit aob_list(const struct aob_dispatch *dispatch, const char *what, co
     if (strcmp(what, "techniques") == 0)
         ok = list_techniques(dispatch, json, error);
     else if (strcmp(what, "scenes") == 0)
-        json ? (void)(ok = write_document(scenes_to_json(), json, error)) : print_scenes();
+        ok = list_scenes(json, error);
     else if (strcmp(what, "backends") == 0)
         json ? (void)(ok = write_document(backends_to_json(), json, error)) : print_backends();
     else

@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "gpu/gpu.h"
+#include "scene/scene_folder.h"
 #include "scene/source.h"
 #include "technique/param.h"
 
@@ -19,12 +20,6 @@ static bool fail_value(const struct aob_config *config, const struct aob_value *
                        struct aob_error *error)
 {
     return fail_at(config, value->line, value->column, error);
-}
-
-static void list_scenes(struct aob_text *text)
-{
-    for (const struct aob_scene_info *const *s = aob_scenes; *s; s++)
-        aob_text_add(text, "%s%s", s == aob_scenes ? "" : ", ", (*s)->name);
 }
 
 static bool choose_view(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
@@ -58,29 +53,54 @@ static bool choose_camera(struct aob_plan_scene *scene, const struct aob_scene_c
     }
     if (scene->info)
         return choose_view(scene, choice, error);
+    if (choice->view)
+        return aob_fail(error,
+                        "scene '%s' is a mesh file and has no named views: give eye, target and fov_deg",
+                        scene->name);
     scene->view = aob_strdup("framed");
     scene->framed = true;
     return true;
 }
 
-static bool choose_scene(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
-                         struct aob_error *error)
+static bool fail_unknown(const char *name, const struct aob_scene_folder *folder, struct aob_error *error)
 {
+    struct aob_text all = {0};
+    for (const struct aob_scene_info *const *s = aob_scenes; *s; s++)
+        aob_text_add(&all, "%s%s", s == aob_scenes ? "" : ", ", (*s)->name);
+    for (size_t i = 0; i < folder->count; i++)
+        aob_text_add(&all, ", %s", folder->files[i].name);
+    aob_fail(error, "unknown scene '%s'; there are %s", name, all.data);
+    aob_text_finish(&all);
+    return false;
+}
+
+/* A listed scene, one of the user's folder by its name, or a mesh file. */
+static bool find_scene(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                       struct aob_error *error)
+{
+    struct aob_scene_folder folder;
     scene->info = choice->name ? aob_scene_find(choice->name) : NULL;
     scene->name = aob_strdup(choice->name ? choice->name : choice->file);
     scene->metres_per_unit = scene->info ? scene->info->metres_per_unit : 1;
-    if (choice->name && !scene->info) {
-        struct aob_text all = {0};
-        list_scenes(&all);
-        aob_fail(error, "unknown scene '%s'; there are %s", choice->name, all.data);
-        aob_text_finish(&all);
+    scene->file = aob_strdup(scene->info ? scene->info->file : choice->file);
+    if (scene->info || choice->file)
+        return true;
+    if (!aob_scene_folder_read(&folder, error))
+        return aob_fail_in(error, "unknown scene '%s'", scene->name);
+    scene->file = aob_strdup(aob_scene_folder_find(&folder, scene->name));
+    bool ok = scene->file || fail_unknown(scene->name, &folder, error);
+    aob_scene_folder_finish(&folder);
+    return ok;
+}
+
+static bool choose_scene(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                         struct aob_error *error)
+{
+    if (!find_scene(scene, choice, error))
         return false;
-    }
-    const char *file = scene->info ? scene->info->file : choice->file;
-    scene->file = aob_strdup(file);
-    if (!aob_source_digest(scene->info, file, scene->digest, error))
-        return scene->info && scene->info->package && !aob_file_exists(file)
-                   ? aob_fail(error, "scene '%s' needs %s: apt-get install %s", scene->name, file,
+    if (!aob_source_digest(scene->info, scene->file, scene->digest, error))
+        return scene->info && scene->info->package && !aob_file_exists(scene->file)
+                   ? aob_fail(error, "scene '%s' needs %s: apt-get install %s", scene->name, scene->file,
                               scene->info->package)
                    : false;
     return choose_camera(scene, choice, error);

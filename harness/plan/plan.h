@@ -12,7 +12,7 @@
 
 struct aob_plan_scene {                /* one view of one scene */
     const struct aob_scene_info *info; /* NULL: a mesh file of the user's */
-    char *name;                        /* "corner", or the file's path */
+    char *name;                        /* "corner", one of the user's folder, or the file's path */
     char *file;                        /* mesh file to load, or NULL for a procedural scene */
     char *view;               /* "front", "camera" or "framed" (from the mesh's box, once it is loaded) */
     struct aob_camera camera; /* unset while framed */

@@ -1,11 +1,6 @@
-#include "scene.h"
+#include "scene_table.h"
 #include <string.h>
 #include "base/memory.h"
-
-#define VIEW(name_, ex, ey, ez, tx, ty, tz, fov)                                                             \
-    {                                                                                                        \
-        .name = name_, .camera = {.eye = {ex, ey, ez}, .target = {tx, ty, tz}, .fov_deg = fov }              \
-    }
 
 static void add_floor(struct aob_mesh *mesh)
 {
@@ -18,9 +13,9 @@ static void build_plane(struct aob_mesh *mesh)
 }
 
 static const struct aob_view plane_views[] = {
-    VIEW("front", 0, 2, 4, 0, 0, 0, 60),
-    VIEW("low", 0, 0.3, 6, 0, 0, 0, 60),
-    VIEW("top", 0, 5, 0, 0, 0, 0, 60),
+    AOB_VIEW("front", 0, 2, 4, 0, 0, 0, 60),
+    AOB_VIEW("low", 0, 0.3, 6, 0, 0, 0, 60),
+    AOB_VIEW("top", 0, 5, 0, 0, 0, 0, 60),
 };
 static const struct aob_scene_info plane = {
     .name = "plane",
@@ -38,8 +33,8 @@ static void build_corner(struct aob_mesh *mesh)
 }
 
 static const struct aob_view corner_views[] = {
-    VIEW("front", 0, 2, 4, 0, 0.8, 0, 60),
-    VIEW("far", 3, 4, 8, 0, 1, 0, 45),
+    AOB_VIEW("front", 0, 2, 4, 0, 0.8, 0, 60),
+    AOB_VIEW("far", 3, 4, 8, 0, 1, 0, 45),
 };
 static const struct aob_scene_info corner = {
     .name = "corner",
@@ -64,9 +59,9 @@ static void build_spheres(struct aob_mesh *mesh)
 }
 
 static const struct aob_view spheres_views[] = {
-    VIEW("front", 0.5, 1.6, 4, 0, 0.6, 0, 50),
-    VIEW("close", 0.9, 0.6, 2.6, 0.6, 0.3, 0.4, 45),
-    VIEW("top", 0, 6, 0.01, 0, 0, 0, 50),
+    AOB_VIEW("front", 0.5, 1.6, 4, 0, 0.6, 0, 50),
+    AOB_VIEW("close", 0.9, 0.6, 2.6, 0.6, 0.3, 0.4, 45),
+    AOB_VIEW("top", 0, 6, 0.01, 0, 0, 0, 50),
 };
 static const struct aob_scene_info spheres = {
     .name = "spheres",
@@ -92,8 +87,8 @@ static void build_cornell(struct aob_mesh *mesh)
 }
 
 static const struct aob_view cornell_views[] = {
-    VIEW("front", 0, 1, 3.4, 0, 1, 0, 45),
-    VIEW("blocks", 0.4, 1.2, 1.6, 0, 0.4, -0.2, 60),
+    AOB_VIEW("front", 0, 1, 3.4, 0, 1, 0, 45),
+    AOB_VIEW("blocks", 0.4, 1.2, 1.6, 0, 0.4, -0.2, 60),
 };
 static const struct aob_scene_info cornell = {
     .name = "cornell",
@@ -107,9 +102,9 @@ static const struct aob_scene_info cornell = {
 };
 
 static const struct aob_view bunny_views[] = {
-    VIEW("front", 0, 0.4, 3.3, 0, 0, 0, 45),
-    VIEW("left", -3, 0.6, 1, 0, 0, 0, 45),
-    VIEW("ears", 0.4, 1.4, 1.4, -0.4, 0.3, -0.1, 45),
+    AOB_VIEW("front", 0, 0.4, 3.3, 0, 0, 0, 45),
+    AOB_VIEW("left", -3, 0.6, 1, 0, 0, 0, 45),
+    AOB_VIEW("ears", 0.4, 1.4, 1.4, -0.4, 0.3, -0.1, 45),
 };
 static const struct aob_scene_info bunny = {
     .name = "bunny",
@@ -121,9 +116,64 @@ static const struct aob_scene_info bunny = {
     .view_count = AOB_COUNT(bunny_views),
     .file = "/usr/share/glmark2/models/bunny.obj",
     .package = "glmark2-data",
+    .licence = "GPL-3+ as the package states",
+    .sha256 = "bff773d28c62e80187b2dfa8c6c8cc771a4c7707ddcdcf2e515913d322d1f548",
 };
 
-const struct aob_scene_info *const aob_scenes[] = {&plane, &corner, &spheres, &cornell, &bunny, NULL};
+static const struct aob_view horse_views[] = {
+    AOB_VIEW("right", 0, 2.6, 0.3, 0, 0, 0, 45),
+    AOB_VIEW("left", 0, -2.6, -0.3, 0, 0, 0, 45),
+    AOB_VIEW("head", 0.1, 1.3, -0.25, 0.02, 0, -0.6, 40),
+};
+static const struct aob_scene_info horse = {
+    .name = "horse",
+    .title =
+        "Rearing horse, 7,172 triangles, box 1.25 x 0.77 x 1.70 units about the origin, upright along -Z",
+    .metres_per_unit = 1.4,
+    .views = horse_views,
+    .view_count = AOB_COUNT(horse_views),
+    .file = "/usr/share/glmark2/models/horse.3ds",
+    .package = "glmark2-data",
+    .licence = "GPL-3+ as the package states",
+    .sha256 = "1c241dbf9188b5c673cb6d1887492e305d53eba5ccf194e90314d8deb9d0a111",
+};
+
+static const struct aob_view engine_views[] = {
+    AOB_VIEW("front", 0, 160, 640, 0, -35, 0, 50),
+    AOB_VIEW("corner", 420, 200, 420, 40, -40, 0, 50),
+    AOB_VIEW("fins", 250, 60, 290, 170, -10, 0, 50),
+};
+static const struct aob_scene_info engine = {
+    .name = "engine",
+    .title = "Two-cylinder engine, 110,336 triangles, box 743 x 273 x 268 units (millimetres by its size)",
+    .metres_per_unit = 0.001,
+    .views = engine_views,
+    .view_count = AOB_COUNT(engine_views),
+    .file = "/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb",
+    .package = "assimp-testmodels",
+    .licence = "BSD-3-Clause as the package states",
+    .sha256 = "bb5fbccc73a3f68c52f26687fbb25b4a1248ab5f8a115ec55e7ac6a4451c47ee",
+};
+
+static const struct aob_view cornell_box_views[] = {
+    AOB_VIEW("front", 278, 273, -800, 278, 273, 0, 39),
+    AOB_VIEW("blocks", 380, 330, -120, 250, 110, 300, 60),
+};
+static const struct aob_scene_info cornell_box = {
+    .name = "cornell_box",
+    .title = "The measured Cornell box, 34 triangles, room 556 x 549 x 559 mm, open at z = 0",
+    .metres_per_unit = 0.001,
+    .views = cornell_box_views,
+    .view_count = AOB_COUNT(cornell_box_views),
+    .file = "/usr/share/doc/embree3/models/cornell_box.obj",
+    .package = "embree-tools",
+    .licence = "Apache-2.0 as the package states",
+    .sha256 = "1df799353b985e1862a590c6c37814227990e0338220e2e9a575fcd54031a667",
+};
+
+const struct aob_scene_info *const aob_scenes[] = {
+    &plane,           &corner, &spheres, &cornell, &aob_scene_atrium, &aob_scene_machine,
+    &aob_scene_grass, &bunny,  &horse,   &engine,  &cornell_box,      NULL};
 
 const struct aob_scene_info *aob_scene_find(const char *name)
 {

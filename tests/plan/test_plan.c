@@ -198,10 +198,47 @@ static void test_damaged_configs(void **state)
     }
 }
 
+/* A name that is not listed is a mesh of AOBUDGET_SCENES: same key as the file, no views of its own. */
+static void test_scenes_of_the_users_folder(void **state)
+{
+    (void)state;
+    struct aob_config config;
+    struct aob_plan plan;
+    struct aob_error error;
+    char folder[256], mesh[300];
+    snprintf(folder, sizeof folder, "/tmp/aobudget-scenes-%ld", (long)getpid());
+    snprintf(mesh, sizeof mesh, "%s/hall.obj", folder);
+    assert_true(aob_folder_create(folder, NULL) && aob_file_write(mesh, "v 0 0 0\n", 8, NULL));
+#define TAIL "resolutions: [8x8]\nbackends: [null]\n" NONE
+    assert_false(make("name: t\nscenes: [{name: hall}]\n" TAIL, &config, &plan, &error));
+    assert_contains(error.text, "unknown scene 'hall'");
+    setenv("AOBUDGET_SCENES", folder, 1);
+    assert_true(make("name: t\nscenes: [{name: hall}, {name: corner}]\n" TAIL, &config, &plan, &error));
+    assert_int_equal(plan.case_count, 2);
+    assert_string_equal(plan.scenes[0].name, "hall");
+    assert_string_equal(plan.scenes[0].file, mesh);
+    assert_true(plan.scenes[0].framed && !plan.scenes[0].info && plan.scenes[1].info);
+    aob_plan_finish(&plan);
+    aob_config_finish(&config);
+    assert_false(make("name: t\nscenes: [{name: hall, view: front}]\n" TAIL, &config, &plan, &error));
+    assert_contains(error.text, "no named views");
+    assert_false(make("name: t\nscenes: [{name: hull}]\n" TAIL, &config, &plan, &error));
+    assert_contains(error.text, ", hall");
+    unlink(mesh);
+    rmdir(folder);
+    assert_false(make("name: t\nscenes: [{name: hall}]\n" TAIL, &config, &plan, &error));
+    assert_contains(error.text, folder);
+    assert_true(make("name: t\nscenes: [{name: corner}]\n" TAIL, &config, &plan, &error));
+    aob_plan_finish(&plan);
+    aob_config_finish(&config);
+    unsetenv("AOBUDGET_SCENES");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_product_of_axes), cmocka_unit_test(test_twins_are_one_case_and_keys_are_stable),
-        cmocka_unit_test(test_refusals), cmocka_unit_test(test_damaged_configs)};
+        cmocka_unit_test(test_refusals), cmocka_unit_test(test_damaged_configs),
+        cmocka_unit_test(test_scenes_of_the_users_folder)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

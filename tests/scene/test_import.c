@@ -12,6 +12,7 @@
 #include <unistd.h>
 #include "base/file.h"
 #include "scene/scene.h"
+#include "title.h"
 
 enum { LOADED = 0, REFUSED = 1, SILENT = 2 }; /* SILENT: refused without exactly one line */
 
@@ -82,6 +83,23 @@ static void bunny_is_as_published(void **state)
     for (size_t i = 0; i < mesh.vertex_count; i++)
         assert_true(fabs(aob_vec_length(mesh.normals[i]) - 1) < 1e-6);
     aob_mesh_finish(&mesh);
+}
+
+static void packaged_meshes_have_the_triangles_of_their_titles(void **state)
+{
+    (void)state;
+    struct paths paths;
+    make_paths(&paths, "obj");
+    for (const struct aob_scene_info *const *s = aob_scenes; *s; s++) {
+        if (!(*s)->file || !aob_file_exists((*s)->file))
+            continue;
+        struct aob_mesh mesh;
+        assert_int_equal(load((*s)->file, paths.flat), LOADED);
+        assert_true(aob_mesh_restore(&mesh, paths.flat, NULL));
+        unlink(paths.flat);
+        assert_int_equal(mesh.triangle_count, title_triangles((*s)->title));
+        aob_mesh_finish(&mesh);
+    }
 }
 
 static const char two_faces[] = "o first\nv 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\nf 1 2 3 4\n"
@@ -160,6 +178,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bunny_is_as_published),
+        cmocka_unit_test(packaged_meshes_have_the_triangles_of_their_titles),
         cmocka_unit_test(obj_polygons_become_triangles),
         cmocka_unit_test(ply_is_read),
         cmocka_unit_test(bad_files_are_refused_with_one_line),

@@ -1,0 +1,12 @@
+/* What the files of the scenes share: each large procedural scene has a file of its own, scene.c the table. */
+#ifndef AOB_SCENE_SCENE_TABLE_H
+#define AOB_SCENE_SCENE_TABLE_H
+#include "scene.h"
+
+#define AOB_VIEW(name_, ex, ey, ez, tx, ty, tz, fov)                                                         \
+    {                                                                                                        \
+        .name = name_, .camera = {.eye = {ex, ey, ez}, .target = {tx, ty, tz}, .fov_deg = fov }              \
+    }
+
+extern const struct aob_scene_info aob_scene_atrium, aob_scene_machine, aob_scene_grass;
+#endif
