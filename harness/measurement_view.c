@@ -27,6 +27,10 @@ static char *cache_path(const struct aob_measurement *m, const char *kind, const
 
 static void take_box(void *user, json_t *answer)
 {
+    json_t *warning;
+    size_t at;
+    json_array_foreach(json_object_get(answer, "warnings"), at, warning)
+        aob_warn("%s", json_string_value(warning));
     struct aob_vec3 *box = user;
     double low[3], high[3];
     if (aob_json_to_vector(json_object_get(answer, "low"), low, 3) &&
@@ -36,12 +40,12 @@ static void take_box(void *user, json_t *answer)
     }
 }
 
-/* Time and memory in proportion to the file: a small hostile one would loop or allocate without end. Real
- * meshes take about 0.04 s a megabyte and 20 bytes of memory a byte. */
-static char *load_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, struct aob_error *error)
+/* Once a run. Time and memory in proportion to the file: a small hostile one would loop or allocate without end.
+ * Real meshes take about 0.04 s a megabyte and 20 bytes of memory a byte. */
+static bool import_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, const char *path,
+                        struct aob_error *error)
 {
     struct aob_vec3 box[2] = {{0}};
-    char *path = cache_path(m, "mesh", scene->digest, ".mesh");
     size_t size = aob_file_size(scene->file);
     struct aob_job_desc desc = {
         .job = json_pack("{s:s, s:s, s:s}", "job", "mesh", "file", scene->file, "out", path),
@@ -49,15 +53,22 @@ static char *load_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, 
         .memory_limit = ((size_t)1 << 30) + 64 * size,
         .on_answer = take_box,
         .user = box};
-    if ((scene->framed || !aob_file_exists(path)) && !aob_dispatch_job(m->dispatch, &desc, error)) {
-        if (!strstr(error->text, scene->file))
-            aob_fail_in(error, "%s: the mesh loader", scene->file);
-        free(path);
-        return NULL;
-    }
+    if (!aob_dispatch_job(m->dispatch, &desc, error))
+        return strstr(error->text, scene->file) ? false
+                                                : aob_fail_in(error, "%s: the mesh loader", scene->file);
     if (scene->framed)
         scene->camera = aob_scene_framing(box[0], box[1]);
-    return path;
+    scene->loaded = true;
+    return true;
+}
+
+static char *load_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, struct aob_error *error)
+{
+    char *path = cache_path(m, "mesh", scene->digest, ".mesh");
+    if (scene->loaded || import_mesh(m, scene, path, error))
+        return path;
+    free(path);
+    return NULL;
 }
 
 static void describe_view(const struct aob_case *c, int guard, struct aob_text *text)

@@ -172,14 +172,21 @@ static bool load_mesh(struct aob_worker *worker, struct aob_error *error)
     struct aob_vec3 low, high;
     if (json_unpack((json_t *)(uintptr_t)worker->job, "{s:s, s:s}", "file", &file, "out", &out) != 0)
         return aob_fail(error, "a mesh job needs file and out");
-    bool ok = aob_file_exists(out) ? aob_mesh_restore(&mesh, out, error)
-                                   : aob_mesh_import(&mesh, file, error) && aob_mesh_save(&mesh, out, error);
+    /* A cached file that is damaged or of an older form is made again. */
+    bool ok = (aob_file_exists(out) && aob_mesh_restore(&mesh, out, NULL)) ||
+              (aob_mesh_import(&mesh, file, error) && aob_mesh_save(&mesh, out, error));
     if (!ok)
         return false;
     aob_mesh_bounds(&mesh, &low, &high);
-    aob_worker_reply(worker, json_pack("{s:[fff], s:[fff], s:I, s:I}", "low", low.x, low.y, low.z, "high",
-                                       high.x, high.y, high.z, "vertices", (json_int_t)mesh.vertex_count,
-                                       "triangles", (json_int_t)mesh.triangle_count));
+    struct aob_error warnings[AOB_MESH_WARNINGS];
+    json_t *lines = json_array();
+    size_t count = aob_mesh_suspect(&mesh, file, warnings);
+    for (size_t i = 0; i < count; i++)
+        json_array_append_new(lines, json_string(warnings[i].text));
+    aob_worker_reply(worker,
+                     json_pack("{s:[fff], s:[fff], s:I, s:I, s:o}", "low", low.x, low.y, low.z, "high",
+                               high.x, high.y, high.z, "vertices", (json_int_t)mesh.vertex_count, "triangles",
+                               (json_int_t)mesh.triangle_count, "warnings", lines));
     aob_mesh_finish(&mesh);
     return true;
 }

@@ -7,7 +7,7 @@
  *   layout   {modules, technique, cases: [[number a parameter]]}
  *            -> {index, status, reason | graph, dot, definition: {radius, uniform, falloff} or null} a line
  *   mesh     {file, out}
- *            -> {low, high, vertices, triangles}
+ *            -> {low, high, vertices, triangles, warnings: [text]}
  *   view     {scene | mesh, camera, width, height, guard, gbuffer, spp, terms: [{radius, uniform, falloff, out}]}
  *            -> {trace_s, rays} for each trace
  *   block    {modules, backend, validate, camera, width, height, guard, gbuffer, seconds, time, error,

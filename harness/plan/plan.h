@@ -17,6 +17,7 @@ struct aob_plan_scene {                /* one view of one scene */
     char *view;               /* "front", "camera" or "framed" (from the mesh's box, once it is loaded) */
     struct aob_camera camera; /* unset while framed */
     bool framed;
+    bool loaded; /* by this run: its warnings are printed, its framing is known */
     double metres_per_unit;
     char digest[AOB_KEY_SIZE]; /* of the geometry's source: file bytes, or name and program version */
 };

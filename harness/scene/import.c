@@ -3,6 +3,9 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <string.h>
+#include <strings.h>
+#include "base/file.h"
 #include "base/memory.h"
 
 const char aob_mesh_importer_version[] = "1";
@@ -73,20 +76,16 @@ static void gather(struct aob_mesh *mesh, const struct aiScene *scene)
         append_part(mesh, scene->mMeshes[i]);
 }
 
-static void warn_if_suspicious(const struct aob_mesh *mesh, const char *path)
+/* Of strips that assimp does not understand one triangle is left, without a word: what is left is held against the
+ * size of the file. Formats that carry pictures or animations along say nothing by their size. */
+static size_t telling_size(const char *path)
 {
-    if (mesh->triangle_count * 10 < mesh->vertex_count)
-        aob_warn("%s: %zu vertices but only %zu triangles: much of the file was not understood (strips?)",
-                 path, mesh->vertex_count, mesh->triangle_count);
-    struct aob_vec3 low, high;
-    aob_mesh_bounds(mesh, &low, &high);
-    double extent = aob_vec_length(aob_vec_sub(high, low));
-    double away = aob_vec_length(aob_vec_add(low, high)) / 2;
-    if (away > 1e4 * extent)
-        aob_warn(
-            "%s: lies %g from the origin and is %g large: 32-bit floats have lost its detail; move it to the "
-            "origin before exporting",
-            path, away, extent);
+    static const char *const plain[] = {".obj", ".ply", ".stl", ".off", ".3ds"};
+    const char *ending = strrchr(path, '.');
+    for (size_t i = 0; ending && i < AOB_COUNT(plain); i++)
+        if (strcasecmp(ending, plain[i]) == 0)
+            return aob_file_size(path);
+    return 0;
 }
 
 bool aob_mesh_import(struct aob_mesh *mesh, const char *path, struct aob_error *error)
@@ -101,6 +100,6 @@ bool aob_mesh_import(struct aob_mesh *mesh, const char *path, struct aob_error *
         aob_mesh_finish(mesh);
         return false;
     }
-    warn_if_suspicious(mesh, path);
+    mesh->source_bytes = telling_size(path);
     return true;
 }

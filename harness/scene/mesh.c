@@ -1,17 +1,19 @@
 #include "mesh.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/text.h"
 
 /* A flat file: this header, positions, normals if any, triangles. Only this machine reads it, so its own
  * number formats serve. */
 struct flat_header {
     char magic[8];
-    uint64_t vertex_count, triangle_count, has_normals;
+    uint64_t vertex_count, triangle_count, has_normals, source_bytes;
     char key[40]; /* of the geometry: a file changed by one byte is refused */
 };
-static const char flat_magic[8] = "aobmesh";
+static const char flat_magic[8] = "aobmsh2";
 enum { FLAT_LIMIT_BITS = 40 };
 
 void aob_mesh_finish(struct aob_mesh *mesh)
@@ -65,13 +67,23 @@ void aob_mesh_digest(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE])
     aob_hash_text(parts, key);
 }
 
+static void flat_key(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE])
+{
+    struct aob_text text = {0};
+    aob_mesh_digest(mesh, key);
+    aob_text_add(&text, "%s %zu", key, mesh->source_bytes);
+    aob_hash_text(text.data, key);
+    aob_text_finish(&text);
+}
+
 bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_error *error)
 {
     struct flat_header header = {.vertex_count = mesh->vertex_count,
                                  .triangle_count = mesh->triangle_count,
-                                 .has_normals = mesh->normals != NULL};
+                                 .has_normals = mesh->normals != NULL,
+                                 .source_bytes = mesh->source_bytes};
     memcpy(header.magic, flat_magic, sizeof header.magic);
-    aob_mesh_digest(mesh, header.key);
+    flat_key(mesh, header.key);
     const void *parts[] = {&header, mesh->positions, mesh->normals, mesh->triangles};
     const size_t sizes[] = {sizeof header, mesh->vertex_count * sizeof *mesh->positions,
                             mesh->normals ? mesh->vertex_count * sizeof *mesh->normals : 0,
@@ -125,12 +137,13 @@ bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error 
         const char *at = bytes + sizeof header;
         mesh->vertex_count = mesh->vertex_capacity = header.vertex_count;
         mesh->triangle_count = mesh->triangle_capacity = header.triangle_count;
+        mesh->source_bytes = header.source_bytes;
         mesh->positions = take(&at, mesh->vertex_count, sizeof *mesh->positions);
         if (header.has_normals)
             mesh->normals = take(&at, mesh->vertex_count, sizeof *mesh->normals);
         mesh->triangles = take(&at, mesh->triangle_count, sizeof *mesh->triangles);
         char key[sizeof header.key] = "";
-        aob_mesh_digest(mesh, key);
+        flat_key(mesh, key);
         ok = !memcmp(key, header.key, sizeof key);
     }
     free(bytes);
@@ -139,4 +152,25 @@ bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error 
     aob_mesh_finish(mesh);
     return ok ? false
               : aob_fail(error, "%s: not a whole mesh file of this program: delete it and load again", path);
+}
+
+size_t aob_mesh_suspect(const struct aob_mesh *mesh, const char *name,
+                        struct aob_error warnings[AOB_MESH_WARNINGS])
+{
+    size_t count = 0;
+    struct aob_vec3 low, high;
+    aob_mesh_bounds(mesh, &low, &high);
+    double extent = aob_vec_length(aob_vec_sub(high, low)), away = aob_vec_length(aob_vec_add(low, high)) / 2;
+    float far = (float)fmax(fmax(fabs(low.x + high.x), fabs(low.y + high.y)), fabs(low.z + high.z)) / 2;
+    if (mesh->source_bytes > 512 + 400 * mesh->triangle_count)
+        aob_fail(&warnings[count++],
+                 "%s: %zu bytes but only %zu triangles: much of the file was not understood (strips?)", name,
+                 mesh->source_bytes, mesh->triangle_count);
+    if (away >= 1e4 * extent)
+        aob_fail(&warnings[count++],
+                 "%s: lies %g from the origin and is %g large: its vertices are rounded to steps of %.2g; "
+                 "move it to "
+                 "the origin before exporting",
+                 name, away, extent, (double)(nextafterf(far, INFINITY) - far));
+    return count;
 }

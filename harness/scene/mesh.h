@@ -12,6 +12,7 @@ struct aob_mesh {
     struct aob_vec3 *normals;   /* vertex_count shading normals, unit; NULL: the geometric ones serve */
     uint32_t (*triangles)[3];   /* triangle_count; the front is counter-clockwise */
     size_t vertex_count, triangle_count, vertex_capacity, triangle_capacity;
+    size_t source_bytes; /* of the file that it was loaded from, if that says how much is in it; else 0 */
 };
 
 void aob_mesh_finish(struct aob_mesh *mesh);
@@ -44,9 +45,15 @@ bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error 
 
 /* Any mesh file by assimp (OBJ, PLY, glTF, 3DS, ...): triangulated, node transforms applied, shading normals
  * kept or made (60 degrees). Runs hostile parsers over hostile bytes: only ever call it in a child process
- * with limits. Warns (one line each) of a file that loads suspiciously: < 0.1 triangles a vertex, |centre| >
- * 1e4 extents. */
+ * with limits. */
 bool aob_mesh_import(struct aob_mesh *mesh, const char *path, struct aob_error *error);
+
+/* What makes a loaded mesh suspicious, a line each that begins with `name`: more than 400 bytes
+ * of the file a triangle (strips that were not understood); a centre 1e4 extents or more from the origin (32-bit floats have lost its detail; the
+ * line says to what step). Returns how many lines were written. */
+enum { AOB_MESH_WARNINGS = 2 };
+size_t aob_mesh_suspect(const struct aob_mesh *mesh, const char *name,
+                        struct aob_error warnings[AOB_MESH_WARNINGS]);
 
 /* Raised when the importer would make other geometry of the same file; part of cache keys. */
 extern const char aob_mesh_importer_version[];

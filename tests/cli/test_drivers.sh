@@ -45,6 +45,18 @@ done
 # A user's mesh, framed by itself and by a camera.
 printf 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 1 -1\nv 1 1 -1\nf 1 3 2\nf 1 4 3\nf 1 2 6\nf 1 6 5\n' >mesh.obj
 check "a mesh file" "$program" shot --technique gtao --scene mesh.obj --size 96x54 --reference-spp 16
+awk '/^v/ { $2 += 3e5; $3 += 3e5 } { print }' mesh.obj >far.obj
+"$program" shot --technique none --scene far.obj --size 16x9 --reference-spp 2 >/dev/null 2>far.err
+check "a mesh far from the origin is warned of, with the step of its rounding" grep -q 'warning: far.obj: lies .* rounded to steps of 0.031' far.err
+{
+  printf 'ply\nformat ascii 1.0\nelement vertex 600\nproperty float x\nproperty float y\nproperty float z\n'
+  printf 'element tristrips 1\nproperty list int int vertex_indices\nend_header\n'
+  for i in $(seq 600); do echo "$i 0 $((i % 2))"; done
+  echo "600 $(seq -s ' ' 0 599)"
+} >strip.ply
+code=0
+"$program" shot --technique none --scene strip.ply --size 16x9 --reference-spp 2 >/dev/null 2>strip.err || code=$?
+check "and strips that were not understood" grep -q 'warning: strip.ply: .* bytes but only 1 triangles' strip.err
 check "and a camera" "$program" shot --technique gtao --scene mesh.obj --eye 0,1,3 --target 0,0.3,0 --fov 50 --size 96x54 --reference-spp 16
 check "orthographic" "$program" shot --technique gtao --scene mesh.obj --eye 0,1,3 --target 0,0.3,0 --ortho 2 --size 96x54 --reference-spp 16
 check "a module in place of the built-in" "$program" shot --technique gtao --scene corner --size 32x18 --reference-spp 2 --module "$AOBUDGET_BUILD/modules/gtao.so"

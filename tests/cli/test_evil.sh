@@ -19,7 +19,7 @@ named() { # TECHNIQUE STATUS 'REASON'
   check "$1 is $2: $3" grep -qE "\"technique\":\"$1\".*\"status\":\"$2\",\"reason\":\"[^\"]*($3)" out/journal.jsonl
 }
 for good in gtao alchemy hbao none; do named $good ok ''; done
-named evil_crash failed 'crashed|signal'
+named evil_crash failed 'crashed|SEGV'
 named evil_loop failed 'took longer than 10 s'
 named evil_growth failed '.'
 named evil_exit failed 'without an answer'
