@@ -1,5 +1,5 @@
 /* Timing of a block: its cases' frames interleaved with the fixed reference pass, round by round, so that
- * drift and load fall on both sides of every ratio (facts: docs/measuring.md). */
+ * drift and load fall on both sides of every ratio (docs/measuring.md says why). */
 #ifndef AOB_MEASURE_TIMING_H
 #define AOB_MEASURE_TIMING_H
 #include <stdbool.h>

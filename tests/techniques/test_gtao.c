@@ -31,7 +31,7 @@ static double corner_rmse(struct aob_gpu *gpu, const struct aob_rig *rig, double
     return sqrt(sum / (double)count);
 }
 
-/* facts: measured .013 / .0075 / .006 on `front` at R = .5; the bars leave a margin of about 1.5. */
+/* A trial in double precision had .013 / .0075 / .006 on `front` at R = .5; the bars leave a margin of about 1.5. */
 static void check_corner(const char *view, bool exact_small)
 {
     static const double radii[] = {0.5, 1, 1.37, 2};
@@ -46,7 +46,7 @@ static void check_corner(const char *view, bool exact_small)
     for (size_t r = 0; r < 4; r++)
         for (size_t s = 0; s < 3; s++) {
             double rmse = corner_rmse(gpu, &rig, radii[r], rows[s].samples);
-            /* `far` at R = .5 is bound by the pixel: facts, accuracy section 1 */
+            /* `far` at R = .5 is bound by the pixel (.0097 in the same trial) */
             double bar = exact_small && r == 0 && s == 2 ? 0.012 : rows[s].bar;
             printf("corner/%s R=%g %s: in-band RMSE %.4f (bar %.3f)", view, radii[r], rows[s].samples, rmse,
                    bar);
