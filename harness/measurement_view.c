@@ -117,12 +117,6 @@ static bool same_view(const struct aob_case *a, const struct aob_case *b)
     return a->scene == b->scene && a->width == b->width && a->height == b->height;
 }
 
-static void take_progress(void *user, json_t *answer)
-{
-    (void)user;
-    (void)answer;
-}
-
 static bool trace_view(struct aob_measurement *m, const struct aob_case *c, const char *mesh,
                        const char *gbuffer, json_t *missing, struct aob_error *error)
 {
@@ -133,7 +127,7 @@ static bool trace_view(struct aob_measurement *m, const struct aob_case *c, cons
                   mesh ? mesh : c->scene->name, "camera", aob_camera_to_json(&c->scene->camera), "width",
                   c->width, "height", c->height, "guard", guard, "spp", m->plan->config->spp, "gbuffer",
                   gbuffer, "terms", missing);
-    struct aob_job_desc desc = {.job = job, .timeout_s = 300 + rays / 1e5, .on_answer = take_progress};
+    struct aob_job_desc desc = {.job = job, .timeout_s = 300 + rays / 1e5};
     return aob_dispatch_job(m->dispatch, &desc, error) || aob_fail_in(error, "scene '%s'", c->scene->name);
 }
 

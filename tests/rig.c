@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
+#include "measure/score.h"
 #include "technique/param.h"
 #include "technique/registry.h"
 
@@ -117,4 +118,24 @@ bool aob_rig_position(const struct aob_rig *rig, int x, int y, struct aob_vec3 *
                    &origin, &direction);
     *position = aob_vec_add(origin, aob_vec_scale(direction, rig->hits.depth[i]));
     return true;
+}
+
+double aob_rig_corner_rmse(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique,
+                           const char *params, double (*truth)(double d, double r), double radius)
+{
+    float *ao = AOB_NEW_ARRAY(float, (size_t)rig->width *(size_t)rig->height);
+    double sum = 0;
+    size_t count = 0;
+    aob_rig_run(rig, gpu, technique, params, AOB_FETCH_STORAGE, ao);
+    for (int y = 0; y < rig->height; y++)
+        for (int x = 0; x < rig->width; x++) {
+            struct aob_vec3 p;
+            if (!aob_rig_position(rig, x, y, &p))
+                continue;
+            double v = truth(fmax(p.y, p.z), radius), e = ao[y * rig->width + x] - v;
+            sum += v < AOB_BAND_LIMIT ? e * e : 0;
+            count += v < AOB_BAND_LIMIT;
+        }
+    free(ao);
+    return count > 500 ? sqrt(sum / (double)count) : INFINITY; /* a view that shows no band proves nothing */
 }

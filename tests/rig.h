@@ -31,4 +31,8 @@ struct aob_gpu *aob_rig_gpu(const char *backend);
 
 /* World position of the surface in view pixel (x, y), guard band not counted; false where sky. */
 bool aob_rig_position(const struct aob_rig *rig, int x, int y, struct aob_vec3 *position);
+
+/* RMSE of a technique on `corner` against truth(distance to the other plane, radius), over pixels with truth < 0.995. */
+double aob_rig_corner_rmse(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique,
+                           const char *params, double (*truth)(double d, double r), double radius);
 #endif

@@ -179,7 +179,8 @@ bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_block_timing 
     *run = (struct run){
         .desc = desc, .slots = SLOT_CASES + desc->frame_count, .repeats = 1, .random = desc->seed};
     bool ok = warm_up(run, error);
-    choose_repeats(run);
+    if (ok)
+        choose_repeats(run);
     ok = ok && measure(run, error);
     for (size_t i = 0; ok && i < desc->frame_count; i++)
         summarise(run, i, &result->cases[i]);

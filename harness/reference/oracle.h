@@ -1,6 +1,5 @@
 /* Closed-form visibilities; O1 to O7 in the comments are the names of these oracles. All lengths in one unit; V is 1
- * open, 0 closed, cosine-weighted,
- * hard cutoff. */
+ * open, 0 closed, cosine-weighted, hard cutoff. */
 #ifndef AOB_REFERENCE_ORACLE_H
 #define AOB_REFERENCE_ORACLE_H
 

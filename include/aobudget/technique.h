@@ -37,7 +37,10 @@ enum aob_unit {
     AOB_UNIT_RADIAN,
     AOB_UNIT_COUNT,
 };
-enum aob_scale { AOB_LINEAR, AOB_LOG2 }; /* how a sweep without a step of its own spaces values */
+enum aob_scale {
+    AOB_LINEAR,
+    AOB_LOG2
+}; /* how values are best spaced; `list` says so to whoever writes a sweep */
 enum aob_stage {
     AOB_UNIFORM,  /* in GLSL: param.name, a value that may change from frame to frame */
     AOB_CONSTANT, /* in GLSL: the upper-case name, a compile-time constant. Whatever bounds a loop or steers a

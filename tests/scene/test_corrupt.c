@@ -86,10 +86,7 @@ static void test_damaged_meshes(void **state)
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         size_t size;
         char *bytes = aob_file_read(files[i], 1 << 26, &size, NULL);
-        if (!bytes) {
-            printf("skipped: %s is not installed\n", files[i]);
-            continue;
-        }
+        assert_non_null(bytes); /* ./dev installs these */
         check_file(bytes, size, strrchr(files[i], '.'), 75);
         free(bytes);
     }

@@ -15,23 +15,8 @@ static double uniform_corner(double d, double r)
 static double corner_rmse(struct aob_gpu *gpu, const struct aob_rig *rig, double radius, const char *samples)
 {
     char params[160];
-    float *ao = AOB_NEW_ARRAY(float, W *H);
-    double sum = 0;
-    size_t count = 0;
     snprintf(params, sizeof params, "radius=%g attenuation=0 blur=0 %s", radius, samples);
-    aob_rig_run(rig, gpu, "hbao", params, AOB_FETCH_STORAGE, ao);
-    for (int y = 0; y < H; y++)
-        for (int x = 0; x < W; x++) {
-            struct aob_vec3 p;
-            if (!aob_rig_position(rig, x, y, &p))
-                continue;
-            double truth = uniform_corner(fmax(p.y, p.z), radius), e = ao[y * W + x] - truth;
-            sum += truth < 0.995 ? e * e : 0;
-            count += truth < 0.995;
-        }
-    free(ao);
-    assert_true(count > 500);
-    return sqrt(sum / (double)count);
+    return aob_rig_corner_rmse(rig, gpu, "hbao", params, uniform_corner, radius);
 }
 
 /* The text takes directions even in the image as even about the view axis (its own approximation), so converged it
