@@ -31,13 +31,8 @@ static json_t *params_to_json(const struct aob_param *params, size_t count)
 static json_t *techniques_to_json(const struct aob_technique_list *list)
 {
     json_t *array = json_array();
-    for (size_t i = 0; i < list->count; i++) {
-        const struct aob_technique_info *t = &list->items[i];
-        json_array_append_new(array, json_pack("{s:s, s:s, s:s, s:i, s:s, s:s?, s:o}", "name", t->name,
-                                               "title", t->title, "citation", t->citation, "revision",
-                                               (int)t->revision, "digest", t->digest, "module", t->module,
-                                               "params", params_to_json(t->params, t->param_count)));
-    }
+    for (size_t i = 0; i < list->count; i++)
+        json_array_append_new(array, aob_technique_info_to_json(&list->items[i]));
     return json_pack("{s:o, s:o}", "techniques", array, "options",
                      params_to_json(aob_option_params, AOB_OPTION_COUNT));
 }

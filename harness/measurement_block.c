@@ -131,10 +131,11 @@ static void take_answer(void *user, json_t *answer)
 static json_t *case_job(const struct block *block, size_t i, const struct aob_view_files *files)
 {
     const struct aob_case *c = &block->m->plan->cases[block->indices[i]];
-    json_t *job = json_pack("{s:s, s:o, s:i, s:o, s:s?, s:s?}", "technique", c->technique->name, "params",
-                            aob_json_vector(c->params, c->technique->param_count), "fetch",
-                            (int)aob_case_options(c).fetch, "radius", aob_json_number(c->reference_radius),
-                            "reference", files->reference[i], "definition", files->definition[i]);
+    json_t *job = json_pack("{s:s, s:o, s:o, s:o, s:s?, s:s?}", "technique", c->technique->name, "params",
+                            aob_json_vector(c->params, c->technique->param_count), "options",
+                            aob_json_vector(c->options, AOB_OPTION_COUNT), "radius",
+                            aob_json_number(c->reference_radius), "reference", files->reference[i],
+                            "definition", files->definition[i]);
     if (block->m->image)
         json_object_set_new(job, "image", json_string(block->m->image));
     else if (block->m->folder && block->m->plan->config->images) {

@@ -11,7 +11,7 @@
  *   view     {scene | mesh, camera, width, height, guard, gbuffer, spp, terms: [{radius, uniform, falloff, out}]}
  *            -> {trace_s, rays} for each trace
  *   block    {modules, backend, validate, camera, width, height, guard, gbuffer, seconds, time, error,
- *             cases: [{technique, params, fetch, radius, reference, definition, image}]}
+ *             cases: [{technique, params, options, radius, reference, definition, image}]}
  *            -> {index, status, reason, time, error, memory_bytes, fingerprint} a line, then {shares}
  * A job that cannot be done says so in one line on standard error and exits with 2. */
 #ifndef AOB_WORKER_H

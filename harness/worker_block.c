@@ -8,6 +8,7 @@
 #include "frame/frame.h"
 #include "measure/fixed_pass.h"
 #include "measure/timing.h"
+#include "technique/param.h"
 
 static double seconds_since(int64_t start)
 {
@@ -54,6 +55,32 @@ static bool get_block(struct aob_worker *worker, struct aob_block *block, struct
             aob_block_drop_damaged(gbuffer, error));
 }
 
+/* The screen in the encodings of these options, made when it is first wanted. */
+static const struct aob_screen *use_screen(struct aob_block *block, const struct aob_options *options,
+                                           struct aob_error *error)
+{
+    for (size_t i = 0; i < block->screen_count; i++) {
+        const struct aob_options *o = &block->screen_options[i];
+        if (o->depth_encoding == options->depth_encoding && o->normal_encoding == options->normal_encoding &&
+            o->normals == options->normals && o->near == options->near && o->far == options->far)
+            return &block->screens[i];
+    }
+    struct aob_screen *screen = &block->screens[block->screen_count];
+    if (!aob_screen_init(screen, block->gpu, &block->gbuffer, options, error))
+        return NULL;
+    block->screen_options[block->screen_count++] = *options;
+    return screen;
+}
+
+static bool get_options(const json_t *c, struct aob_options *options, struct aob_error *error)
+{
+    double numbers[AOB_OPTION_COUNT];
+    if (!aob_json_to_vector(json_object_get(c, "options"), numbers, AOB_OPTION_COUNT))
+        return aob_fail(error, "the job has not %d options", AOB_OPTION_COUNT);
+    aob_param_pack(aob_option_params, AOB_OPTION_COUNT, numbers, options, sizeof *options);
+    return true;
+}
+
 static void init_frame(struct aob_worker *worker, struct aob_block *block, size_t index)
 {
     const json_t *c = json_array_get(block->cases, index);
@@ -61,14 +88,17 @@ static void init_frame(struct aob_worker *worker, struct aob_block *block, size_
     const struct aob_registry_entry *entry = aob_registry_find(&block->registry, name ? name : "");
     struct aob_error error = {{0}};
     unsigned char values[4 * AOB_MAX_PARAM];
+    struct aob_options options;
+    const struct aob_screen *screen = NULL;
     int64_t start = aob_clock_wall_ns();
     if (!entry) {
         reply_failure(worker, index, "failed", "the technique is not in this worker");
         return;
     }
     if (!aob_worker_params(entry->technique, json_object_get(c, "params"), values, &error) ||
-        !aob_frame_init(&block->frames[block->frame_count], &block->screen, entry->technique, values,
-                        (enum aob_fetch)json_integer_value(json_object_get(c, "fetch")), &error)) {
+        !get_options(c, &options, &error) || !(screen = use_screen(block, &options, &error)) ||
+        !aob_frame_init(&block->frames[block->frame_count], screen, entry->technique, values,
+                        (enum aob_fetch)options.fetch, &error)) {
         reply_failure(worker, index, "failed", error.text);
         return;
     }
@@ -178,7 +208,7 @@ static bool open_device(struct aob_block *block, struct aob_error *error)
     const char *backend = json_string_value(json_object_get(block->job, "backend"));
     bool validate = json_is_true(json_object_get(block->job, "validate"));
     block->gpu = aob_gpu_open(backend ? backend : "", &(struct aob_gpu_desc){.validate = validate}, error);
-    return block->gpu && aob_screen_init(&block->screen, block->gpu, &block->gbuffer, error);
+    return block->gpu && use_screen(block, &(struct aob_options){0}, error);
 }
 
 static bool run_cases(struct aob_worker *worker, struct aob_block *block, struct aob_error *error)
@@ -187,7 +217,7 @@ static bool run_cases(struct aob_worker *worker, struct aob_block *block, struct
     for (size_t i = 0; i < json_array_size(block->cases); i++)
         init_frame(worker, block, i);
     if (block->time && block->frame_count &&
-        !aob_frame_init(&block->fixed, &block->screen, &aob_technique_fixed_pass, &(int32_t){0},
+        !aob_frame_init(&block->fixed, &block->screens[0], &aob_technique_fixed_pass, &(int32_t){0},
                         AOB_FETCH_SAMPLED, error))
         return false;
     if (block->time && block->frame_count && !measure_time(block, error))
@@ -210,7 +240,8 @@ bool aob_worker_block(struct aob_worker *worker, struct aob_error *error)
     for (size_t f = 0; f < block->frame_count; f++)
         aob_frame_finish(&block->frames[f]);
     aob_frame_finish(&block->fixed);
-    aob_screen_finish(&block->screen);
+    for (size_t i = 0; i < block->screen_count; i++)
+        aob_screen_finish(&block->screens[i]);
     aob_gpu_close(block->gpu);
     aob_gbuffer_finish(&block->gbuffer);
     aob_registry_finish(&block->registry);

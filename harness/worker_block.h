@@ -12,7 +12,9 @@ struct aob_block {
     struct aob_registry registry;
     struct aob_gbuffer gbuffer;
     struct aob_gpu *gpu;
-    struct aob_screen screen;
+    struct aob_screen screens[AOB_BLOCK_MAX + 1]; /* one for each encoding; the first is the fixed pass's */
+    struct aob_options screen_options[AOB_BLOCK_MAX + 1];
+    size_t screen_count;
     struct aob_frame fixed, frames[AOB_BLOCK_MAX];
     size_t case_of_frame[AOB_BLOCK_MAX], frame_count;
     double setup_ms[AOB_BLOCK_MAX];

@@ -28,9 +28,11 @@ void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct
     size_t count = (size_t)rig->hits.width * (size_t)rig->hits.height;
     rig->gbuffer.depth = AOB_NEW_ARRAY(float, count);
     rig->gbuffer.normal = AOB_NEW_ARRAY(float, 4 * count);
+    rig->gbuffer.shading = AOB_NEW_ARRAY(float, 4 * count);
     for (size_t i = 0; i < count; i++) {
         rig->gbuffer.depth[i] = rig->hits.depth[i] > 0 ? rig->hits.depth[i] : AOB_GBUFFER_SKY;
         memcpy(&rig->gbuffer.normal[4 * i], rig->hits.normal[i], 3 * sizeof(float));
+        memcpy(&rig->gbuffer.shading[4 * i], rig->hits.shading[i], 3 * sizeof(float));
     }
 }
 
@@ -59,23 +61,28 @@ static const struct aob_technique *builtin(const char *name)
     exit(1);
 }
 
-static void set_params(const struct aob_technique *technique, const char *params, void *values)
+static void set_params(const struct aob_technique *technique, const char *params, void *values,
+                       struct aob_options *options)
 {
-    double numbers[AOB_MAX_PARAM];
+    double numbers[AOB_MAX_PARAM], chosen[AOB_OPTION_COUNT];
     char copy[512], *rest = copy;
     struct aob_error error = {{0}};
     snprintf(copy, sizeof copy, "%s", params);
     aob_param_defaults(technique->params, technique->param_count, numbers);
+    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, chosen);
     for (char *word; (word = strsep(&rest, " "));) {
         char *value = strchr(word, '=');
         if (!value)
             continue;
         *value++ = '\0';
         const struct aob_param *param = aob_param_find(technique->params, technique->param_count, word);
-        if (!param || !aob_param_parse(param, value, &numbers[param - technique->params], &error))
+        const struct aob_param *option = aob_param_find(aob_option_params, AOB_OPTION_COUNT, word);
+        if (param ? !aob_param_parse(param, value, &numbers[param - technique->params], &error)
+                  : !option || !aob_param_parse(option, value, &chosen[option - aob_option_params], &error))
             give_up(word, &error);
     }
     aob_param_pack(technique->params, technique->param_count, numbers, values, 4 * AOB_MAX_PARAM);
+    aob_param_pack(aob_option_params, AOB_OPTION_COUNT, chosen, options, sizeof *options);
 }
 
 void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *name, const char *params,
@@ -86,8 +93,9 @@ void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *nam
     struct aob_screen screen;
     struct aob_error error = {{0}};
     unsigned char values[4 * AOB_MAX_PARAM];
-    set_params(technique, params, values);
-    if (!aob_screen_init(&screen, gpu, &rig->gbuffer, &error) ||
+    struct aob_options options;
+    set_params(technique, params, values, &options);
+    if (!aob_screen_init(&screen, gpu, &rig->gbuffer, &options, &error) ||
         !aob_frame_init(frame, &screen, technique, values, fetch, &error) ||
         !aob_frame_run(frame, NULL, &error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, pixels, &error))
         give_up(name, &error);

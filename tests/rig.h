@@ -20,7 +20,8 @@ void aob_rig_scene(struct aob_rig *rig, const char *scene, const char *view, int
                    int guard);
 void aob_rig_finish(struct aob_rig *rig);
 
-/* One frame of a built-in technique; params: "radius=1 slices=9", the rest default. pixels: width x height.
+/* One frame of a built-in technique; params: "radius=1 slices=9", run options among them
+ * ("depth_encoding=r16f"; guard_band, fetch and threads do nothing here), the rest default. pixels: width x height.
  */
 void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique, const char *params,
                  enum aob_fetch fetch, float *pixels);

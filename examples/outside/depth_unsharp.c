@@ -35,7 +35,7 @@ static bool build(struct aob_graph *graph, const void *values)
     aob_tex raw = aob_texture(graph, .name = "visibility", .format = AOB_R16F);
     return aob_pass(graph, .name = "unsharp", .shader = "unsharp", .reads = AOB_DEPTH, .border = AOB_FAR,
                     .out = {{.name = "visibility", .tex = raw}}) &&
-           aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur));
+           aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur, 1, 1));
 }
 
 /* The text derives no integral. The nearest honest claim is what the picture is taken for: cosine-weighted
@@ -51,5 +51,6 @@ AOB_TECHNIQUE(depth_unsharp, .title = "Unsharp mask of the depth buffer", .revis
                           "SIGGRAPH 2006",
               .params = params, .param_count = sizeof params / sizeof *params,
               .values_size = sizeof(struct values), .shaders = aob_shaders_depth_unsharp,
-              .definition = {.weight = AOB_WEIGHT_COSINE, .map = map}, .check = check, .build = build);
+              .definition = {.weight = AOB_WEIGHT_COSINE, .map = map},
+              .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
 AOB_MODULE(&aob_technique_depth_unsharp);

@@ -1,34 +1,61 @@
 #include "frame.h"
 #include <stdlib.h>
 #include <string.h>
+#include "base/half.h"
 #include "base/memory.h"
 #include "prelude.h"
 
-bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struct aob_gbuffer *gbuffer,
-                     struct aob_error *error)
+static struct aob_gpu_texture *upload(const struct aob_screen *screen, enum aob_format format, void *texels,
+                                      struct aob_error *error)
 {
-    int w = gbuffer->projection.width, h = gbuffer->projection.height;
+    const struct aob_projection *view = &screen->gbuffer->projection;
+    struct aob_gpu_texture *texture =
+        aob_gpu_texture_create(screen->gpu, format, view->width, view->height, texels, error);
+    free(texels);
+    return texture;
+}
+
+bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struct aob_gbuffer *gbuffer,
+                     const struct aob_options *options, struct aob_error *error)
+{
     *screen = (struct aob_screen){.gpu = gpu, .gbuffer = gbuffer};
-    screen->depth = aob_gpu_texture_create(gpu, AOB_R32F, w, h, gbuffer->depth, error);
-    screen->normal =
-        screen->depth ? aob_gpu_texture_create(gpu, AOB_RGBA32F, w, h, gbuffer->normal, error) : NULL;
-    if (!screen->normal) {
-        aob_screen_finish(screen);
+    struct aob_encoding *encoding = &screen->encoding;
+    if (!aob_encoding_init(encoding, options, gbuffer, error))
         return false;
-    }
-    return true;
+    screen->depth = upload(screen, aob_encoding_depth_format(encoding),
+                           aob_encoding_depth_texels(encoding, gbuffer), error);
+    if (aob_encoding_is_shared(encoding))
+        screen->normal = screen->depth;
+    else if (screen->depth && encoding->normals != AOB_NORMALS_FROM_DEPTH)
+        screen->normal = upload(screen, aob_encoding_normal_format(encoding),
+                                aob_encoding_normal_texels(encoding, gbuffer), error);
+    if (screen->depth && (screen->normal || encoding->normals == AOB_NORMALS_FROM_DEPTH))
+        return true;
+    aob_screen_finish(screen);
+    return false;
 }
 
 void aob_screen_finish(struct aob_screen *screen)
 {
-    if (screen->gpu) {
+    if (screen->gpu && screen->normal != screen->depth)
         aob_gpu_texture_destroy(screen->gpu, screen->normal);
+    if (screen->gpu)
         aob_gpu_texture_destroy(screen->gpu, screen->depth);
-    }
     *screen = (struct aob_screen){0};
 }
 
-static bool create_textures(struct aob_frame *frame, struct aob_error *error)
+/* A table's texels as the module writes them; NULL of a target. */
+static void *table_texels(const struct aob_graph_texture *texture, const void *values)
+{
+    if (!texture->fill)
+        return NULL;
+    void *texels =
+        aob_alloc((size_t)texture->width * (size_t)texture->height, aob_gpu_texel_size(texture->format));
+    texture->fill(values, texels);
+    return texels;
+}
+
+static bool create_textures(struct aob_frame *frame, const void *values, struct aob_error *error)
 {
     const struct aob_projection *view = &frame->screen->gbuffer->projection;
     for (int i = 0; i < frame->graph.texture_count; i++) {
@@ -37,7 +64,9 @@ static bool create_textures(struct aob_frame *frame, struct aob_error *error)
         if (!texture->used)
             continue;
         aob_graph_texture_size(texture, view->width, view->height, &w, &h);
-        frame->textures[i] = aob_gpu_texture_create(frame->screen->gpu, texture->format, w, h, NULL, error);
+        void *texels = table_texels(texture, values);
+        frame->textures[i] = aob_gpu_texture_create(frame->screen->gpu, texture->format, w, h, texels, error);
+        free(texels);
         if (!frame->textures[i])
             return aob_fail_in(error, "texture '%s'", texture->name);
         frame->memory_bytes += (size_t)w * (size_t)h * aob_gpu_texel_size(texture->format);
@@ -52,13 +81,15 @@ static struct aob_gpu_bind make_bind(enum aob_gpu_bind_kind kind, int binding, e
 }
 
 static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph_pass *pass,
-                           enum aob_fetch fetch, struct aob_gpu_bind binds[AOB_MAX_IN + 2])
+                           enum aob_fetch fetch, struct aob_gpu_bind binds[AOB_MAX_IN + 3])
 {
     enum aob_gpu_bind_kind kind = fetch == AOB_FETCH_STORAGE ? AOB_GPU_STORAGE : AOB_GPU_SAMPLED;
     size_t count = 0;
-    if (pass->reads & AOB_DEPTH)
+    if (pass->reads & AOB_DEPTH || (pass->reads && !frame->screen->normal))
         binds[count++] = make_bind(kind, AOB_BINDING_DEPTH, AOB_NEAREST, frame->screen->depth);
-    if (pass->reads & AOB_NORMAL)
+    if (pass->depth >= 0)
+        binds[count++] = make_bind(kind, AOB_BINDING_OWN_DEPTH, AOB_NEAREST, frame->textures[pass->depth]);
+    if ((pass->reads & AOB_NORMAL) && frame->screen->normal)
         binds[count++] = make_bind(kind, AOB_BINDING_NORMAL, AOB_NEAREST, frame->screen->normal);
     for (int i = 0; i < pass->in_count; i++)
         binds[count++] =
@@ -73,28 +104,28 @@ static bool create_pass(struct aob_frame *frame, int index, const void *values, 
     const struct aob_graph_pass *pass = &frame->graph.passes[index];
     const struct aob_projection *view = &frame->screen->gbuffer->projection;
     struct aob_text text = {0};
-    struct aob_gpu_bind binds[AOB_MAX_IN + 2];
+    struct aob_gpu_bind binds[AOB_MAX_IN + 3];
     const struct aob_gpu_texture *targets[AOB_MAX_OUT];
     unsigned char block[AOB_UNIFORM_MAX];
-    aob_prelude_write(&(struct aob_prelude_desc){&frame->graph, pass, values, view->perspective, fetch},
-                      &text);
+    aob_prelude_write(
+        &(struct aob_prelude_desc){&frame->graph, pass, values, &frame->screen->encoding, fetch}, &text);
     frame->programs[index] = aob_gpu_program_create(frame->screen->gpu, text.data, error);
     aob_text_finish(&text);
     if (!frame->programs[index])
         return aob_fail_in(error, "pass '%s', shader '%s'", pass->name, pass->shader);
     for (int o = 0; o < pass->out_count; o++)
         targets[o] = frame->textures[pass->out[o].texture];
-    frame->passes[index] =
-        aob_gpu_pass_create(frame->screen->gpu,
-                            &(struct aob_gpu_pass_desc){.program = frame->programs[index],
-                                                        .binds = binds,
-                                                        .bind_count = gather_binds(frame, pass, fetch, binds),
-                                                        .targets = targets,
-                                                        .target_count = (size_t)pass->out_count,
-                                                        .uniforms = block,
-                                                        .uniform_size = aob_prelude_uniforms(
-                                                            &frame->graph, pass, values, view, block)},
-                            error);
+    frame->passes[index] = aob_gpu_pass_create(
+        frame->screen->gpu,
+        &(struct aob_gpu_pass_desc){.program = frame->programs[index],
+                                    .binds = binds,
+                                    .bind_count = gather_binds(frame, pass, fetch, binds),
+                                    .targets = targets,
+                                    .target_count = (size_t)pass->out_count,
+                                    .uniforms = block,
+                                    .uniform_size = aob_prelude_uniforms(&frame->graph, pass, values, view,
+                                                                         &frame->screen->encoding, block)},
+        error);
     return frame->passes[index] || aob_fail_in(error, "pass '%s'", pass->name);
 }
 
@@ -106,7 +137,7 @@ bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
     bool ok = aob_graph_build(&frame->graph, technique, values, 1u << AOB_OUT_VISIBILITY, error);
     if (!ok)
         return false;
-    ok = create_textures(frame, error);
+    ok = create_textures(frame, values, error);
     for (int i = 0; ok && i < frame->graph.pass_count; i++)
         if (frame->graph.passes[i].live)
             ok = create_pass(frame, i, values, fetch, error);
@@ -144,21 +175,6 @@ bool aob_frame_run(struct aob_frame *frame, struct aob_gpu_time *times, struct a
     return true;
 }
 
-/* Half precision has no C type here: the value by its definition (IEEE 754). */
-static float half_to_float(uint16_t half)
-{
-    uint32_t sign = (uint32_t)(half & 0x8000) << 16, exponent = half >> 10 & 31, mantissa = half & 1023;
-    float magnitude;
-    if (exponent == 0)
-        magnitude = (float)mantissa * 0x1p-24f;
-    else {
-        uint32_t bits =
-            exponent == 31 ? 0x7f800000u | mantissa << 13 : (exponent + 112) << 23 | mantissa << 13;
-        memcpy(&magnitude, &bits, sizeof magnitude);
-    }
-    return sign ? -magnitude : magnitude;
-}
-
 static float first_component(const unsigned char *texel, enum aob_format format)
 {
     uint16_t half;
@@ -168,11 +184,14 @@ static float first_component(const unsigned char *texel, enum aob_format format)
     case AOB_RG8:
     case AOB_RGBA8:
         return (float)*texel / 255.0f;
+    case AOB_R16:
+        memcpy(&half, texel, sizeof half);
+        return (float)half / 65535.0f;
     case AOB_R16F:
     case AOB_RG16F:
     case AOB_RGBA16F:
         memcpy(&half, texel, sizeof half);
-        return half_to_float(half);
+        return aob_half_to_float(half);
     default:
         memcpy(&whole, texel, sizeof whole);
         return whole;

@@ -2,19 +2,22 @@
 #ifndef AOB_FRAME_FRAME_H
 #define AOB_FRAME_FRAME_H
 #include "base/error.h"
+#include "encoding.h"
 #include "gbuffer.h"
 #include "gpu/gpu.h"
 #include "technique/graph.h"
 #include "technique/option.h"
 
-/* The G-buffer on a device; shared by all frames of a block. */
+/* The G-buffer on a device, in the encodings of some options; shared by the frames of a block that have the same. */
 struct aob_screen {
     struct aob_gpu *gpu;
     const struct aob_gbuffer *gbuffer; /* must outlive it */
-    struct aob_gpu_texture *depth, *normal;
+    struct aob_encoding encoding;
+    struct aob_gpu_texture *depth,
+        *normal; /* one texture where they are packed together; normal may be NULL */
 };
 bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struct aob_gbuffer *gbuffer,
-                     struct aob_error *error);
+                     const struct aob_options *options, struct aob_error *error);
 void aob_screen_finish(struct aob_screen *screen);
 
 struct aob_frame {

@@ -31,23 +31,32 @@ bool aob_gbuffer_store(const struct aob_hits *hits, const char *path, struct aob
     return ok;
 }
 
+static float *copy_vectors(const struct aob_image *image, const char *const names[3], size_t count)
+{
+    float *vectors = AOB_NEW_ARRAY(float, 4 * count);
+    for (int c = 0; c < 3; c++) {
+        const float *channel = aob_image_channel(image, names[c]);
+        for (size_t i = 0; channel && i < count; i++)
+            vectors[4 * i + (size_t)c] = channel[i];
+        if (!channel) {
+            free(vectors);
+            return NULL;
+        }
+    }
+    return vectors;
+}
+
 static bool copy_channels(struct aob_gbuffer *gbuffer, const struct aob_image *image, size_t count)
 {
     const float *z = aob_image_channel(image, "Z");
     if (!z)
         return false;
     gbuffer->depth = AOB_NEW_ARRAY(float, count);
-    gbuffer->normal = AOB_NEW_ARRAY(float, 4 * count);
     for (size_t i = 0; i < count; i++)
         gbuffer->depth[i] = z[i] > 0 ? z[i] : AOB_GBUFFER_SKY;
-    for (int c = 0; c < 3; c++) {
-        const float *n = aob_image_channel(image, normal_names[c]);
-        if (!n)
-            return false;
-        for (size_t i = 0; i < count; i++)
-            gbuffer->normal[4 * i + (size_t)c] = n[i];
-    }
-    return true;
+    gbuffer->normal = copy_vectors(image, normal_names, count);
+    gbuffer->shading = copy_vectors(image, shading_names, count);
+    return gbuffer->normal && gbuffer->shading;
 }
 
 bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,
@@ -73,5 +82,6 @@ void aob_gbuffer_finish(struct aob_gbuffer *gbuffer)
 {
     free(gbuffer->depth);
     free(gbuffer->normal);
+    free(gbuffer->shading);
     *gbuffer = (struct aob_gbuffer){0};
 }

@@ -14,6 +14,8 @@ struct aob_gbuffer {
     int guard;
     float *depth;  /* scene units along the view axis; AOB_GBUFFER_SKY where sky */
     float *normal; /* four floats a pixel: geometric normal, view space, towards the camera; 0 */
+    float *
+        shading; /* likewise, interpolated normals on the geometric one's side; that one where there are none */
 };
 #define AOB_GBUFFER_SKY 1e9f /* far beyond any scene, and its square is finite; AOB_SKY_Z in shaders */
 

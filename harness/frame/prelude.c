@@ -5,7 +5,7 @@
 
 /* What does not depend on pass or parameters. `aob_texel_*` are written per pass, after this. */
 static const char gbuffer_text[] =
-    "#define aob_size (param.aob_sizes.xy)\n"
+    "#define aob_size ((param.aob_sizes.xy + (AOB_DEPTH_DIVISOR - 1)) / AOB_DEPTH_DIVISOR)\n"
     "#define aob_target_size (param.aob_sizes.zw)\n"
     "#define aob_frame (param.aob_misc.x)\n"
     "#define aob_pixel (ivec2(gl_FragCoord.xy))\n"
@@ -32,17 +32,60 @@ static const char gbuffer_text[] =
     "    return float(v.x >> 8) * (1.0 / 16777216.0);\n"
     "}\n";
 
+/* Pixel f of the whole G-buffer lies at (f / divisor) + 1/2 among the pixels of a divided depth: the projection in
+ * param.aob_lens is scaled so (aob_prelude_uniforms). */
 static const char depth_text[] =
+    "float aob_gbuffer_z(ivec2 f) { return aob_decode_depth(aob_texel_depth(f)); }\n"
     "float aob_view_z(ivec2 p) {\n"
     "    ivec2 q = clamp(p, ivec2(0), aob_size - 1);\n"
-    "    float z = aob_texel_depth(q);\n"
+    "    float z = aob_own_z(q);\n"
     "    return AOB_BORDER_FAR == 0 || q == p ? z : AOB_SKY_Z;\n"
     "}\n"
     "bool aob_is_sky(ivec2 p) { return aob_view_z(p) >= 0.5 * AOB_SKY_Z; }\n"
-    "vec3 aob_position(ivec2 p) { return aob_position_at(vec2(p) + 0.5, aob_view_z(p)); }\n";
+    "vec3 aob_position(ivec2 p) { return aob_position_at(vec2(p) + 0.5, aob_view_z(p)); }\n"
+    "vec2 aob_image(ivec2 p) {\n"
+    "    return AOB_TARGET_DIVISOR == AOB_DEPTH_DIVISOR ? vec2(p) + 0.5\n"
+    "        : vec2(p * AOB_TARGET_DIVISOR) / float(AOB_DEPTH_DIVISOR) + 0.5;\n"
+    "}\n"
+    "float aob_surface_z(ivec2 p) {\n"
+    "#if AOB_TARGET_DIVISOR == AOB_DEPTH_DIVISOR\n"
+    "    return aob_view_z(p);\n"
+    "#else\n"
+    "    ivec2 q = clamp(p, ivec2(0), aob_target_size - 1);\n"
+    "    float z = aob_gbuffer_z(q * AOB_TARGET_DIVISOR);\n"
+    "    return AOB_BORDER_FAR == 0 || q == p ? z : AOB_SKY_Z;\n"
+    "#endif\n"
+    "}\n"
+    "bool aob_surface_is_sky(ivec2 p) { return aob_surface_z(p) >= 0.5 * AOB_SKY_Z; }\n"
+    "vec3 aob_surface(ivec2 p) { return aob_position_at(aob_image(p), aob_surface_z(p)); }\n";
+
+static const char normal_texture_text[] =
+    "vec3 aob_gbuffer_normal(ivec2 f) {\n"
+    "    return aob_decode_normal(aob_texel_normal(clamp(f, ivec2(0), param.aob_sizes.xy - 1)));\n"
+    "}\n";
+
+/* Of the two neighbours along each axis the one nearer in depth lies on the same surface. */
+static const char normal_from_depth_text[] =
+    "vec3 aob_gbuffer_position(ivec2 f) {\n"
+    "    return aob_position_at(vec2(f) / float(AOB_DEPTH_DIVISOR) + 0.5, aob_gbuffer_z(f));\n"
+    "}\n"
+    "vec3 aob_depth_step(ivec2 f, vec3 c, ivec2 axis) {\n"
+    "    ivec2 last = param.aob_sizes.xy - 1;\n"
+    "    ivec2 before = max(f - axis, ivec2(0)), after = min(f + axis, last);\n"
+    "    vec3 a = aob_gbuffer_position(before), b = aob_gbuffer_position(after);\n"
+    "    bool forward = before == f || (after != f && abs(b.z - c.z) < abs(c.z - a.z));\n"
+    "    return forward ? b - c : c - a;\n"
+    "}\n"
+    "vec3 aob_gbuffer_normal(ivec2 p) {\n"
+    "    ivec2 f = clamp(p, ivec2(0), param.aob_sizes.xy - 1);\n"
+    "    vec3 c = aob_gbuffer_position(f);\n"
+    "    vec3 n = cross(aob_depth_step(f, c, ivec2(0, 1)), aob_depth_step(f, c, ivec2(1, 0)));\n"
+    "    return n * inversesqrt(max(dot(n, n), 1e-30));\n"
+    "}\n";
 
 static const char normal_text[] =
-    "vec3 aob_normal(ivec2 p) { return aob_texel_normal(clamp(p, ivec2(0), aob_size - 1)).xyz; }\n";
+    "vec3 aob_normal(ivec2 p) { return aob_gbuffer_normal(p * AOB_DEPTH_DIVISOR); }\n"
+    "vec3 aob_surface_normal(ivec2 p) { return aob_gbuffer_normal(p * AOB_TARGET_DIVISOR); }\n";
 
 static const char *type_name(enum aob_format format)
 {
@@ -79,7 +122,10 @@ static void add_constants(const struct aob_prelude_desc *desc, struct aob_text *
             aob_text_add(text, " (%.9e)\n", (double)number);
     }
     aob_text_add(text, "#define AOB_SEED %s\n#define AOB_PERSPECTIVE %d\n#define AOB_BORDER_FAR %d\n", seed,
-                 desc->perspective, desc->pass->border == AOB_FAR);
+                 desc->encoding->perspective, desc->pass->border == AOB_FAR);
+    aob_text_add(text, "#define AOB_DEPTH_DIVISOR %d\n#define AOB_TARGET_DIVISOR %d\n",
+                 aob_graph_depth_divisor(desc->graph, desc->pass),
+                 aob_graph_target_divisor(desc->graph, desc->pass));
 }
 
 static void add_defines(const char *defines, struct aob_text *text)
@@ -96,8 +142,9 @@ static void add_defines(const char *defines, struct aob_text *text)
 
 static void add_uniforms(const struct aob_technique *technique, struct aob_text *text)
 {
-    aob_text_add(text, "layout(std140, BIND(0)) uniform AobBlock {\n"
-                       "    vec4 aob_lens;\n    ivec4 aob_sizes;\n    ivec4 aob_misc;\n");
+    aob_text_add(text,
+                 "layout(std140, BIND(0)) uniform AobBlock {\n"
+                 "    vec4 aob_lens;\n    ivec4 aob_sizes;\n    ivec4 aob_misc;\n    vec4 aob_range;\n");
     for (uint32_t i = 0; i < technique->param_count; i++)
         if (technique->params[i].stage == AOB_UNIFORM)
             aob_text_add(text, "    %s %s;\n", technique->params[i].type == AOB_INT ? "int" : "float",
@@ -129,32 +176,62 @@ static void add_input(const struct aob_prelude_desc *desc, int index, struct aob
     bool storage = desc->fetch == AOB_FETCH_STORAGE && bind->filter == AOB_NEAREST;
     const char *type = type_name(texture->format);
     add_image(bind->name, texture->format, AOB_BINDING_FIRST_INPUT + index, storage, text);
-    aob_text_add(text,
-                 "%s aob_fetch_%s(ivec2 p) {\n"
-                 "    ivec2 edge = (aob_size + %d) / %d - 1;\n"
-                 "    return aob_texel_%s(clamp(p, ivec2(0), edge));\n}\n",
-                 type, bind->name, texture->divisor - 1, texture->divisor, bind->name);
+    if (texture->fill)
+        aob_text_add(text,
+                     "%s aob_fetch_%s(ivec2 p) { return aob_texel_%s(clamp(p, ivec2(0), ivec2(%d, %d))); }\n",
+                     type, bind->name, bind->name, texture->width - 1, texture->height - 1);
+    else
+        aob_text_add(text,
+                     "%s aob_fetch_%s(ivec2 p) {\n"
+                     "    ivec2 edge = (param.aob_sizes.xy + %d) / %d - 1;\n"
+                     "    return aob_texel_%s(clamp(p, ivec2(0), edge));\n}\n",
+                     type, bind->name, texture->divisor - 1, texture->divisor, bind->name);
     if (bind->filter == AOB_BILINEAR)
         aob_text_add(text, "%s aob_sample_%s(vec2 uv) { return textureLod(aob_image_%s, uv, 0.0).%s; }\n",
                      type, bind->name, bind->name, swizzle(texture->format));
 }
 
+static void add_depth(const struct aob_prelude_desc *desc, bool storage, struct aob_text *text)
+{
+    const struct aob_graph_pass *pass = desc->pass;
+    add_image("depth", aob_encoding_depth_format(desc->encoding), AOB_BINDING_DEPTH, storage, text);
+    aob_encoding_write_depth(desc->encoding, text);
+    if (pass->depth >= 0) {
+        enum aob_format format = desc->graph->textures[pass->depth].format;
+        add_image("own_depth", format, AOB_BINDING_OWN_DEPTH, storage, text);
+        /* A half float's greatest value is what a device may make of AOB_SKY_Z. */
+        aob_text_add(text,
+                     "float aob_own_z(ivec2 q) {\n    float z = aob_texel_own_depth(q);\n"
+                     "    return %s;\n}\n",
+                     format == AOB_R16F ? "z >= 65504.0 ? AOB_SKY_Z : z" : "z");
+    } else
+        aob_text_add(text, "float aob_own_z(ivec2 q) { return aob_decode_depth(aob_texel_depth(q)); }\n");
+    aob_text_add(text, "%s", depth_text);
+}
+
+static void add_normal(const struct aob_prelude_desc *desc, bool storage, struct aob_text *text)
+{
+    bool derived = desc->encoding->normals == AOB_NORMALS_FROM_DEPTH;
+    if (!derived) {
+        add_image("normal", aob_encoding_normal_format(desc->encoding), AOB_BINDING_NORMAL, storage, text);
+        aob_encoding_write_normal(desc->encoding, text);
+    }
+    aob_text_add(text, "%s%s", derived ? normal_from_depth_text : normal_texture_text, normal_text);
+}
+
 void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
     const struct aob_graph_pass *pass = desc->pass;
-    bool storage = desc->fetch == AOB_FETCH_STORAGE;
+    bool storage = desc->fetch == AOB_FETCH_STORAGE,
+         derived = desc->encoding->normals == AOB_NORMALS_FROM_DEPTH;
     add_constants(desc, text);
     add_defines(pass->defines, text);
     add_uniforms(desc->graph->technique, text);
     aob_text_add(text, "%s", gbuffer_text);
-    if (pass->reads & AOB_DEPTH) {
-        add_image("depth", AOB_R32F, AOB_BINDING_DEPTH, storage, text);
-        aob_text_add(text, "%s", depth_text);
-    }
-    if (pass->reads & AOB_NORMAL) {
-        add_image("normal", AOB_RGBA32F, AOB_BINDING_NORMAL, storage, text);
-        aob_text_add(text, "%s", normal_text);
-    }
+    if (pass->reads & AOB_DEPTH || (pass->reads && derived))
+        add_depth(desc, storage, text);
+    if (pass->reads & AOB_NORMAL)
+        add_normal(desc, storage, text);
     for (int i = 0; i < pass->in_count; i++)
         add_input(desc, i, text);
     for (int o = 0; o < pass->out_count; o++)
@@ -167,17 +244,20 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
 
 size_t aob_prelude_uniforms(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass,
                             const void *values, const struct aob_projection *projection,
-                            unsigned char block[AOB_UNIFORM_MAX])
+                            const struct aob_encoding *encoding, unsigned char block[AOB_UNIFORM_MAX])
 {
     int width, height;
+    double g = aob_graph_depth_divisor(graph, pass);
     aob_graph_texture_size(&graph->textures[pass->out[0].texture], projection->width, projection->height,
                            &width, &height);
-    float lens[4] = {(float)projection->sx, (float)projection->sy, (float)projection->cx,
-                     (float)projection->cy};
+    float lens[4] = {(float)(projection->sx * g), (float)(projection->sy * g),
+                     (float)((projection->cx - 0.5) / g + 0.5), (float)((projection->cy - 0.5) / g + 0.5)};
     int32_t sizes[8] = {projection->width, projection->height, width, height};
+    float range[4] = {encoding->near, encoding->far};
     memset(block, 0, AOB_UNIFORM_MAX);
     memcpy(block, lens, sizeof lens);
-    memcpy(block + sizeof lens, sizes, sizeof sizes);
+    memcpy(block + 16, sizes, sizeof sizes);
+    memcpy(block + 48, range, sizeof range);
     size_t used = AOB_UNIFORM_HEAD;
     for (uint32_t i = 0; i < graph->technique->param_count; i++)
         if (graph->technique->params[i].stage == AOB_UNIFORM) {

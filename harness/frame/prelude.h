@@ -5,27 +5,29 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "base/text.h"
+#include "encoding.h"
 #include "scene/camera.h"
 #include "technique/graph.h"
 #include "technique/option.h"
 
-/* Bindings: 0 the uniform block, these two for the G-buffer, then the pass's inputs in order. */
-enum { AOB_BINDING_DEPTH = 1, AOB_BINDING_NORMAL = 2, AOB_BINDING_FIRST_INPUT = 3 };
+/* Bindings: 0 the uniform block, these for the G-buffer and the pass's own depth, then its inputs in order. */
+enum { AOB_BINDING_DEPTH = 1, AOB_BINDING_NORMAL, AOB_BINDING_OWN_DEPTH, AOB_BINDING_FIRST_INPUT };
 
 struct aob_prelude_desc {
     const struct aob_pass_graph *graph;
     const struct aob_graph_pass *pass;
-    const void *values; /* the technique's own struct */
-    bool perspective;
-    enum aob_fetch fetch; /* of every nearest read; bilinear inputs are always sampled */
+    const void *values;                  /* the technique's own struct */
+    const struct aob_encoding *encoding; /* of the screen */
+    enum aob_fetch fetch;                /* of every nearest read; bilinear inputs are always sampled */
 };
 
 /* The whole program text for aob_gpu_program_create; the shader's own lines are numbered from 1. */
 void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *text);
 
-/* The std140 block: projection, sizes, then the uniform parameters in table order. */
-enum { AOB_UNIFORM_HEAD = 48, AOB_UNIFORM_MAX = AOB_UNIFORM_HEAD + 4 * AOB_MAX_PARAM };
+/* The std140 block: projection (of the pixels of the depth that the pass reads), sizes, frame, range of the depth
+ * encoding, then the uniform parameters in table order. */
+enum { AOB_UNIFORM_HEAD = 64, AOB_UNIFORM_MAX = AOB_UNIFORM_HEAD + 4 * AOB_MAX_PARAM };
 size_t aob_prelude_uniforms(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass,
                             const void *values, const struct aob_projection *projection,
-                            unsigned char block[AOB_UNIFORM_MAX]);
+                            const struct aob_encoding *encoding, unsigned char block[AOB_UNIFORM_MAX]);
 #endif

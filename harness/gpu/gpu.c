@@ -14,9 +14,11 @@ static const struct {
     int components;
     const char *layout;
 } formats[AOB_FORMAT_COUNT] = {
-    [AOB_R8] = {1, 1, "r8"},       [AOB_R16F] = {2, 1, "r16f"},       [AOB_R32F] = {4, 1, "r32f"},
-    [AOB_RG8] = {2, 2, "rg8"},     [AOB_RG16F] = {4, 2, "rg16f"},     [AOB_RG32F] = {8, 2, "rg32f"},
-    [AOB_RGBA8] = {4, 4, "rgba8"}, [AOB_RGBA16F] = {8, 4, "rgba16f"}, [AOB_RGBA32F] = {16, 4, "rgba32f"},
+    [AOB_R8] = {1, 1, "r8"},           [AOB_R16] = {2, 1, "r16"},
+    [AOB_R16F] = {2, 1, "r16f"},       [AOB_R32F] = {4, 1, "r32f"},
+    [AOB_RG8] = {2, 2, "rg8"},         [AOB_RG16F] = {4, 2, "rg16f"},
+    [AOB_RG32F] = {8, 2, "rg32f"},     [AOB_RGBA8] = {4, 4, "rgba8"},
+    [AOB_RGBA16F] = {8, 4, "rgba16f"}, [AOB_RGBA32F] = {16, 4, "rgba32f"},
 };
 
 size_t aob_gpu_texel_size(enum aob_format format)

@@ -2,6 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { MAX_TABLE = 8192 };
+
 static struct aob_pass_graph *own(const struct aob_graph *graph)
 {
     return (struct aob_pass_graph *)(uintptr_t)graph;
@@ -31,7 +33,10 @@ static aob_tex graph_texture(struct aob_graph *interface, const struct aob_tex_d
 {
     struct aob_pass_graph *graph = own(interface);
     struct aob_graph_texture texture = {.format = desc->format,
-                                        .divisor = desc->divisor ? (int)desc->divisor : 1};
+                                        .divisor = desc->divisor ? (int)desc->divisor : 1,
+                                        .width = (int)desc->width,
+                                        .height = (int)desc->height,
+                                        .fill = desc->fill};
     if (!copy_name(graph, "texture", desc->name, texture.name))
         return (aob_tex){0};
     if (graph->texture_count == AOB_MAX_TEXTURE)
@@ -39,6 +44,14 @@ static aob_tex graph_texture(struct aob_graph *interface, const struct aob_tex_d
                (aob_tex){0};
     if ((unsigned)desc->format >= AOB_FORMAT_COUNT || desc->divisor > 64)
         return aob_fail(graph->error, "texture '%s': unknown format or a divisor over 64", desc->name),
+               (aob_tex){0};
+    if (desc->fill ? desc->divisor || !desc->width || !desc->height || desc->width > MAX_TABLE ||
+                         desc->height > MAX_TABLE
+                   : desc->width || desc->height)
+        return aob_fail(
+                   graph->error,
+                   "texture '%s': a table has fill, width and height (1..%d) and no divisor; a target none",
+                   desc->name, MAX_TABLE),
                (aob_tex){0};
     for (int i = 0; i < graph->texture_count; i++)
         if (strcmp(graph->textures[i].name, texture.name) == 0)
@@ -84,7 +97,8 @@ static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
     if (graph->pass_count == AOB_MAX_PASS)
         return aob_fail(graph->error, "more than %d passes", AOB_MAX_PASS);
     struct aob_graph_pass *pass = &graph->passes[graph->pass_count];
-    *pass = (struct aob_graph_pass){.reads = desc->reads, .border = desc->border};
+    *pass = (struct aob_graph_pass){
+        .reads = desc->reads, .border = desc->border, .depth = (int)desc->depth.id - 1};
     if (!copy_name(graph, "pass", desc->name, pass->name) ||
         !copy_name(graph, "shader", desc->shader, pass->shader))
         return false;
@@ -100,6 +114,8 @@ static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
     strcpy(pass->defines, desc->defines ? desc->defines : "");
     if ((desc->reads & ~(uint32_t)(AOB_DEPTH | AOB_NORMAL)) || (unsigned)desc->border > AOB_FAR)
         return aob_fail(graph->error, "pass '%s': unknown bits in reads or border", pass->name);
+    if (desc->depth.id > (uint32_t)graph->texture_count)
+        return aob_fail(graph->error, "pass '%s': its depth is no texture of this graph", pass->name);
     if (!copy_binds(graph, desc, desc->in, AOB_MAX_IN, pass->in, &pass->in_count) ||
         !copy_binds(graph, desc, desc->out, AOB_MAX_OUT, pass->out, &pass->out_count))
         return false;
@@ -112,7 +128,7 @@ static bool graph_output(struct aob_graph *interface, enum aob_output which, aob
     struct aob_pass_graph *graph = own(interface);
     if (which >= AOB_OUTPUT_COUNT || tex.id == 0 || tex.id > (uint32_t)graph->texture_count)
         return aob_fail(graph->error, "an output is unknown or has no texture of this graph");
-    if (graph->textures[tex.id - 1].divisor != 1)
+    if (graph->textures[tex.id - 1].divisor != 1 || graph->textures[tex.id - 1].fill)
         return aob_fail(graph->error,
                         "output texture '%s' is not full size: upsampling is part of the technique",
                         graph->textures[tex.id - 1].name);
@@ -131,6 +147,27 @@ static int writer_of(const struct aob_pass_graph *graph, int texture, int before
     return -1;
 }
 
+static bool is_written(const struct aob_pass_graph *graph, int texture, int before)
+{
+    return graph->textures[texture].fill || writer_of(graph, texture, before) >= 0;
+}
+
+static bool judge_depth(const struct aob_pass_graph *graph, int index)
+{
+    const struct aob_graph_pass *pass = &graph->passes[index];
+    if (pass->depth < 0)
+        return true;
+    const struct aob_graph_texture *depth = &graph->textures[pass->depth];
+    if (!(pass->reads & AOB_DEPTH))
+        return aob_fail(graph->error, "pass '%s' has a depth and does not read it", pass->name);
+    if ((depth->format != AOB_R16F && depth->format != AOB_R32F) || depth->fill)
+        return aob_fail(graph->error, "pass '%s': its depth '%s' is not a target of r16f or r32f", pass->name,
+                        depth->name);
+    return writer_of(graph, pass->depth, index) >= 0 ||
+           aob_fail(graph->error, "pass '%s' reads depth '%s', which no earlier pass writes", pass->name,
+                    depth->name);
+}
+
 static bool judge_pass(const struct aob_pass_graph *graph, int index)
 {
     const struct aob_graph_pass *pass = &graph->passes[index];
@@ -138,6 +175,8 @@ static bool judge_pass(const struct aob_pass_graph *graph, int index)
         return aob_fail(graph->error, "pass '%s' writes nothing", pass->name);
     for (int o = 0; o < pass->out_count; o++) {
         const struct aob_graph_texture *texture = &graph->textures[pass->out[o].texture];
+        if (texture->fill)
+            return aob_fail(graph->error, "pass '%s' writes the table '%s'", pass->name, texture->name);
         if (texture->divisor != graph->textures[pass->out[0].texture].divisor)
             return aob_fail(graph->error, "pass '%s': its outputs have different sizes", pass->name);
         if (writer_of(graph, pass->out[o].texture, index) >= 0)
@@ -145,10 +184,10 @@ static bool judge_pass(const struct aob_pass_graph *graph, int index)
                             pass->name, texture->name);
     }
     for (int i = 0; i < pass->in_count; i++)
-        if (writer_of(graph, pass->in[i].texture, index) < 0)
+        if (!is_written(graph, pass->in[i].texture, index))
             return aob_fail(graph->error, "pass '%s' reads texture '%s', which no earlier pass writes",
                             pass->name, graph->textures[pass->in[i].texture].name);
-    return true;
+    return judge_depth(graph, index);
 }
 
 static void mark_live(struct aob_pass_graph *graph, int texture)
@@ -163,6 +202,8 @@ static void mark_live(struct aob_pass_graph *graph, int texture)
         graph->textures[pass->out[o].texture].used = true;
     for (int i = 0; i < pass->in_count; i++)
         mark_live(graph, pass->in[i].texture);
+    if (pass->depth >= 0)
+        mark_live(graph, pass->depth);
 }
 
 static bool judge_outputs(struct aob_pass_graph *graph)

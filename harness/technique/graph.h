@@ -14,6 +14,8 @@ struct aob_graph_texture {
     char name[AOB_NAME_SIZE];
     enum aob_format format;
     int divisor;
+    int width, height; /* of a table; 0: divided from the screen */
+    void (*fill)(const void *values, void *texels);
     bool used; /* by a live pass */
 };
 struct aob_graph_bind {
@@ -24,6 +26,7 @@ struct aob_graph_bind {
 struct aob_graph_pass {
     char name[AOB_NAME_SIZE], shader[AOB_NAME_SIZE], defines[128];
     uint32_t reads;
+    int depth; /* texture read in place of the G-buffer's depth, or -1 */
     enum aob_border border;
     struct aob_graph_bind in[AOB_MAX_IN], out[AOB_MAX_OUT];
     int in_count, out_count;
@@ -48,7 +51,11 @@ struct aob_pass_graph {
 bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *technique, const void *values,
                      uint32_t wanted, struct aob_error *error);
 
-/* Pixels of a texture in a G-buffer of width x height: divided, rounded up. */
+/* Divisor of the depth that a pass reads, and of what it writes. */
+int aob_graph_depth_divisor(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass);
+int aob_graph_target_divisor(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass);
+
+/* Pixels of a texture in a G-buffer of width x height: divided, rounded up; a table's own. */
 void aob_graph_texture_size(const struct aob_graph_texture *texture, int width, int height, int *w, int *h);
 
 /* Of the live passes, their texts, formats and the compile-time constants: what the compiled programs depend

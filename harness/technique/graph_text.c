@@ -3,16 +3,30 @@
 
 void aob_graph_texture_size(const struct aob_graph_texture *texture, int width, int height, int *w, int *h)
 {
+    *w = texture->width;
+    *h = texture->height;
+    if (texture->fill)
+        return;
     *w = (width + texture->divisor - 1) / texture->divisor;
     *h = (height + texture->divisor - 1) / texture->divisor;
+}
+
+int aob_graph_depth_divisor(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass)
+{
+    return pass->depth < 0 ? 1 : graph->textures[pass->depth].divisor;
+}
+
+int aob_graph_target_divisor(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass)
+{
+    return graph->textures[pass->out[0].texture].divisor;
 }
 
 const char *aob_format_name(enum aob_format format)
 {
     static const char *const names[AOB_FORMAT_COUNT] = {
-        [AOB_R8] = "r8",       [AOB_R16F] = "r16f",       [AOB_R32F] = "r32f",
-        [AOB_RG8] = "rg8",     [AOB_RG16F] = "rg16f",     [AOB_RG32F] = "rg32f",
-        [AOB_RGBA8] = "rgba8", [AOB_RGBA16F] = "rgba16f", [AOB_RGBA32F] = "rgba32f"};
+        [AOB_R8] = "r8",           [AOB_R16] = "r16",        [AOB_R16F] = "r16f",   [AOB_R32F] = "r32f",
+        [AOB_RG8] = "rg8",         [AOB_RG16F] = "rg16f",    [AOB_RG32F] = "rg32f", [AOB_RGBA8] = "rgba8",
+        [AOB_RGBA16F] = "rgba16f", [AOB_RGBA32F] = "rgba32f"};
     return names[format];
 }
 
@@ -29,8 +43,9 @@ static void add_binds(const struct aob_pass_graph *graph, const struct aob_graph
 {
     for (int i = 0; i < count; i++) {
         const struct aob_graph_texture *texture = &graph->textures[binds[i].texture];
-        aob_text_add(text, " %s=%s:%s/%d~%d", binds[i].name, texture->name, aob_format_name(texture->format),
-                     texture->divisor, binds[i].filter);
+        aob_text_add(text, " %s=%s:%s/%d,%dx%d~%d", binds[i].name, texture->name,
+                     aob_format_name(texture->format), texture->divisor, texture->width, texture->height,
+                     binds[i].filter);
     }
 }
 
@@ -48,8 +63,8 @@ void aob_graph_digest(const struct aob_pass_graph *graph, const void *values, ch
         const struct aob_graph_pass *pass = &graph->passes[p];
         if (!pass->live)
             continue;
-        aob_text_add(&text, "%s %s [%s] %u %d in", pass->name, pass->shader, pass->defines, pass->reads,
-                     pass->border);
+        aob_text_add(&text, "%s %s [%s] %u /%d %d in", pass->name, pass->shader, pass->defines, pass->reads,
+                     aob_graph_depth_divisor(graph, pass), pass->border);
         add_binds(graph, pass->in, pass->in_count, &text);
         aob_text_add(&text, " out");
         add_binds(graph, pass->out, pass->out_count, &text);
@@ -57,6 +72,18 @@ void aob_graph_digest(const struct aob_pass_graph *graph, const void *values, ch
     }
     aob_hash_text(text.data ? text.data : "", key);
     aob_text_finish(&text);
+}
+
+/* From whichever earlier pass writes the texture; a table comes from itself. */
+static void add_edge(const struct aob_pass_graph *graph, int pass, int texture, struct aob_text *text)
+{
+    const char *from = graph->textures[texture].name, *to = graph->passes[pass].name;
+    for (int q = 0; q < pass; q++)
+        for (int o = 0; o < graph->passes[q].out_count; o++)
+            if (graph->passes[q].out[o].texture == texture)
+                aob_text_add(text, "  %s -> %s [label=\"%s\"];\n", graph->passes[q].name, to, from);
+    if (graph->textures[texture].fill)
+        aob_text_add(text, "  %s [shape=cylinder];\n  %s -> %s;\n", from, from, to);
 }
 
 void aob_graph_dot(const struct aob_pass_graph *graph, struct aob_text *text)
@@ -68,12 +95,10 @@ void aob_graph_dot(const struct aob_pass_graph *graph, struct aob_text *text)
         aob_text_add(text, "  %s [style=%s];\n", pass->name, pass->live ? "solid" : "dashed");
         if (pass->reads)
             aob_text_add(text, "  gbuffer -> %s;\n", pass->name);
+        if (pass->depth >= 0)
+            add_edge(graph, p, pass->depth, text);
         for (int i = 0; i < pass->in_count; i++)
-            for (int q = 0; q < p; q++)
-                for (int o = 0; o < graph->passes[q].out_count; o++)
-                    if (graph->passes[q].out[o].texture == pass->in[i].texture)
-                        aob_text_add(text, "  %s -> %s [label=\"%s\"];\n", graph->passes[q].name, pass->name,
-                                     graph->textures[pass->in[i].texture].name);
+            add_edge(graph, p, pass->in[i].texture, text);
         for (int o = 0; o < pass->out_count; o++)
             if (pass->out[o].texture == graph->outputs[AOB_OUT_VISIBILITY])
                 aob_text_add(text, "  %s -> visibility;\n", pass->name);

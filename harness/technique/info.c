@@ -16,6 +16,8 @@ static const char *const unit_words[] = {"none", "scene_units", "pixels", "radia
 static const char *const scale_words[] = {"linear", "log2", NULL};
 static const char *const stage_words[] = {"uniform", "constant", "host", NULL};
 
+static const char *const sequence_words[] = {"none", "stratified", "independent", NULL};
+
 static int word_index(const char *const *words, const char *word)
 {
     for (int i = 0; words[i]; i++)
@@ -36,15 +38,31 @@ json_t *aob_param_to_json(const struct aob_param *param)
     return p;
 }
 
+json_t *aob_technique_info_to_json(const struct aob_technique_info *info)
+{
+    json_t *params = json_array();
+    for (size_t i = 0; i < info->param_count; i++)
+        json_array_append_new(params, aob_param_to_json(&info->params[i]));
+    return json_pack("{s:s, s:s, s:s, s:i, s:s, s:s?, s:s?, s:s, s:o}", "name", info->name, "title",
+                     info->title, "citation", info->citation, "revision", (int)info->revision, "digest",
+                     info->digest, "module", info->module, "sampling", info->sampling, "sequence",
+                     sequence_words[info->sequence], "params", params);
+}
+
 json_t *aob_technique_to_json(const struct aob_registry_entry *entry)
 {
     const struct aob_technique *t = entry->technique;
-    json_t *params = json_array();
-    for (uint32_t i = 0; i < t->param_count; i++)
-        json_array_append_new(params, aob_param_to_json(&t->params[i]));
-    return json_pack("{s:s, s:s, s:s, s:i, s:s, s:s?, s:o}", "name", t->name, "title", t->title, "citation",
-                     t->citation, "revision", (int)t->revision, "digest", entry->digest, "module",
-                     entry->module, "params", params);
+    struct aob_technique_info info = {.name = (char *)(uintptr_t)t->name,
+                                      .title = (char *)(uintptr_t)t->title,
+                                      .citation = (char *)(uintptr_t)t->citation,
+                                      .module = (char *)(uintptr_t)entry->module,
+                                      .sampling = (char *)(uintptr_t)t->sampling.param,
+                                      .sequence = t->sampling.sequence,
+                                      .revision = t->revision,
+                                      .params = (struct aob_param *)(uintptr_t)t->params,
+                                      .param_count = t->param_count};
+    memcpy(info.digest, entry->digest, sizeof info.digest);
+    return aob_technique_info_to_json(&info);
 }
 
 static const char *const *choices_from_json(const json_t *names)
@@ -79,12 +97,14 @@ static bool param_from_json(json_t *p, struct aob_param *param)
 bool aob_technique_list_add(struct aob_technique_list *list, const json_t *described)
 {
     const char *name, *title, *citation, *digest,
-        *module = json_string_value(json_object_get(described, "module"));
+        *module = json_string_value(json_object_get(described, "module")),
+        *sampling = json_string_value(json_object_get(described, "sampling")), *sequence;
     int revision;
     json_t *params;
-    if (json_unpack((json_t *)(uintptr_t)described, "{s:s, s:s, s:s, s:i, s:s, s:o}", "name", &name, "title",
-                    &title, "citation", &citation, "revision", &revision, "digest", &digest, "params",
-                    &params) != 0)
+    if (json_unpack((json_t *)(uintptr_t)described, "{s:s, s:s, s:s, s:i, s:s, s:s, s:o}", "name", &name,
+                    "title", &title, "citation", &citation, "revision", &revision, "digest", &digest,
+                    "sequence", &sequence, "params", &params) != 0 ||
+        word_index(sequence_words, sequence) < 0)
         return false;
     list->items = aob_realloc(list->items, list->count + 1, sizeof *list->items);
     struct aob_technique_info *info = &list->items[list->count++];
@@ -92,6 +112,8 @@ bool aob_technique_list_add(struct aob_technique_list *list, const json_t *descr
                                         .title = aob_strdup(title),
                                         .citation = aob_strdup(citation),
                                         .module = aob_strdup(module),
+                                        .sampling = aob_strdup(sampling),
+                                        .sequence = (enum aob_sequence)word_index(sequence_words, sequence),
                                         .revision = (uint32_t)revision};
     strncpy(info->digest, digest, AOB_KEY_SIZE - 1);
     info->param_count = json_array_size(params);
@@ -131,6 +153,7 @@ void aob_technique_list_finish(struct aob_technique_list *list)
         free(info->title);
         free(info->citation);
         free(info->module);
+        free(info->sampling);
     }
     free(list->items);
     *list = (struct aob_technique_list){0};

@@ -1,5 +1,6 @@
 #include "registry.h"
 #include <string.h>
+#include "param.h"
 
 static bool is_name(const char *name)
 {
@@ -31,6 +32,18 @@ static bool judge_param(const struct aob_technique *technique, const struct aob_
     return true;
 }
 
+static bool judge_sampling(const struct aob_technique *technique, struct aob_error *error)
+{
+    const struct aob_sampling *sampling = &technique->sampling;
+    const struct aob_param *param =
+        sampling->param ? aob_param_find(technique->params, technique->param_count, sampling->param) : NULL;
+    if ((unsigned)sampling->sequence > AOB_SEQUENCE_INDEPENDENT ||
+        (sampling->param ? !param || param->type != AOB_INT || !sampling->sequence : sampling->sequence != 0))
+        return aob_fail(error, "technique '%s': its sampling names no whole-number parameter, or no sequence",
+                        technique->name);
+    return true;
+}
+
 bool aob_technique_judge(const struct aob_technique *technique, struct aob_error *error)
 {
     if (technique->abi >> 16 != AOB_ABI_MAJOR || (technique->abi & 0xffff) > AOB_ABI_MINOR ||
@@ -49,5 +62,5 @@ bool aob_technique_judge(const struct aob_technique *technique, struct aob_error
     for (const struct aob_shader *s = technique->shaders; s->name; s++)
         if (!s->text)
             return aob_fail(error, "technique '%s': shader '%s' has no text", technique->name, s->name);
-    return true;
+    return judge_sampling(technique, error);
 }

@@ -2,6 +2,20 @@
 
 static const char *const fetch_names[] = {"sampled", "storage", NULL};
 
+static const char *const depth_names[] = {"r32f",
+                                          "r16f",
+                                          "unorm16",
+                                          "packed16",
+                                          "device24",
+                                          "device24_reversed",
+                                          "device24_infinite",
+                                          "device32",
+                                          "device32_reversed",
+                                          "device32_infinite",
+                                          NULL};
+static const char *const normal_names[] = {"rgba32f", "oct_rg16f", "rgba8", "packed8", NULL};
+static const char *const normals_names[] = {"geometric", "shading", "from_depth", NULL};
+
 const struct aob_param aob_option_params[AOB_OPTION_COUNT] = {
     AOB_PARAM(
         struct aob_options, guard_band, .unit = AOB_UNIT_PIXEL, .min = 0, .max = 1024, .initial = 0,
@@ -11,4 +25,15 @@ const struct aob_param aob_option_params[AOB_OPTION_COUNT] = {
               .doc = "How shaders read textures: through a sampler, or as a storage image."),
     AOB_PARAM(struct aob_options, threads, .unit = AOB_UNIT_COUNT, .min = 0, .max = 64, .initial = 0,
               .doc = "Threads of a software driver; 0 leaves the driver's default."),
+    AOB_PARAM(struct aob_options, depth_encoding, .choices = depth_names,
+              .doc = "How the G-buffer holds depth: linear, or as a device's depth buffer does."),
+    AOB_PARAM(struct aob_options, normal_encoding, .choices = normal_names,
+              .doc = "How the G-buffer holds normals."),
+    AOB_PARAM(struct aob_options, normals, .choices = normals_names,
+              .doc =
+                  "Which normals: of the triangles, interpolated, or derived from the depth by each reader."),
+    AOB_PARAM(struct aob_options, near, .unit = AOB_UNIT_LENGTH, .min = 0, .max = 1e9,
+              .doc = "Near plane of the device encodings; 0 is half the view's nearest depth."),
+    AOB_PARAM(struct aob_options, far, .unit = AOB_UNIT_LENGTH, .min = 0, .max = 1e9,
+              .doc = "Far plane of the device and 16-bit encodings; 0 is 1.01 of the view's farthest depth."),
 };

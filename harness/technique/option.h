@@ -3,13 +3,41 @@
 #define AOB_TECHNIQUE_OPTION_H
 #include <aobudget/technique.h>
 
+enum aob_fetch { AOB_FETCH_SAMPLED, AOB_FETCH_STORAGE };
+
+/* How a texel of the depth holds the distance z along the view axis; n, f are the options near and far. */
+enum aob_depth_encoding {
+    AOB_DEPTH_R32F,
+    AOB_DEPTH_R16F,
+    AOB_DEPTH_UNORM16,           /* z / f in 16 bits */
+    AOB_DEPTH_PACKED16,          /* the same in two of four 8-bit channels, beside a packed8 normal */
+    AOB_DEPTH_DEVICE24,          /* (f / (f-n)) (1 - n/z) in 24 bits; orthographic (z-n) / (f-n) */
+    AOB_DEPTH_DEVICE24_REVERSED, /* 1 - that */
+    AOB_DEPTH_DEVICE24_INFINITE, /* n/z: reversed, the far plane at infinity; perspective only */
+    AOB_DEPTH_DEVICE32,          /* the three as 32-bit floats */
+    AOB_DEPTH_DEVICE32_REVERSED,
+    AOB_DEPTH_DEVICE32_INFINITE,
+};
+enum aob_normal_encoding {
+    AOB_NORMAL_RGBA32F,
+    AOB_NORMAL_OCT_RG16F, /* octahedral map (Meyer et al. 2010), half floats */
+    AOB_NORMAL_RGBA8,     /* n/2 + 1/2 in 8 bits each, normalised when read */
+    AOB_NORMAL_PACKED8, /* x and y so, z >= 0 from them: StarCraft II's; normals that face away from +Z are lost */
+};
+enum aob_normals {
+    AOB_NORMALS_GEOMETRIC,
+    AOB_NORMALS_SHADING,
+    AOB_NORMALS_FROM_DEPTH, /* cross product of the smaller depth differences; no texture is read */
+};
+
 struct aob_options {
     int32_t guard_band; /* pixels rendered around the view and cropped before scoring */
     int32_t fetch;      /* enum aob_fetch */
     int32_t threads;    /* of a software driver; 0: the driver's default */
+    int32_t depth_encoding, normal_encoding, normals;
+    float near, far; /* of the depth encoding, scene units; 0: from the view's own depths */
 };
-enum aob_fetch { AOB_FETCH_SAMPLED, AOB_FETCH_STORAGE };
-enum { AOB_OPTION_COUNT = 3 };
+enum { AOB_OPTION_COUNT = 8 };
 
 extern const struct aob_param aob_option_params[AOB_OPTION_COUNT];
 #endif

@@ -34,6 +34,8 @@ bool aob_technique_judge(const struct aob_technique *technique, struct aob_error
 
 struct aob_technique_info {
     char *name, *title, *citation, *module; /* module: NULL for a built-in */
+    char *sampling;                         /* the parameter that counts its samples, or NULL */
+    enum aob_sequence sequence;
     uint32_t revision;
     char digest[AOB_KEY_SIZE];
     struct aob_param *params; /* strings owned */
@@ -45,7 +47,8 @@ struct aob_technique_list {
 };
 
 json_t *aob_technique_to_json(const struct aob_registry_entry *entry); /* with parameters, units, bounds */
-json_t *aob_param_to_json(const struct aob_param *param);              /* unit, scale and stage as words */
+json_t *aob_technique_info_to_json(const struct aob_technique_info *info); /* the same */
+json_t *aob_param_to_json(const struct aob_param *param); /* unit, scale and stage as words */
 bool aob_technique_list_add(struct aob_technique_list *list,
                             const json_t *described); /* false: not of that shape */
 const struct aob_technique_info *aob_technique_list_find(const struct aob_technique_list *list,

@@ -19,7 +19,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define AOB_ABI_MAJOR 1u /* raised by a change to this file: modules of another number are refused */
+#define AOB_ABI_MAJOR 2u /* raised by a change to this file: modules of another number are refused */
 #define AOB_ABI_MINOR 0u /* raised when a field joins the end of aob_technique: older modules load */
 #define AOB_ABI       (AOB_ABI_MAJOR << 16 | AOB_ABI_MINOR)
 enum { AOB_MAX_PARAM = 32, AOB_MAX_IN = 8, AOB_MAX_OUT = 4, AOB_MAX_PASS = 32, AOB_MAX_TEXTURE = 32 };
@@ -86,6 +86,7 @@ enum aob_output {                     /* what the harness reads back and compare
 };
 enum aob_format {
     AOB_R8,
+    AOB_R16,
     AOB_R16F,
     AOB_R32F,
     AOB_RG8,
@@ -106,6 +107,10 @@ struct aob_tex_desc {
     const char *name;       /* unique in the graph; for errors and the memory table */
     enum aob_format format; /* all can be drawn to */
     uint32_t divisor;       /* of the screen, rounded up: 1 full (also 0), 2 half, 4 quarter */
+    /* A table in place of a target: width x height texels that fill() writes, tightly packed, row 0 first, in the
+     * format's own bits. Called once, when the passes are set up, and billed with the set-up. */
+    uint32_t width, height;
+    void (*fill)(const void *values, void *texels);
 };
 struct aob_bind {
     const char *name; /* the GLSL name: aob_fetch_<name>() for an input, the variable <name> for an output */
@@ -113,11 +118,14 @@ struct aob_bind {
     enum aob_filter filter; /* inputs only */
 };
 struct aob_pass {
-    const char *name;                 /* unique in the graph; the row of the times per pass */
-    const char *shader;               /* one of the module's texts, by name */
-    const char *defines;              /* "AXIS=0 WIDE=1", or NULL */
-    uint32_t reads;                   /* enum aob_read bits */
-    enum aob_border border;           /* of those reads */
+    const char *name;       /* unique in the graph; the row of the times per pass */
+    const char *shader;     /* one of the module's texts, by name */
+    const char *defines;    /* "AXIS=0 WIDE=1", or NULL */
+    uint32_t reads;         /* enum aob_read bits */
+    aob_tex depth;          /* read instead of the G-buffer's depth: view-space depth of another divisor
+                                         (AOB_R16F or AOB_R32F), whose texel p is the surface of the G-buffer's
+                                         pixel p * divisor, or one near it; 0: the G-buffer's */
+    enum aob_border border; /* of those reads */
     struct aob_bind in[AOB_MAX_IN];   /* ended by a NULL name */
     struct aob_bind out[AOB_MAX_OUT]; /* colour targets of one size; ended by a NULL name */
 };
@@ -140,14 +148,22 @@ struct aob_graph {
  * A shader text is the body of a fragment shader: functions and `void main()`. It never says #version, layout
  * or binding; the harness writes those in front, with these names (GLSL 4.50, the same on every backend):
  *
- *   ivec2 aob_size              pixels of the G-buffer, guard band included
- *   ivec2 aob_target_size       pixels of the pass's outputs
  *   ivec2 aob_pixel             the pixel of the outputs that this invocation writes
+ *   ivec2 aob_target_size       pixels of the pass's outputs
  *   int   aob_frame             frame number, 0 for a single shot
+ * The surface that pixel p of the outputs stands for: the G-buffer's pixel p * divisor of the outputs.
+ *   vec3  aob_surface(ivec2 p)               its view-space point
+ *   vec3  aob_surface_normal(ivec2 p)        unit, view space, towards the camera
+ *   float aob_surface_z(ivec2 p)             its depth, scene units; AOB_SKY_Z where there is no surface
+ *   bool  aob_surface_is_sky(ivec2 p)
+ *   vec2  aob_image(ivec2 p)                 where it lies among the pixels of the depth below (centres at +.5)
+ * The depth that the pass reads: the G-buffer's, or `depth`. Where its divisor is the outputs', p means the same
+ * pixel in both.
+ *   ivec2 aob_size              its pixels, guard band included
  *   float aob_view_z(ivec2 p)   depth of the surface in pixel p, scene units; AOB_SKY_Z where there is none
  *   bool  aob_is_sky(ivec2 p)
  *   vec3  aob_position(ivec2 p)              view-space point of the surface in pixel p, at the pixel's centre
- *   vec3  aob_position_at(vec2 q, float z)   the same at image position q (pixel centres at +.5) and depth z
+ *   vec3  aob_position_at(vec2 q, float z)   the same at image position q and depth z
  *   vec3  aob_normal(ivec2 p)                unit, view space, towards the camera
  *   vec2  aob_project(vec3 v)                image position of a view-space point with v.z < 0
  *   vec3  aob_view_vector(vec3 v)            unit vector from view-space point v to the eye
@@ -160,7 +176,9 @@ struct aob_graph {
  *                               that the body assigns
  *   AOB_PERSPECTIVE             1 or 0 (orthographic); the functions above serve both, and off-centre frusta
  *   AOB_PI, AOB_SKY_Z           constants
- * Names that start with aob_ or AOB_ are the prelude's. Reads of the G-buffer outside it follow `border`. */
+ * Names that start with aob_ or AOB_ are the prelude's. Reads of depth and normal outside the image follow
+ * `border`. How a run encodes depth and normals (options depth_encoding, normal_encoding, normals) does not show
+ * here but in the values. */
 
 /* --- What the technique claims to compute, so that the ray tracer can compute exactly that --------------- */
 
@@ -174,6 +192,18 @@ struct aob_definition {
     float (*falloff)(const void *values, float t); /* what an occluder at distance t * radius counts, t in
                                                       [0, 1]; NULL: 1, the hard cutoff */
     float (*map)(const void *values, float v); /* of the traced value, where the text maps it; NULL: none */
+};
+
+/* --- How it samples: what a convergence study raises, and what it may expect ------------------------------ */
+
+enum aob_sequence {
+    AOB_SEQUENCE_NONE,        /* it does not sample */
+    AOB_SEQUENCE_STRATIFIED,  /* stratified or of low discrepancy: the error falls faster than the root */
+    AOB_SEQUENCE_INDEPENDENT, /* independent random samples: the error falls as the root of their number */
+};
+struct aob_sampling {
+    const char *param; /* the AOB_INT parameter that counts them, such as "slices"; NULL: none */
+    enum aob_sequence sequence;
 };
 
 /* --- Module: const data. A .so exports one symbol, aob_module --------------------------------------------- */
@@ -191,6 +221,7 @@ struct aob_technique {
     size_t values_size;               /* sizeof the values struct that params index */
     const struct aob_shader *shaders; /* ended by a NULL name */
     struct aob_definition definition;
+    struct aob_sampling sampling;
     bool (*check)(const void *values, const char **why);        /* rules across parameters; may be NULL */
     bool (*build)(struct aob_graph *graph, const void *values); /* lay the passes; pure, repeatable */
 };

@@ -56,7 +56,7 @@ static bool build(struct aob_graph *graph, const void *values)
     aob_tex raw = aob_texture(graph, .name = "visibility", .format = AOB_R16F);
     return aob_pass(graph, .name = "obscurance", .shader = "obscurance", .reads = AOB_DEPTH | AOB_NORMAL,
                     .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}}) &&
-           aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur));
+           aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur, 1, 1));
 }
 
 AOB_TECHNIQUE(alchemy, .title = "Alchemy ambient obscurance", .revision = 1, .shaders = aob_shaders_alchemy,
@@ -64,5 +64,5 @@ AOB_TECHNIQUE(alchemy, .title = "Alchemy ambient obscurance", .revision = 1, .sh
                           "Algorithm, HPG 2011",
               .params = params, .param_count = sizeof params / sizeof *params,
               .values_size = sizeof(struct values),
-              .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .map = map}, .check = check,
-              .build = build);
+              .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .map = map},
+              .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);

@@ -42,7 +42,7 @@ static bool build(struct aob_graph *graph, const void *values)
     aob_tex raw = aob_texture(graph, .name = "visibility", .format = AOB_R16F);
     return aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL,
                     .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}}) &&
-           aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur));
+           aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur, 1, 1));
 }
 
 AOB_TECHNIQUE(gtao, .title = "Ground-truth ambient occlusion", .revision = 1, .shaders = aob_shaders_gtao,
@@ -50,5 +50,5 @@ AOB_TECHNIQUE(gtao, .title = "Ground-truth ambient occlusion", .revision = 1, .s
                           "Occlusion, ATVI-TR-19-01 (2016)",
               .params = params, .param_count = sizeof params / sizeof *params,
               .values_size = sizeof(struct values),
-              .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff}, .check = check,
-              .build = build);
+              .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff},
+              .sampling = {"slices", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);

@@ -49,12 +49,12 @@ static bool build(struct aob_graph *graph, const void *values)
     return aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL,
                     .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY,
-                      aob_step_blur(graph, raw, ((const struct values *)values)->blur));
+                      aob_step_blur(graph, raw, ((const struct values *)values)->blur, 1, 1));
 }
 
 AOB_TECHNIQUE(hbao, .title = "Horizon-based ambient occlusion", .revision = 1, .shaders = aob_shaders_hbao,
               .citation = "Bavoil, Sainz: Image-Space Horizon-Based Ambient Occlusion, ShaderX7 (2009), 6.2",
               .params = params, .param_count = sizeof params / sizeof *params,
               .values_size = sizeof(struct values),
-              .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff}, .check = check,
-              .build = build);
+              .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff},
+              .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);

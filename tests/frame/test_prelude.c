@@ -63,7 +63,7 @@ static void run(const struct aob_rig *rig, const char *shader, struct values val
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
     chosen = shader;
-    if (!aob_screen_init(&screen, gpu, &rig->gbuffer, &error) ||
+    if (!aob_screen_init(&screen, gpu, &rig->gbuffer, &(struct aob_options){0}, &error) ||
         !aob_frame_init(frame, &screen, &technique, &values, AOB_FETCH_SAMPLED, &error) ||
         !aob_frame_run(frame, NULL, &error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, pixels, &error))
         fail_msg("%s", error.text);

@@ -42,7 +42,7 @@ static void test_exact_clock(void **state)
     struct aob_frame *frames = AOB_NEW_ARRAY(struct aob_frame, 3);
     struct aob_block_timing timing;
     aob_rig_scene(&rig, "corner", NULL, W, H, 0);
-    assert_true(aob_screen_init(&screen, gpu, &rig.gbuffer, NULL));
+    assert_true(aob_screen_init(&screen, gpu, &rig.gbuffer, &(struct aob_options){0}, NULL));
     init(&frames[0], &screen, &aob_technique_fixed_pass);
     init(&frames[1], &screen, builtin("none"));
     init(&frames[2], &screen, builtin("gtao")); /* horizon, and two passes of the blur */

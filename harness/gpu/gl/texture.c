@@ -4,6 +4,7 @@
 
 static const struct gl_format formats[AOB_FORMAT_COUNT] = {
     [AOB_R8] = {GL_R8, GL_RED, GL_UNSIGNED_BYTE},
+    [AOB_R16] = {GL_R16, GL_RED, GL_UNSIGNED_SHORT},
     [AOB_R16F] = {GL_R16F, GL_RED, GL_HALF_FLOAT},
     [AOB_R32F] = {GL_R32F, GL_RED, GL_FLOAT},
     [AOB_RG8] = {GL_RG8, GL_RG, GL_UNSIGNED_BYTE},

@@ -1,0 +1,254 @@
+#include "encoding.h"
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/half.h"
+#include "base/memory.h"
+
+static bool is_device(enum aob_depth_encoding depth)
+{
+    return depth >= AOB_DEPTH_DEVICE24;
+}
+
+static bool is_infinite(enum aob_depth_encoding depth)
+{
+    return depth == AOB_DEPTH_DEVICE24_INFINITE || depth == AOB_DEPTH_DEVICE32_INFINITE;
+}
+
+static bool is_forward(enum aob_depth_encoding depth)
+{
+    return depth == AOB_DEPTH_DEVICE24 || depth == AOB_DEPTH_DEVICE32;
+}
+
+static size_t pixel_count(const struct aob_gbuffer *gbuffer)
+{
+    return (size_t)gbuffer->projection.width * (size_t)gbuffer->projection.height;
+}
+
+static bool is_sky(float depth)
+{
+    return depth >= 0.5f * AOB_GBUFFER_SKY;
+}
+
+static void find_range(const struct aob_gbuffer *gbuffer, float *nearest, float *farthest)
+{
+    *nearest = INFINITY;
+    *farthest = 0;
+    for (size_t i = 0; i < pixel_count(gbuffer); i++)
+        if (!is_sky(gbuffer->depth[i])) {
+            *nearest = fminf(*nearest, gbuffer->depth[i]);
+            *farthest = fmaxf(*farthest, gbuffer->depth[i]);
+        }
+    if (!(*farthest > 0)) /* nothing but sky: any range will do */
+        *nearest = *farthest = 1;
+}
+
+bool aob_encoding_init(struct aob_encoding *encoding, const struct aob_options *options,
+                       const struct aob_gbuffer *gbuffer, struct aob_error *error)
+{
+    float nearest, farthest;
+    find_range(gbuffer, &nearest, &farthest);
+    *encoding = (struct aob_encoding){.depth = (enum aob_depth_encoding)options->depth_encoding,
+                                      .normal = (enum aob_normal_encoding)options->normal_encoding,
+                                      .normals = (enum aob_normals)options->normals,
+                                      .near = options->near > 0 ? options->near : 0.5f * nearest,
+                                      .far = options->far > 0 ? options->far : 1.01f * farthest,
+                                      .perspective = gbuffer->projection.perspective};
+    if (is_infinite(encoding->depth) && !encoding->perspective)
+        return aob_fail(error, "depth_encoding: an infinite far plane needs a perspective view");
+    if (is_device(encoding->depth) && !is_infinite(encoding->depth) && !(encoding->near < encoding->far))
+        return aob_fail(error, "depth_encoding: near %g is not below far %g", (double)encoding->near,
+                        (double)encoding->far);
+    return true;
+}
+
+enum aob_format aob_encoding_depth_format(const struct aob_encoding *encoding)
+{
+    switch (encoding->depth) {
+    case AOB_DEPTH_R16F:
+        return AOB_R16F;
+    case AOB_DEPTH_UNORM16:
+        return AOB_R16;
+    case AOB_DEPTH_PACKED16:
+        return AOB_RGBA8;
+    default:
+        return AOB_R32F;
+    }
+}
+
+enum aob_format aob_encoding_normal_format(const struct aob_encoding *encoding)
+{
+    static const enum aob_format formats[] = {[AOB_NORMAL_RGBA32F] = AOB_RGBA32F,
+                                              [AOB_NORMAL_OCT_RG16F] = AOB_RG16F,
+                                              [AOB_NORMAL_RGBA8] = AOB_RGBA8,
+                                              [AOB_NORMAL_PACKED8] = AOB_RGBA8};
+    return formats[encoding->normal];
+}
+
+bool aob_encoding_is_shared(const struct aob_encoding *encoding)
+{
+    return encoding->depth == AOB_DEPTH_PACKED16 && encoding->normal == AOB_NORMAL_PACKED8 &&
+           encoding->normals != AOB_NORMALS_FROM_DEPTH;
+}
+
+static double clamp(double x, double low, double high)
+{
+    return x < low ? low : x > high ? high : x;
+}
+
+/* The last value is the sky's. */
+static uint16_t unorm16(const struct aob_encoding *encoding, float depth)
+{
+    double scaled = (double)depth / (double)encoding->far * 65535;
+    return is_sky(depth) ? 65535 : (uint16_t)(clamp(scaled, 0, 65534) + 0.5);
+}
+
+/* Device depth of a surface in double precision, 0..1. */
+static double device_depth(const struct aob_encoding *encoding, double z)
+{
+    double n = (double)encoding->near, f = (double)encoding->far, forward;
+    if (is_infinite(encoding->depth))
+        return n / fmax(z, n);
+    z = clamp(z, n, f);
+    forward = encoding->perspective ? f / (f - n) * (1 - n / z) : (z - n) / (f - n);
+    return is_forward(encoding->depth) ? forward : 1 - forward;
+}
+
+/* 24 bits are held in the float that a shader would read them as. The value that clears the buffer is the sky's. */
+static float device(const struct aob_encoding *encoding, float depth)
+{
+    const double steps = (1 << 24) - 1;
+    bool forward = is_forward(encoding->depth);
+    if (is_sky(depth))
+        return forward ? 1 : 0;
+    double d = device_depth(encoding, (double)depth);
+    if (encoding->depth >= AOB_DEPTH_DEVICE32)
+        return forward ? fminf((float)d, nextafterf(1, 0)) : fmaxf((float)d, FLT_TRUE_MIN);
+    double k = floor(d * steps + 0.5);
+    return (float)(clamp(k, forward ? 0 : 1, forward ? steps - 1 : steps) / steps);
+}
+
+static unsigned char unorm8(float x)
+{
+    return (unsigned char)(clamp((double)x * 0.5 + 0.5, 0, 1) * 255 + 0.5);
+}
+
+static void *packed_texels(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer,
+                           const float *normal)
+{
+    unsigned char *texels = aob_alloc(pixel_count(gbuffer), 4);
+    for (size_t i = 0; i < pixel_count(gbuffer); i++) {
+        uint16_t depth = unorm16(encoding, gbuffer->depth[i]);
+        texels[4 * i] = unorm8(normal[4 * i]);
+        texels[4 * i + 1] = unorm8(normal[4 * i + 1]);
+        texels[4 * i + 2] = (unsigned char)(depth >> 8);
+        texels[4 * i + 3] = (unsigned char)(depth & 255);
+    }
+    return texels;
+}
+
+static const float *normals_of(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
+{
+    return encoding->normals == AOB_NORMALS_SHADING ? gbuffer->shading : gbuffer->normal;
+}
+
+void *aob_encoding_depth_texels(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
+{
+    size_t count = pixel_count(gbuffer);
+    if (encoding->depth == AOB_DEPTH_PACKED16)
+        return packed_texels(encoding, gbuffer, normals_of(encoding, gbuffer));
+    float *whole = AOB_NEW_ARRAY(float, count);
+    uint16_t *half = (uint16_t *)(void *)whole;
+    for (size_t i = 0; i < count; i++) {
+        float depth = gbuffer->depth[i];
+        if (encoding->depth == AOB_DEPTH_R32F)
+            whole[i] = depth;
+        else if (encoding->depth == AOB_DEPTH_R16F)
+            half[i] = aob_half_from_float(is_sky(depth) ? INFINITY : fminf(depth, AOB_HALF_MAX));
+        else if (encoding->depth == AOB_DEPTH_UNORM16)
+            half[i] = unorm16(encoding, depth);
+        else
+            whole[i] = device(encoding, depth);
+    }
+    return whole;
+}
+
+/* Meyer, Suessmuth, Sussner, Stamminger, Greiner: On Floating-Point Normal Vectors, EGSR 2010. */
+static void octahedral(const float n[3], uint16_t into[2])
+{
+    float sum = fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]);
+    float x = sum > 0 ? n[0] / sum : 0, y = sum > 0 ? n[1] / sum : 0;
+    float folded_x = n[2] >= 0 ? x : copysignf(1 - fabsf(y), x);
+    float folded_y = n[2] >= 0 ? y : copysignf(1 - fabsf(x), y);
+    into[0] = aob_half_from_float(folded_x);
+    into[1] = aob_half_from_float(folded_y);
+}
+
+void *aob_encoding_normal_texels(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
+{
+    const float *normal = normals_of(encoding, gbuffer);
+    size_t count = pixel_count(gbuffer);
+    if (encoding->normals == AOB_NORMALS_FROM_DEPTH)
+        return NULL;
+    if (encoding->normal == AOB_NORMAL_PACKED8)
+        return packed_texels(encoding, gbuffer, normal);
+    float *whole = AOB_NEW_ARRAY(float, 4 * count);
+    unsigned char *bytes = (unsigned char *)whole;
+    uint16_t *half = (uint16_t *)(void *)whole;
+    if (encoding->normal == AOB_NORMAL_RGBA32F)
+        memcpy(whole, normal, 4 * count * sizeof(float));
+    for (size_t i = 0; i < count; i++) {
+        if (encoding->normal == AOB_NORMAL_OCT_RG16F)
+            octahedral(&normal[4 * i], &half[2 * i]);
+        for (size_t c = 0; c < 4 && encoding->normal == AOB_NORMAL_RGBA8; c++)
+            bytes[4 * i + c] = unorm8(normal[4 * i + c]);
+    }
+    return whole;
+}
+
+void aob_encoding_write_depth(const struct aob_encoding *encoding, struct aob_text *text)
+{
+    static const char *const device_bodies[2] = {
+        "float aob_decode_depth(float d) {\n"
+        "    float n = param.aob_range.x, f = param.aob_range.y;\n"
+        "    return d >= 1.0 ? AOB_SKY_Z : AOB_PERSPECTIVE == 1 ? n * f / (f - d * (f - n)) : n + d * (f - "
+        "n);\n}\n",
+        "float aob_decode_depth(float d) {\n"
+        "    float n = param.aob_range.x, f = param.aob_range.y;\n"
+        "    return d <= 0.0 ? AOB_SKY_Z : AOB_PERSPECTIVE == 1 ? n * f / (n + d * (f - n)) : f - d * (f - "
+        "n);\n}\n",
+    };
+    const char *body = device_bodies[is_forward(encoding->depth) ? 0 : 1];
+    if (encoding->depth == AOB_DEPTH_R32F)
+        body = "float aob_decode_depth(float d) { return d; }\n";
+    else if (encoding->depth == AOB_DEPTH_R16F)
+        body = "float aob_decode_depth(float d) { return d > 65504.0 ? AOB_SKY_Z : d; }\n";
+    else if (encoding->depth == AOB_DEPTH_UNORM16)
+        body = "float aob_decode_depth(float d) { return d >= 1.0 ? AOB_SKY_Z : d * param.aob_range.y; }\n";
+    else if (encoding->depth == AOB_DEPTH_PACKED16)
+        body = "float aob_decode_depth(vec4 d) {\n"
+               "    float k = floor(d.z * 255.0 + 0.5) * 256.0 + floor(d.w * 255.0 + 0.5);\n"
+               "    return k >= 65535.0 ? AOB_SKY_Z : k / 65535.0 * param.aob_range.y;\n}\n";
+    else if (is_infinite(encoding->depth))
+        body = "float aob_decode_depth(float d) { return d <= 0.0 ? AOB_SKY_Z : param.aob_range.x / d; }\n";
+    aob_text_add(text, "%s", body);
+}
+
+void aob_encoding_write_normal(const struct aob_encoding *encoding, struct aob_text *text)
+{
+    static const char *const bodies[] = {
+        [AOB_NORMAL_RGBA32F] = "vec3 aob_decode_normal(vec4 n) { return n.xyz; }\n",
+        [AOB_NORMAL_OCT_RG16F] = "vec3 aob_decode_normal(vec2 e) {\n"
+                                 "    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));\n"
+                                 "    float fold = max(-n.z, 0.0);\n"
+                                 "    return normalize(vec3(n.x + (n.x >= 0.0 ? -fold : fold), n.y + (n.y >= "
+                                 "0.0 ? -fold : fold), n.z));\n"
+                                 "}\n",
+        [AOB_NORMAL_RGBA8] = "vec3 aob_decode_normal(vec4 n) { return normalize(n.xyz * 2.0 - 1.0); }\n",
+        [AOB_NORMAL_PACKED8] = "vec3 aob_decode_normal(vec4 n) {\n"
+                               "    vec2 xy = n.xy * 2.0 - 1.0;\n"
+                               "    return normalize(vec3(xy, sqrt(max(0.0, 1.0 - dot(xy, xy)))));\n}\n",
+    };
+    aob_text_add(text, "%s", bodies[encoding->normal]);
+}

@@ -1,0 +1,9 @@
+/* How far another point belongs to the surface of the centre, 0..1: it must lie near the centre's tangent plane and
+ * face the same way, so that nothing is mixed over a depth edge or a crease. */
+float same_surface(vec3 centre, vec3 normal, vec3 other, vec3 other_normal)
+{
+    vec3 d = other - centre;
+    float off_plane = abs(dot(d, normal));
+    float near = off_plane <= 0.05 * length(d) + 1e-4 * -centre.z ? 1.0 : 0.0;
+    return near * pow(max(dot(other_normal, normal), 0.0), 8.0);
+}
