@@ -99,6 +99,15 @@ static json_t *falloff_to_json(const struct aob_definition *definition, const vo
     return NULL;
 }
 
+static bool is_uniform(const struct aob_technique *technique, const void *values)
+{
+    const struct aob_param *row = aob_param_find(technique->params, technique->param_count, "weighting");
+    int32_t weight = (int32_t)technique->definition.weight;
+    if (row && row->type == AOB_INT)
+        memcpy(&weight, (const char *)values + row->offset, sizeof weight);
+    return weight == AOB_WEIGHT_UNIFORM;
+}
+
 /* null where the technique has no radius to trace; NULL with a line if the definition makes no sense. */
 static json_t *definition_to_json(const struct aob_technique *technique, const void *values,
                                   struct aob_error *error)
@@ -119,7 +128,7 @@ static json_t *definition_to_json(const struct aob_technique *technique, const v
     bool fades = definition->falloff && isfinite(radius);
     json_t *falloff = fades ? falloff_to_json(definition, values, error) : json_null();
     return falloff ? json_pack("{s:o, s:b, s:o}", "radius", aob_json_number((double)radius), "uniform",
-                               definition->weight == AOB_WEIGHT_UNIFORM, "falloff", falloff)
+                               is_uniform(technique, values), "falloff", falloff)
                    : NULL;
 }
 

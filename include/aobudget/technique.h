@@ -187,7 +187,7 @@ enum aob_weight {
     AOB_WEIGHT_UNIFORM, /* 1/(2 pi) */
 };
 struct aob_definition {
-    enum aob_weight weight;
+    enum aob_weight weight; /* a choice parameter `weighting` (cosine, uniform) takes its place */
     float (*radius)(const void *values);           /* scene units; NULL: the parameter `radius` */
     float (*falloff)(const void *values, float t); /* what an occluder at distance t * radius counts, t in
                                                       [0, 1]; NULL: 1, the hard cutoff */

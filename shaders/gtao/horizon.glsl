@@ -19,16 +19,16 @@ vec2 search_end(vec3 position, vec3 v, vec3 t, float r)
 #endif
 }
 
-/* The inner integral of the text for one side, horizon h and projected normal n in the slice (radians). */
+/* The inner integral for one side, horizon h and projected normal n in the slice (radians): the text's, weighted by the
+ * cosine with the normal, or that of the bare solid angle. */
 float arc(float h, float n)
 {
-    return 0.25 * (cos(n) + 2.0 * h * sin(n) - cos(2.0 * h - n));
+    return WEIGHTING == 0 ? 0.25 * (cos(n) + 2.0 * h * sin(n) - cos(2.0 * h - n)) : 1.0 - cos(h);
 }
 
 /* Largest cosine of the elevation about v over the taps of one side; -1 if nothing occludes. */
-float horizon_cosine(ivec2 p, vec3 position, vec3 normal, vec3 v, vec2 end, float jitter, float floor_cosine)
+float horizon_cosine(vec2 start, vec3 position, vec3 normal, vec3 v, vec2 end, float jitter, float floor_cosine)
 {
-    vec2 start = vec2(p) + 0.5;
     float best = -1.0;
     for (int i = 0; i < STEPS; i++) {
         ivec2 q = ivec2(floor(mix(start, end, (float(i) + jitter) / float(STEPS))));
@@ -45,24 +45,27 @@ float horizon_cosine(ivec2 p, vec3 position, vec3 normal, vec3 v, vec2 end, floa
 void main()
 {
     ivec2 p = aob_pixel;
-    vec3 position = aob_position(p), normal = aob_normal(p), v = aob_view_vector(position), b1, b2;
+    vec3 position = aob_surface(p), normal = aob_surface_normal(p), v = aob_view_vector(position), b1, b2;
     tangent_frame(v, b1, b2);
+    vec2 start = aob_image(p);
+    float turn = fract(noise_rotation(p) + noise_frame_rotation(param.noise_index));
+    float offset = noise_offset(p) + noise_frame_offset(param.noise_index);
     float open = 0.0, total = 0.0;
     for (int slice = 0; slice < SLICES; slice++) {
-        float psi = AOB_PI * (float(slice) + noise_rotation(p)) / float(SLICES);
-        float jitter = fract(noise_offset(p) + 0.125 + 0.618034 * float(slice));
+        float psi = AOB_PI * (float(slice) + turn) / float(SLICES);
+        float jitter = fract(offset + 0.125 + 0.618034 * float(slice));
         vec3 t = b1 * cos(psi) + b2 * sin(psi);
         vec2 projected = vec2(dot(normal, t), dot(normal, v));
-        float len = length(projected), n = atan(projected.x, projected.y);
+        float len = WEIGHTING == 0 ? length(projected) : 1.0, n = atan(projected.x, projected.y);
         /* A tap's weight fades it towards the slice's own tangent, where it occludes nothing. */
-        float plus = horizon_cosine(p, position, normal, v, search_end(position, v, t, param.radius), jitter,
+        float plus = horizon_cosine(start, position, normal, v, search_end(position, v, t, param.radius), jitter,
                                     cos(n + 0.5 * AOB_PI));
-        float minus = horizon_cosine(p, position, normal, v, search_end(position, v, -t, param.radius), jitter,
+        float minus = horizon_cosine(start, position, normal, v, search_end(position, v, -t, param.radius), jitter,
                                      cos(n - 0.5 * AOB_PI));
         float h1 = min(acos(clamp(plus, -1.0, 1.0)), n + 0.5 * AOB_PI);
         float h0 = max(-acos(clamp(minus, -1.0, 1.0)), n - 0.5 * AOB_PI);
         open += len * (arc(h0, n) + arc(h1, n));
-        total += len * (cos(n) + n * sin(n));
+        total += len * (arc(n - 0.5 * AOB_PI, n) + arc(n + 0.5 * AOB_PI, n));
     }
-    visibility = aob_is_sky(p) ? 1.0 : clamp(open / max(total, 1e-6), 0.0, 1.0);
+    visibility = aob_surface_is_sky(p) ? 1.0 : clamp(open / max(total, 1e-6), 0.0, 1.0);
 }

@@ -6,8 +6,10 @@
 
 struct values {
     float radius, falloff;
-    int32_t slices, steps, blur;
+    int32_t slices, steps, weighting, noise_index, divisor, depth_divisor, blur;
 };
+
+static const char *const weightings[] = {"cosine", "uniform", NULL};
 
 static const struct aob_param params[] = {
     AOB_PARAM(struct values, radius, .unit = AOB_UNIT_LENGTH, .scale = AOB_LOG2, .min = 1e-6, .max = 1e6,
@@ -21,6 +23,12 @@ static const struct aob_param params[] = {
               .min = 1, .max = 1024, .initial = 6,
               .doc =
                   "Taps on each side of a slice (directionSampleCount); more finds horizons more exactly."),
+    AOB_PARAM(struct values, weighting, .stage = AOB_CONSTANT, .choices = weightings,
+              .doc = "Of the directions: with the cosine as in the text, or the bare solid angle."),
+    AOB_PARAM(struct values, noise_index, .min = 0, .max = 1e6, .initial = 0,
+              .doc = "Frame of the temporal noise: turns slices and moves steps; repeats after 24."),
+    AOB_PARAM_DIVISOR(struct values, divisor),
+    AOB_PARAM_DEPTH_DIVISOR(struct values, depth_divisor),
     AOB_PARAM_BLUR(struct values, blur, 5),
 };
 
@@ -33,19 +41,23 @@ static float falloff(const void *values, float t)
 static bool check(const void *values, const char **why)
 {
     const struct values *v = values;
-    return aob_step_blur_check(v->blur, why);
+    return aob_step_blur_check(v->blur, why) && aob_step_divisor_check(v->divisor, why) &&
+           aob_step_divisor_check(v->depth_divisor, why);
 }
 
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
-    aob_tex raw = aob_texture(graph, .name = "visibility", .format = AOB_R16F);
-    return aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL,
-                    .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}}) &&
-           aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur, 1, 1));
+    aob_tex depth = aob_step_downsample(graph, v->depth_divisor, AOB_DOWNSAMPLE_FIRST);
+    aob_tex raw =
+        aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
+    aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = depth,
+             .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}});
+    raw = aob_step_blur(graph, raw, v->blur, 1, v->divisor);
+    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, raw, v->divisor));
 }
 
-AOB_TECHNIQUE(gtao, .title = "Ground-truth ambient occlusion", .revision = 1, .shaders = aob_shaders_gtao,
+AOB_TECHNIQUE(gtao, .title = "Ground-truth ambient occlusion", .revision = 2, .shaders = aob_shaders_gtao,
               .citation = "Jimenez, Wu, Pesce, Jarabo: Practical Real-Time Strategies for Accurate Indirect "
                           "Occlusion, ATVI-TR-19-01 (2016)",
               .params = params, .param_count = sizeof params / sizeof *params,

@@ -1,0 +1,292 @@
+#include "check.h"
+#include <math.h>
+#include <stdlib.h>
+#include "base/half.h"
+#include "base/memory.h"
+#include "rig.h"
+#include "technique/param.h"
+
+/* What shaders read of an encoded G-buffer, against bounds that follow from the encoding's own step. */
+
+enum { W = 160, H = 90 };
+
+struct values {
+    int32_t component;
+};
+static const struct aob_param params[] = {
+    AOB_PARAM(struct values, component, .stage = AOB_CONSTANT, .min = 0, .max = 2, .doc = "."),
+};
+static const struct aob_shader shaders[] = {
+    {"z", "void main() { o = aob_view_z(aob_pixel); }\n"},
+    {"normal",
+     "void main() { vec3 n = aob_normal(aob_pixel); o = COMPONENT == 0 ? n.x : COMPONENT == 1 ? n.y : "
+     "n.z; }\n"},
+    {NULL, NULL}};
+static const char *chosen;
+
+static bool build(struct aob_graph *graph, const void *values)
+{
+    (void)values;
+    aob_tex out = aob_texture(graph, .name = "o", .format = AOB_R32F);
+    return aob_pass(graph, .name = "only", .shader = chosen,
+                    .reads = strcmp(chosen, "z") ? AOB_NORMAL : AOB_DEPTH,
+                    .out = {{.name = "o", .tex = out}}) &&
+           aob_output(graph, AOB_OUT_VISIBILITY, out);
+}
+static const struct aob_technique technique = {.abi = AOB_ABI,
+                                               .size = sizeof technique,
+                                               .name = "probe",
+                                               .title = "t",
+                                               .citation = "c",
+                                               .params = params,
+                                               .param_count = 1,
+                                               .values_size = sizeof(struct values),
+                                               .shaders = shaders,
+                                               .build = build};
+
+static void set_option(struct aob_options *options, const char *name, const char *text)
+{
+    double values[AOB_OPTION_COUNT];
+    const struct aob_param *param = aob_param_find(aob_option_params, AOB_OPTION_COUNT, name);
+    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, values);
+    for (int i = 0; i < AOB_OPTION_COUNT; i++)
+        if (aob_option_params[i].type == AOB_INT)
+            values[i] = *(int32_t *)((char *)options + aob_option_params[i].offset);
+        else
+            values[i] = (double)*(float *)((char *)options + aob_option_params[i].offset);
+    assert_true(aob_param_parse(param, text, &values[param - aob_option_params], NULL));
+    aob_param_pack(aob_option_params, AOB_OPTION_COUNT, values, options, sizeof *options);
+}
+
+static void probe(const struct aob_rig *rig, const char *backend, const char *shader, int component,
+                  const struct aob_options *options, float *pixels)
+{
+    struct aob_error error = {{0}};
+    struct aob_screen screen;
+    struct aob_frame *frame = AOB_NEW(struct aob_frame);
+    struct aob_gpu *gpu = aob_rig_gpu(backend);
+    struct values values = {component};
+    chosen = shader;
+    if (!aob_screen_init(&screen, gpu, &rig->gbuffer, options, &error) ||
+        !aob_frame_init(frame, &screen, &technique, &values, (enum aob_fetch)options->fetch, &error) ||
+        !aob_frame_run(frame, NULL, &error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, pixels, &error))
+        fail_msg("%s", error.text);
+    aob_frame_finish(frame);
+    aob_screen_finish(&screen);
+    aob_gpu_close(gpu);
+    free(frame);
+}
+
+/* A low view of `spheres`, which holds sky; all depths lie within 0.25 and 50. */
+static void rig_of(struct aob_rig *rig, double ortho)
+{
+    struct aob_mesh mesh = {0};
+    struct aob_camera camera = aob_scene_view(aob_scene_find("spheres"), "front")->camera;
+    camera.eye.y = 0.4;
+    camera.target.y = 0.6;
+    camera.ortho_height = ortho;
+    aob_scene_find("spheres")->build(&mesh);
+    aob_rig_init(rig, &mesh, &camera, W, H, 0);
+    aob_mesh_finish(&mesh);
+}
+
+/* Greatest distance from z that a half step of the encoding allows, plus single precision of decoding it. */
+static double step_of(const char *encoding, bool ortho, double z, double n, double f)
+{
+    double u = 0x1p-24, device = strstr(encoding, "24") ? 1 / (0x1p24 - 1) : 0;
+    if (!strcmp(encoding, "r32f"))
+        return 0;
+    if (!strcmp(encoding, "r16f"))
+        return z * 0x1p-11;
+    if (!strcmp(encoding, "unorm16") || !strcmp(encoding, "packed16"))
+        return f * (0.5 / 65535 + 4 * u);
+    if (ortho)
+        return (f - n) * (0.5 * device + 8 * u) + z * 4 * u;
+    if (strstr(encoding, "infinite"))
+        return z * z / n * 0.5 * device + z * 4 * u;
+    if (strstr(encoding, "reversed")) /* relative precision survives at the far end */
+        return z * z * (f - n) / (n * f) * 0.5 * device + z * 8 * u;
+    return z * z * (f - n) / (n * f) * (0.5 * device + 4 * u) +
+           z * 8 * u; /* the float near 1 has steps of u */
+}
+
+static void check_depth(const struct aob_rig *rig, const char *backend, const char *encoding, bool ortho)
+{
+    float pixels[W * H];
+    struct aob_options options = {.near = 0.25f, .far = 50, .fetch = strcmp(backend, "vulkan") == 0};
+    double worst = 0;
+    size_t sky = 0;
+    set_option(&options, "depth_encoding", encoding);
+    probe(rig, backend, "z", 0, &options, pixels);
+    for (int i = 0; i < W * H; i++) {
+        if (rig->hits.depth[i] <= 0) {
+            assert_true(pixels[i] >= 5e8f);
+            sky++;
+            continue;
+        }
+        double z = (double)rig->hits.depth[i], e = fabs((double)pixels[i] - z);
+        double step = step_of(encoding, ortho, z, 0.25, 50);
+        if (e > step * 1.0001)
+            fail_msg("%s on %s: depth %.9g is read as %.9g, off by more than %.3g", encoding, backend, z,
+                     (double)pixels[i], step);
+        worst = fmax(worst, e);
+    }
+    assert_true(sky > 100);
+    /* an encoding that is not applied at all would pass the bound above */
+    assert_true(strstr(encoding, "32") ? worst < 1e-3 : worst > 1e-7);
+    printf("%s %s%s: greatest error of depth %.2e\n", backend, encoding, ortho ? ", orthographic" : "",
+           worst);
+}
+
+static void test_depth_within_its_step(void **state)
+{
+    (void)state;
+    static const char *const encodings[] = {"r32f",
+                                            "r16f",
+                                            "unorm16",
+                                            "packed16",
+                                            "device24",
+                                            "device32",
+                                            "device24_reversed",
+                                            "device32_reversed",
+                                            "device24_infinite",
+                                            "device32_infinite"};
+    struct aob_rig rig;
+    for (int ortho = 0; ortho < 2; ortho++) {
+        rig_of(&rig, ortho ? 3 : 0);
+        for (size_t e = 0; e < AOB_COUNT(encodings) - (ortho ? 2 : 0); e++) {
+            check_depth(&rig, "vulkan", encodings[e], ortho);
+            check_depth(&rig, "gl-egl", encodings[e], ortho);
+        }
+        aob_rig_finish(&rig);
+    }
+}
+
+static double angle_deg(const float *read, const float *truth)
+{
+    double dot = 0, length = 0;
+    for (int c = 0; c < 3; c++) {
+        dot += (double)read[c] * (double)truth[c];
+        length += (double)read[c] * (double)read[c];
+    }
+    return acos(fmin(1, dot / sqrt(length))) * 180 / M_PI;
+}
+
+/* Greatest angle between the normal that a shader reads and the true one; `facing`: only where n.z > 0.1. */
+static double normal_error(const struct aob_rig *rig, const struct aob_options *options, const float *truth,
+                           bool facing)
+{
+    float c[3][W * H];
+    double worst = 0;
+    for (int k = 0; k < 3; k++)
+        probe(rig, "gl-egl", "normal", k, options, c[k]);
+    for (int i = 0; i < W * H; i++) {
+        const float *n = &truth[4 * i];
+        if (rig->hits.depth[i] <= 0 || (facing && n[2] < 0.1f))
+            continue;
+        worst = fmax(worst, angle_deg((float[3]){c[0][i], c[1][i], c[2][i]}, n));
+    }
+    return worst;
+}
+
+/* Bounds: half a step of 1/127.5 in each of three (two) components; half floats' 2^-11 of the octahedron. */
+static void test_normals_within_their_step(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *encoding;
+        double bound_deg;
+    } rows[] = {{"rgba32f", 0.03}, {"oct_rg16f", 0.06}, {"rgba8", 0.4}, {"packed8", 3.5}};
+    struct aob_rig rig;
+    rig_of(&rig, 0);
+    for (size_t r = 0; r < AOB_COUNT(rows); r++) {
+        struct aob_options options = {0};
+        set_option(&options, "normal_encoding", rows[r].encoding);
+        double error = normal_error(&rig, &options, rig.gbuffer.normal, r == 3);
+        printf("normals as %s: greatest angle %.4f degrees\n", rows[r].encoding, error);
+        assert_true(error <= rows[r].bound_deg);
+        assert_true(r == 0 || error > 1e-3);
+    }
+    aob_rig_finish(&rig);
+}
+
+static void test_shading_and_derived_normals(void **state)
+{
+    (void)state;
+    struct aob_rig rig;
+    struct aob_options shading = {.normals = AOB_NORMALS_SHADING},
+                       derived = {.normals = AOB_NORMALS_FROM_DEPTH};
+    rig_of(&rig, 0);
+    assert_true(normal_error(&rig, &shading, rig.gbuffer.shading, false) < 0.03);
+    aob_rig_finish(&rig);
+    /* Flat walls give their exact normal but for the rounding of single precision, at the image's edge too. */
+    aob_rig_scene(&rig, "corner", "front", W, H, 0);
+    double worst = normal_error(&rig, &derived, rig.gbuffer.normal, false);
+    printf("normals from depth on flat walls: greatest angle %.4f degrees\n", worst);
+    assert_true(worst < 46); /* in the crease itself a pixel's neighbours lie on the other wall */
+    float c[3][W * H];
+    size_t wrong = 0;
+    for (int k = 0; k < 3; k++)
+        probe(&rig, "gl-egl", "normal", k, &derived, c[k]);
+    for (int i = 0; i < W * H; i++)
+        wrong += angle_deg((float[3]){c[0][i], c[1][i], c[2][i]}, &rig.gbuffer.normal[4 * i]) > 0.1;
+    printf("normals from depth: %zu of %d pixels beyond 0.1 degrees\n", wrong, W * H);
+    assert_true(wrong <= W); /* a row at the crease */
+    aob_rig_finish(&rig);
+}
+
+static void test_both_packed_share_a_texture(void **state)
+{
+    (void)state;
+    float alone[W * H], together[W * H];
+    struct aob_rig rig;
+    struct aob_options options = {.depth_encoding = AOB_DEPTH_PACKED16, .far = 50};
+    rig_of(&rig, 0);
+    probe(&rig, "vulkan", "z", 0, &options, alone);
+    options.normal_encoding = AOB_NORMAL_PACKED8;
+    probe(&rig, "vulkan", "z", 0, &options, together);
+    assert_memory_equal(alone, together, sizeof alone);
+    aob_rig_finish(&rig);
+}
+
+static void test_refusals(void **state)
+{
+    (void)state;
+    struct aob_rig rig;
+    struct aob_encoding encoding;
+    struct aob_error error = {{0}};
+    rig_of(&rig, 3);
+    struct aob_options options = {.depth_encoding = AOB_DEPTH_DEVICE32_INFINITE};
+    assert_false(aob_encoding_init(&encoding, &options, &rig.gbuffer, &error));
+    assert_contains(error.text, "perspective");
+    options = (struct aob_options){.depth_encoding = AOB_DEPTH_DEVICE24, .near = 3, .far = 2};
+    assert_false(aob_encoding_init(&encoding, &options, &rig.gbuffer, &error));
+    assert_contains(error.text, "near 3 is not below far 2");
+    options = (struct aob_options){.depth_encoding = AOB_DEPTH_DEVICE24};
+    assert_true(aob_encoding_init(&encoding, &options, &rig.gbuffer, &error));
+    assert_true(encoding.near > 0 && encoding.near < encoding.far);
+    aob_rig_finish(&rig);
+}
+
+static void test_half_floats(void **state)
+{
+    (void)state;
+    assert_int_equal(aob_half_from_float(1), 0x3c00);
+    assert_int_equal(aob_half_from_float(0.7f), 0x399a); /* the nearer neighbour: truncation gives 0x3999 */
+    assert_int_equal(aob_half_from_float(AOB_HALF_MAX), 0x7bff);
+    assert_int_equal(aob_half_from_float(INFINITY), 0x7c00);
+    assert_true(aob_half_to_float(0x0001) == 0x1p-24f);
+    for (unsigned bits = 0; bits < 0x7c00; bits++)
+        assert_int_equal(aob_half_from_float(aob_half_to_float((uint16_t)bits)), bits);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_depth_within_its_step),
+                                       cmocka_unit_test(test_normals_within_their_step),
+                                       cmocka_unit_test(test_shading_and_derived_normals),
+                                       cmocka_unit_test(test_both_packed_share_a_texture),
+                                       cmocka_unit_test(test_refusals),
+                                       cmocka_unit_test(test_half_floats)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
