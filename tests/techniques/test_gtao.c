@@ -157,11 +157,103 @@ static void test_sphere_is_open(void **state)
     aob_gpu_close(gpu);
 }
 
+/* Uniform weighting, hard cutoff: towards the wall a cap of (1 - d/R)/2 of the hemisphere is closed. */
+static double uniform_corner(double d, double r)
+{
+    return d < r ? 0.5 + 0.5 * d / r : 1;
+}
+
+static void test_uniform_weighting(void **state)
+{
+    (void)state;
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_rig rig;
+    aob_rig_scene(&rig, "corner", "front", W, H, 128);
+    double rmse = aob_rig_corner_rmse(
+        &rig, gpu, "gtao", "radius=1 weighting=uniform slices=9 steps=24 blur=0", uniform_corner, 1);
+    printf("uniform weighting, corner R=1 9x24: in-band RMSE %.4f\n", rmse);
+    assert_true(rmse <= 0.012);
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+}
+
+/* Half and quarter size: planes stay exactly open, as surfaces and taps keep to the plane; the corner pays for
+ * its fewer pixels only. */
+static void test_divided_sizes(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *size;
+        double bar;
+    } rows[] = {
+        {"divisor=2", 0.02},
+        {"divisor=2 depth_divisor=2", 0.02},
+        {"divisor=4 depth_divisor=4", 0.02},
+        {"depth_divisor=2", 0.02},
+        {"depth_divisor=4", 0.03}}; /* taps four pixels apart around a surface that lies between them */
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_rig rig, plane;
+    aob_rig_scene(&rig, "corner", "front", W, H, 128);
+    tilted_plane(&plane, 60, 45);
+    double whole = corner_rmse(gpu, &rig, 1, "slices=9 steps=24");
+    for (size_t i = 0; i < AOB_COUNT(rows); i++) {
+        char samples[80], params[120];
+        double mean = 1, least = 1;
+        snprintf(samples, sizeof samples, "slices=9 steps=24 %s", rows[i].size);
+        snprintf(params, sizeof params, "radius=1 blur=5 %s", samples);
+        double rmse = corner_rmse(gpu, &rig, 1, samples);
+        check_plane(gpu, &plane, params, &mean, &least);
+        printf("%s: corner R=1 9x24 in-band RMSE %.4f (full %.4f); plane at 60 degrees mean %.5f, minimum "
+               "%.5f\n",
+               rows[i].size, rmse, whole, mean, least);
+        assert_true(rmse <= rows[i].bar);
+        assert_true(mean >= 0.999 && least >= 0.995);
+    }
+    aob_rig_finish(&rig);
+    aob_rig_finish(&plane);
+    aob_gpu_close(gpu);
+}
+
+/* The mean of the 24 frames of the temporal noise is nearer to the truth than any one of them needs to be. */
+static void test_temporal_noise(void **state)
+{
+    (void)state;
+    enum { FRAMES = 24 };
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_rig rig;
+    aob_rig_scene(&rig, "cornell", "blocks", 160, 90, 0);
+    size_t count = (size_t)(rig.width * rig.height);
+    float *many = AOB_NEW_ARRAY(float, count), *one = AOB_NEW_ARRAY(float, count);
+    double *mean = AOB_NEW_ARRAY(double, count), single = 0, averaged = 0;
+    aob_rig_run(&rig, gpu, "gtao", "slices=64 steps=16 blur=0", AOB_FETCH_STORAGE, many);
+    for (int f = 0; f < FRAMES; f++) {
+        char params[80];
+        snprintf(params, sizeof params, "slices=1 steps=16 blur=0 noise_index=%d", f);
+        aob_rig_run(&rig, gpu, "gtao", params, AOB_FETCH_STORAGE, one);
+        for (size_t i = 0; i < count; i++) {
+            mean[i] += (double)one[i] / FRAMES;
+            single += pow((double)one[i] - (double)many[i], 2) / FRAMES;
+        }
+    }
+    for (size_t i = 0; i < count; i++)
+        averaged += pow(mean[i] - (double)many[i], 2);
+    single = sqrt(single / (double)count);
+    averaged = sqrt(averaged / (double)count);
+    printf("one slice: RMSE of a frame %.4f, of the mean of 24 frames %.4f\n", single, averaged);
+    assert_true(averaged < single / sqrt(6)); /* six rotations at least are independent of each other */
+    free(many);
+    free(one);
+    free(mean);
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_corner_front), cmocka_unit_test(test_corner_far),
-                                       cmocka_unit_test(test_open_plane_is_open),
-                                       cmocka_unit_test(test_orthographic_corner),
-                                       cmocka_unit_test(test_sphere_is_open)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_corner_front),        cmocka_unit_test(test_corner_far),
+        cmocka_unit_test(test_uniform_weighting),   cmocka_unit_test(test_divided_sizes),
+        cmocka_unit_test(test_temporal_noise),      cmocka_unit_test(test_open_plane_is_open),
+        cmocka_unit_test(test_orthographic_corner), cmocka_unit_test(test_sphere_is_open)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
