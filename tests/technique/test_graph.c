@@ -83,6 +83,59 @@ static bool build_mixed_sizes(struct aob_graph *g, const void *values)
                     .out = {{.name = "a", .tex = half}, {.name = "b", .tex = full}}) &&
            aob_output(g, AOB_OUT_VISIBILITY, full);
 }
+static void fill(const void *values, void *texels)
+{
+    (void)values;
+    (void)texels;
+}
+static bool build_table(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex table = aob_texture(g, .name = "table", .format = AOB_R8, .width = 4, .height = 2, .fill = fill);
+    aob_tex low = aob_texture(g, .name = "low", .format = AOB_R32F, .divisor = 4), raw = RAW(g);
+    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH, .out = OUT(low)) &&
+           aob_pass(g, .name = "last", .shader = "two", .reads = AOB_DEPTH, .depth = low,
+                    .in = {{.name = "i", .tex = table}}, .out = OUT(raw)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, raw);
+}
+static bool build_written_table(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex table = aob_texture(g, .name = "table", .format = AOB_R8, .width = 4, .height = 2, .fill = fill);
+    return aob_pass(g, .name = "first", .shader = "one", .out = OUT(table)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, RAW(g));
+}
+static bool build_divided_table(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_texture(g, .name = "table", .width = 4, .height = 2, .divisor = 2, .fill = fill).id;
+}
+static bool build_sized_target(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_texture(g, .name = "target", .width = 4, .height = 2).id;
+}
+static bool depth_pass(struct aob_graph *g, aob_tex depth, uint32_t reads)
+{
+    return aob_pass(g, .name = "last", .shader = "two", .reads = reads, .depth = depth, .out = OUT(RAW(g)));
+}
+static bool build_byte_depth(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex low = aob_texture(g, .name = "low", .format = AOB_R8, .divisor = 4);
+    return aob_pass(g, .name = "first", .shader = "one", .out = OUT(low)) && depth_pass(g, low, AOB_DEPTH);
+}
+static bool build_unread_depth(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex low = aob_texture(g, .name = "low", .format = AOB_R32F);
+    return aob_pass(g, .name = "first", .shader = "one", .out = OUT(low)) && depth_pass(g, low, 0);
+}
+static bool build_unwritten_depth(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return depth_pass(g, aob_texture(g, .name = "low", .format = AOB_R32F), AOB_DEPTH);
+}
 static bool build_ignores_failure(struct aob_graph *g, const void *values)
 {
     aob_texture(g, .name = "Bad Name");
@@ -143,7 +196,10 @@ static void test_broken_graphs_are_named(void **state)
         {build_unwritten, "no pass writes"},         {build_twice_written, "already written"},
         {build_no_shader, "no shader text 'three'"}, {build_same_names, "two textures are named 'raw'"},
         {build_half_output, "not full size"},        {build_mixed_sizes, "different sizes"},
-        {build_ignores_failure, "lower-case"},       {build_too_many, "more than 32 textures"}};
+        {build_ignores_failure, "lower-case"},       {build_too_many, "more than 32 textures"},
+        {build_written_table, "writes the table"},   {build_divided_table, "no divisor"},
+        {build_sized_target, "a target none"},       {build_byte_depth, "not a target of r16f or r32f"},
+        {build_unread_depth, "does not read it"},    {build_unwritten_depth, "no earlier pass writes"}};
     struct aob_pass_graph graph;
     struct aob_error error;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -151,6 +207,27 @@ static void test_broken_graphs_are_named(void **state)
         assert_contains(error.text, cases[i].says);
         assert_contains(error.text, "trial: ");
     }
+}
+
+static void test_tables_and_depths(void **state)
+{
+    (void)state;
+    struct aob_pass_graph graph;
+    struct aob_error error;
+    struct aob_text text = {0};
+    assert_true(try_build(&graph, build_table, &error));
+    assert_true(graph.passes[0].live && graph.textures[0].used && graph.textures[1].used);
+    assert_int_equal(aob_graph_depth_divisor(&graph, &graph.passes[0]), 1);
+    assert_int_equal(aob_graph_target_divisor(&graph, &graph.passes[0]), 4);
+    assert_int_equal(aob_graph_depth_divisor(&graph, &graph.passes[1]), 4);
+    int w, h;
+    aob_graph_texture_size(&graph.textures[0], 101, 7, &w, &h);
+    assert_int_equal(w, 4);
+    assert_int_equal(h, 2);
+    aob_graph_dot(&graph, &text);
+    assert_contains(text.data, "first -> last [label=\"low\"]");
+    assert_contains(text.data, "table -> last");
+    aob_text_finish(&text);
 }
 
 static void test_digest_follows_constants_only(void **state)
@@ -187,6 +264,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_prunes_what_nobody_wants), cmocka_unit_test(test_broken_graphs_are_named),
-        cmocka_unit_test(test_digest_follows_constants_only), cmocka_unit_test(test_dot_picture)};
+        cmocka_unit_test(test_tables_and_depths), cmocka_unit_test(test_digest_follows_constants_only),
+        cmocka_unit_test(test_dot_picture)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
