@@ -59,6 +59,10 @@ static void print_techniques(const struct aob_technique_list *list)
         const struct aob_technique_info *t = &list->items[i];
         printf("%s: %s (revision %u%s%s)\n    %s\n", t->name, t->title, t->revision, t->module ? ", " : "",
                t->module ? t->module : "", t->citation);
+        if (t->summary)
+            printf("    %s\n", t->summary);
+        if (t->notes)
+            printf("    Notes: %s\n", t->notes);
         print_params(t->params, t->param_count);
     }
     printf("options of every run\n");

@@ -4,27 +4,35 @@
 #include "plan.h"
 #include "technique/param.h"
 
-static void add_values(const struct aob_param *params, size_t count, const double *values,
+/* `all`, or those that are not at their defaults. */
+static void add_values(const struct aob_param *params, size_t count, const double *values, bool all,
                        struct aob_text *text)
 {
     for (size_t i = 0; i < count; i++) {
+        if (!all && values[i] == params[i].initial)
+            continue;
         aob_text_add(text, " %s=", params[i].name);
         aob_param_print(&params[i], values[i], text);
     }
 }
 
+static void add_case(const struct aob_case *c, bool all, struct aob_text *text)
+{
+    aob_text_add(text, "%s", c->technique->name);
+    add_values(c->technique->params, c->technique->param_count, c->params, true, text);
+    aob_text_add(text, " %s %dx%d", c->backend, c->width, c->height);
+    add_values(aob_option_params, AOB_OPTION_COUNT, c->options, all, text);
+}
+
 void aob_case_describe(const struct aob_case *c, struct aob_text *text)
 {
     aob_text_add(text, "%s/%s ", c->scene->name, c->scene->view);
-    aob_case_settings(c, text);
+    add_case(c, false, text);
 }
 
 void aob_case_settings(const struct aob_case *c, struct aob_text *text)
 {
-    aob_text_add(text, "%s", c->technique->name);
-    add_values(c->technique->params, c->technique->param_count, c->params, text);
-    aob_text_add(text, " %s %dx%d", c->backend, c->width, c->height);
-    add_values(aob_option_params, AOB_OPTION_COUNT, c->options, text);
+    add_case(c, true, text);
 }
 
 struct aob_options aob_case_options(const struct aob_case *c)

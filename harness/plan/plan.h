@@ -49,11 +49,11 @@ void aob_plan_finish(struct aob_plan *plan);
 /* Keep the cases whose description holds `filter` (plain text). */
 void aob_plan_filter(struct aob_plan *plan, const char *filter);
 
-/* "corner/front gtao radius=0.5 slices=3 ... vulkan 480x270 fetch=sampled": every parameter, in table order.
- */
+/* "corner/front gtao radius=0.5 slices=3 ... vulkan 480x270 fetch=storage": every parameter in table order, the run
+ * options that are not at their defaults. */
 void aob_case_describe(const struct aob_case *c, struct aob_text *text);
 
-/* The same without scene and view. */
+/* All parameters and all options, without scene and view: a part of the key. */
 void aob_case_settings(const struct aob_case *c, struct aob_text *text);
 
 /* Whether two cases may be timed in one block: same view, size, guard band, backend and threads. */

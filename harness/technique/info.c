@@ -43,10 +43,11 @@ json_t *aob_technique_info_to_json(const struct aob_technique_info *info)
     json_t *params = json_array();
     for (size_t i = 0; i < info->param_count; i++)
         json_array_append_new(params, aob_param_to_json(&info->params[i]));
-    return json_pack("{s:s, s:s, s:s, s:i, s:s, s:s?, s:s?, s:s, s:o}", "name", info->name, "title",
-                     info->title, "citation", info->citation, "revision", (int)info->revision, "digest",
-                     info->digest, "module", info->module, "sampling", info->sampling, "sequence",
-                     sequence_words[info->sequence], "params", params);
+    return json_pack("{s:s, s:s, s:s, s:s?, s:s?, s:i, s:s, s:s?, s:s?, s:s, s:o}", "name", info->name,
+                     "title", info->title, "citation", info->citation, "summary", info->summary, "notes",
+                     info->notes, "revision", (int)info->revision, "digest", info->digest, "module",
+                     info->module, "sampling", info->sampling, "sequence", sequence_words[info->sequence],
+                     "params", params);
 }
 
 json_t *aob_technique_to_json(const struct aob_registry_entry *entry)
@@ -55,6 +56,8 @@ json_t *aob_technique_to_json(const struct aob_registry_entry *entry)
     struct aob_technique_info info = {.name = (char *)(uintptr_t)t->name,
                                       .title = (char *)(uintptr_t)t->title,
                                       .citation = (char *)(uintptr_t)t->citation,
+                                      .summary = (char *)(uintptr_t)t->summary,
+                                      .notes = (char *)(uintptr_t)t->notes,
                                       .module = (char *)(uintptr_t)entry->module,
                                       .sampling = (char *)(uintptr_t)t->sampling.param,
                                       .sequence = t->sampling.sequence,
@@ -94,11 +97,14 @@ static bool param_from_json(json_t *p, struct aob_param *param)
     return true;
 }
 
+static const char *optional(const json_t *described, const char *name)
+{
+    return json_string_value(json_object_get(described, name));
+}
+
 bool aob_technique_list_add(struct aob_technique_list *list, const json_t *described)
 {
-    const char *name, *title, *citation, *digest,
-        *module = json_string_value(json_object_get(described, "module")),
-        *sampling = json_string_value(json_object_get(described, "sampling")), *sequence;
+    const char *name, *title, *citation, *digest, *sequence;
     int revision;
     json_t *params;
     if (json_unpack((json_t *)(uintptr_t)described, "{s:s, s:s, s:s, s:i, s:s, s:s, s:o}", "name", &name,
@@ -111,8 +117,10 @@ bool aob_technique_list_add(struct aob_technique_list *list, const json_t *descr
     *info = (struct aob_technique_info){.name = aob_strdup(name),
                                         .title = aob_strdup(title),
                                         .citation = aob_strdup(citation),
-                                        .module = aob_strdup(module),
-                                        .sampling = aob_strdup(sampling),
+                                        .summary = aob_strdup(optional(described, "summary")),
+                                        .notes = aob_strdup(optional(described, "notes")),
+                                        .module = aob_strdup(optional(described, "module")),
+                                        .sampling = aob_strdup(optional(described, "sampling")),
                                         .sequence = (enum aob_sequence)word_index(sequence_words, sequence),
                                         .revision = (uint32_t)revision};
     strncpy(info->digest, digest, AOB_KEY_SIZE - 1);
@@ -152,6 +160,8 @@ void aob_technique_list_finish(struct aob_technique_list *list)
         free(info->name);
         free(info->title);
         free(info->citation);
+        free(info->summary);
+        free(info->notes);
         free(info->module);
         free(info->sampling);
     }

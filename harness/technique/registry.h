@@ -33,8 +33,9 @@ void aob_registry_finish(struct aob_registry *registry);
 bool aob_technique_judge(const struct aob_technique *technique, struct aob_error *error);
 
 struct aob_technique_info {
-    char *name, *title, *citation, *module; /* module: NULL for a built-in */
-    char *sampling;                         /* the parameter that counts its samples, or NULL */
+    char *name, *title, *citation, *summary, *notes,
+        *module;    /* the last three may be NULL; module: a built-in's */
+    char *sampling; /* the parameter that counts its samples, or NULL */
     enum aob_sequence sequence;
     uint32_t revision;
     char digest[AOB_KEY_SIZE];

@@ -215,7 +215,10 @@ struct aob_technique {
     uint32_t abi, size;           /* AOB_TECHNIQUE sets both; read before any other field */
     const char *name;             /* lower_snake; the config key and the folder in techniques/ and shaders/ */
     const char *title, *citation; /* for `list` and the report */
-    uint32_t revision;            /* raise when results should change; part of every case's key */
+    const char *summary;          /* what it computes, in one to three sentences; may be NULL */
+    const char
+        *notes; /* where it departs from its text (slips of a listing, what the text leaves open); or NULL */
+    uint32_t revision; /* raise when results should change; part of every case's key */
     const struct aob_param *params;
     uint32_t param_count;
     size_t values_size;               /* sizeof the values struct that params index */

@@ -57,10 +57,15 @@ static bool build(struct aob_graph *graph, const void *values)
     return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, raw, v->divisor));
 }
 
-AOB_TECHNIQUE(gtao, .title = "Ground-truth ambient occlusion", .revision = 2, .shaders = aob_shaders_gtao,
-              .citation = "Jimenez, Wu, Pesce, Jarabo: Practical Real-Time Strategies for Accurate Indirect "
-                          "Occlusion, ATVI-TR-19-01 (2016)",
-              .params = params, .param_count = sizeof params / sizeof *params,
-              .values_size = sizeof(struct values),
-              .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff},
-              .sampling = {"slices", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+AOB_TECHNIQUE(
+    gtao, .title = "Ground-truth ambient occlusion", .revision = 2, .shaders = aob_shaders_gtao,
+    .summary = "Visibility from horizons: in each slice about the view vector the highest elevation on both "
+               "sides within the radius, then the closed-form integral of the cosine between them.",
+    .notes = "Slices are even about the view vector, not in the image; taps below the tangent plane are "
+             "ignored; the search is as long as the slice of the ball; the integral is divided by the open "
+             "slice's (docs/decisions/0009). The text leaves open how half size is sampled up.",
+    .citation = "Jimenez, Wu, Pesce, Jarabo: Practical Real-Time Strategies for Accurate Indirect "
+                "Occlusion, ATVI-TR-19-01 (2016)",
+    .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
+    .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff},
+    .sampling = {"slices", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
