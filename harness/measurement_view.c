@@ -9,11 +9,22 @@
 #include "measurement.h"
 #include "reference/tracer.h"
 
+static json_t *pose_to_json(struct aob_vec3 eye, struct aob_vec3 target)
+{
+    return json_pack("{s:[fff], s:[fff]}", "eye", eye.x, eye.y, eye.z, "target", target.x, target.y,
+                     target.z);
+}
+
 json_t *aob_camera_to_json(const struct aob_camera *camera)
 {
-    return json_pack("{s:[fff], s:[fff], s:f, s:f}", "eye", camera->eye.x, camera->eye.y, camera->eye.z,
-                     "target", camera->target.x, camera->target.y, camera->target.z, "fov_deg",
-                     camera->fov_deg, "ortho_height", camera->ortho_height);
+    json_t *json = pose_to_json(camera->eye, camera->target);
+    json_object_set_new(json, "fov_deg", json_real(camera->fov_deg));
+    json_object_set_new(json, "ortho_height", json_real(camera->ortho_height));
+    json_object_set_new(json, "shift", aob_json_vector(camera->shift, 2));
+    json_object_set_new(json, "previous",
+                        camera->moves ? pose_to_json(camera->previous_eye, camera->previous_target)
+                                      : json_null());
+    return json;
 }
 
 static char *cache_path(const struct aob_measurement *m, const char *kind, const char *what,
@@ -71,20 +82,18 @@ static char *load_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, 
     return NULL;
 }
 
-static void describe_view(const struct aob_case *c, int guard, struct aob_text *text)
+static void describe_view(const struct aob_case *c, int guard, bool motion, struct aob_text *text)
 {
-    const struct aob_camera *camera = &c->scene->camera;
-    aob_text_add(text, "%s %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %dx%d+%d %s", c->scene->digest,
-                 camera->eye.x, camera->eye.y, camera->eye.z, camera->target.x, camera->target.y,
-                 camera->target.z, camera->fov_deg, camera->ortho_height, c->width, c->height, guard,
-                 aob_tracer_version);
+    aob_text_add(text, "%s ", c->scene->digest);
+    aob_camera_print(&c->scene->camera, motion, text);
+    aob_text_add(text, " %dx%d+%d %s", c->width, c->height, guard, aob_tracer_version);
 }
 
 static char *term_path(const struct aob_measurement *m, const struct aob_case *c, json_t *term)
 {
     struct aob_text text = {0};
     char *line = aob_json_line(term, 17);
-    describe_view(c, 0, &text); /* the guard band does not change the truth */
+    describe_view(c, 0, false, &text); /* neither guard band nor motion changes the truth */
     aob_text_add(&text, " %d %s", m->plan->config->spp, line);
     char *path = cache_path(m, "visibility", text.data, ".exr");
     free(line);
@@ -158,7 +167,7 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
     *files = (struct aob_view_files){.count = count};
     files->reference = AOB_NEW_ARRAY(char *, count);
     files->definition = AOB_NEW_ARRAY(char *, count);
-    describe_view(c, aob_case_options(c).guard_band, &text);
+    describe_view(c, aob_case_options(c).guard_band, true, &text);
     files->gbuffer = cache_path(m, "gbuffer", text.data, ".exr");
     for (size_t i = 0; i < count && m->plan->config->measure_error; i++) {
         files->reference[i] =

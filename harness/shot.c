@@ -33,12 +33,14 @@ static bool choose_camera(const struct aob_shot_desc *desc, struct aob_scene_cho
         return aob_fail(error, "--eye and --target go together");
     if (desc->eye && desc->view)
         return aob_fail(error, "give --view or --eye, not both");
-    if (!desc->eye && (desc->fov || desc->ortho))
-        return aob_fail(error, "--fov and --ortho need --eye and --target");
+    if (!desc->eye && (desc->fov || desc->ortho || desc->shift))
+        return aob_fail(error, "--fov, --ortho and --shift need --eye and --target");
     if (desc->eye && !aob_parse_vec3(desc->eye, scene->eye))
         return aob_fail(error, "--eye: '%s' is not x,y,z", desc->eye);
     if (desc->target && !aob_parse_vec3(desc->target, scene->target))
         return aob_fail(error, "--target: '%s' is not x,y,z", desc->target);
+    if (desc->shift && !aob_parse_vec2(desc->shift, scene->shift))
+        return aob_fail(error, "--shift: '%s' is not x,y", desc->shift);
     return read_number("fov", desc->fov, 1, 170, &scene->fov_deg, error) &&
            read_number("ortho", desc->ortho, 1e-9, 1e12, &scene->ortho_height, error);
 }

@@ -9,7 +9,7 @@
 struct aob_shot_desc { /* texts as given on the command line; NULL: not given */
     struct aob_dispatch dispatch;
     const char *technique, *scene; /* scene: a listed one or a mesh file */
-    const char *view, *eye, *target, *fov, *ortho, *size, *backend, *reference_spp, *reference_radius;
+    const char *view, *eye, *target, *fov, *ortho, *shift, *size, *backend, *reference_spp, *reference_radius;
     const char *const *params; /* "name=value": parameters of the technique and run options */
     size_t param_count;
     const char *out, *json;

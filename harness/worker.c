@@ -53,14 +53,25 @@ bool aob_worker_params(const struct aob_technique *technique, const json_t *numb
     return true;
 }
 
+static bool get_pose(const json_t *object, struct aob_vec3 *eye, struct aob_vec3 *target)
+{
+    double e[3], t[3];
+    if (!aob_json_to_vector(json_object_get(object, "eye"), e, 3) ||
+        !aob_json_to_vector(json_object_get(object, "target"), t, 3))
+        return false;
+    *eye = aob_vec(e[0], e[1], e[2]);
+    *target = aob_vec(t[0], t[1], t[2]);
+    return true;
+}
+
 bool aob_worker_camera(const json_t *object, struct aob_camera *camera, struct aob_error *error)
 {
-    double eye[3], target[3];
-    if (!aob_json_to_vector(json_object_get(object, "eye"), eye, 3) ||
-        !aob_json_to_vector(json_object_get(object, "target"), target, 3))
+    const json_t *previous = json_object_get(object, "previous");
+    *camera = (struct aob_camera){.moves = json_is_object(previous)};
+    if (!get_pose(object, &camera->eye, &camera->target) ||
+        !aob_json_to_vector(json_object_get(object, "shift"), camera->shift, 2) ||
+        (camera->moves && !get_pose(previous, &camera->previous_eye, &camera->previous_target)))
         return aob_fail(error, "the job has no camera");
-    camera->eye = aob_vec(eye[0], eye[1], eye[2]);
-    camera->target = aob_vec(target[0], target[1], target[2]);
     camera->fov_deg = json_number_value(json_object_get(object, "fov_deg"));
     camera->ortho_height = json_number_value(json_object_get(object, "ortho_height"));
     return aob_camera_check(camera, error);

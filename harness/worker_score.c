@@ -133,6 +133,7 @@ static void add_camera(struct aob_image *image, const struct aob_camera *camera)
 {
     aob_image_set_number(image, "aobudget.fov_deg", camera->fov_deg);
     aob_image_set_number(image, "aobudget.ortho_height", camera->ortho_height);
+    aob_image_set_vec3(image, "aobudget.shift", (double[3]){camera->shift[0], camera->shift[1], 0});
     aob_image_set_vec3(image, "aobudget.eye", (double[3]){camera->eye.x, camera->eye.y, camera->eye.z});
     aob_image_set_vec3(image, "aobudget.target",
                        (double[3]){camera->target.x, camera->target.y, camera->target.z});
@@ -148,13 +149,15 @@ static void add_error(struct aob_image *image, const float *ao, const struct tru
 static bool write_image(const struct aob_block *block, const json_t *c, const char *path, const float *ao,
                         const struct truth *truth, struct aob_error *error)
 {
-    static const char *const normals[3] = {"N.X", "N.Y", "N.Z"};
+    static const char *const normals[3] = {"N.X", "N.Y", "N.Z"}, *const velocities[2] = {"V.X", "V.Y"};
     struct aob_image image = {.width = block->width, .height = block->height};
     float *z = aob_image_add(&image, "Z");
     for (size_t i = 0; i < (size_t)block->width * (size_t)block->height; i++)
         z[i] = truth->depth[i] < 0.5f * AOB_GBUFFER_SKY ? truth->depth[i] : INFINITY;
     for (int n = 0; n < 3; n++)
         crop(block, block->gbuffer.normal + n, 4, aob_image_add(&image, normals[n]));
+    for (int v = 0; v < 2 && block->gbuffer.velocity; v++)
+        crop(block, block->gbuffer.velocity + v, 2, aob_image_add(&image, velocities[v]));
     add_plane(&image, "technique.AO", ao);
     add_plane(&image, "reference.AO", truth->ao);
     add_plane(&image, "reference.SE", truth->se);

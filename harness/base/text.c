@@ -81,7 +81,7 @@ bool aob_parse_size(const char *text, int *width, int *height)
     return true;
 }
 
-bool aob_parse_vec3(const char *text, double value[3])
+static bool parse_vector(const char *text, double *value, size_t count)
 {
     char copy[256];
     double v[3];
@@ -89,13 +89,23 @@ bool aob_parse_vec3(const char *text, double value[3])
         return false;
     strcpy(copy, text);
     char *rest = copy;
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < count; i++) {
         char *part = strsep(&rest, ",");
         if (!part || !aob_parse_double(part, &v[i]) || !isfinite(v[i]))
             return false;
     }
     if (rest)
         return false;
-    memcpy(value, v, sizeof v);
+    memcpy(value, v, count * sizeof *v);
     return true;
+}
+
+bool aob_parse_vec3(const char *text, double value[3])
+{
+    return parse_vector(text, value, 3);
+}
+
+bool aob_parse_vec2(const char *text, double value[2])
+{
+    return parse_vector(text, value, 2);
 }

@@ -22,6 +22,7 @@ bool aob_parse_int(const char *text, int64_t *value);
 /* "WxH", both 1..16384. */
 bool aob_parse_size(const char *text, int *width, int *height);
 
-/* "x,y,z", three finite numbers. */
+/* "x,y,z" and "x,y": finite numbers. */
 bool aob_parse_vec3(const char *text, double value[3]);
+bool aob_parse_vec2(const char *text, double value[2]);
 #endif

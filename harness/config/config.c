@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "pose.h"
 #include "yaml.h"
 
 void aob_config_init(struct aob_config *config)
@@ -150,7 +151,7 @@ struct scene_reader {
     struct aob_scene_choice choice; /* what all views of the entry share; owns its texts */
     char **views;
     size_t view_count, view_capacity;
-    bool eye, target, fov;
+    bool eye, target, lens; /* lens: whatever needs eye and target */
 };
 
 static bool add_view(struct aob_yaml *yaml, yaml_node_t *node, void *user)
@@ -181,8 +182,12 @@ static bool read_scene_entry(struct aob_yaml *yaml, const char *key, yaml_node_t
     if (strcmp(key, "target") == 0)
         return (reader->target = true) && aob_yaml_vec3(yaml, node, choice->target);
     if (strcmp(key, "fov_deg") == 0)
-        return (reader->fov = true) && aob_yaml_number(yaml, node, 1, 170, &choice->fov_deg);
-    choice->ortho = true;
+        return (reader->lens = true) && aob_yaml_number(yaml, node, 1, 170, &choice->fov_deg);
+    if (strcmp(key, "shift") == 0)
+        return (reader->lens = true) && aob_yaml_vec2(yaml, node, choice->shift);
+    if (strcmp(key, "previous") == 0)
+        return (reader->lens = choice->moves = true) && aob_pose_read(yaml, node, &choice->previous);
+    choice->ortho = reader->lens = true;
     return aob_yaml_number(yaml, node, 1e-9, 1e12, &choice->ortho_height);
 }
 
@@ -202,8 +207,8 @@ static bool judge_scene(struct aob_yaml *yaml, const yaml_node_t *node, struct s
         return aob_yaml_fail(yaml, node, "a scene needs either name: SCENE or file: MESH");
     if (reader->eye != reader->target)
         return aob_yaml_fail(yaml, node, "a camera needs both eye and target");
-    if (!reader->eye && (reader->fov || reader->choice.ortho))
-        return aob_yaml_fail(yaml, node, "fov_deg and ortho_height need eye and target");
+    if (!reader->eye && reader->lens)
+        return aob_yaml_fail(yaml, node, "fov_deg, ortho_height, shift and previous need eye and target");
     if (reader->choice.file && reader->view_count)
         return aob_yaml_fail(yaml, node, "a mesh file has no named views: give eye, target and fov_deg");
     if (reader->eye && reader->view_count)
@@ -213,8 +218,8 @@ static bool judge_scene(struct aob_yaml *yaml, const yaml_node_t *node, struct s
 
 static bool read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
 {
-    static const char *const keys[] = {"name",   "file",    "view",         "views", "eye",
-                                       "target", "fov_deg", "ortho_height", NULL};
+    static const char *const keys[] = {"name",    "file",         "view",  "views",    "eye", "target",
+                                       "fov_deg", "ortho_height", "shift", "previous", NULL};
     struct scene_reader reader = {.config = user, .choice = {.fov_deg = 60}};
     bool ok =
         aob_yaml_mapping(yaml, node, keys, read_scene_entry, &reader) && judge_scene(yaml, node, &reader);

@@ -5,7 +5,8 @@
  *   scenes:                          # a listed scene, with views (default: its first), or a mesh file
  *     - {name: corner, views: [front, far]}
  *     - {name: bunny, view: front}
- *     - {file: my.ply, eye: [0, 1, 4], target: [0, 1, 0], fov_deg: 60}
+ *     - {file: my.ply, eye: [0, 1, 4], target: [0, 1, 0], fov_deg: 60, shift: [0.5, 0],
+ *        previous: {eye: [0.1, 1, 4], target: [0, 1, 0]}}    # a frame earlier; default: a still camera
  *   resolutions: [480x270]
  *   backends: [vulkan, gl-egl]
  *   options: {guard_band: 64, fetch: [sampled, storage]}   # a list is an axis of the sweep
@@ -35,12 +36,18 @@ struct aob_axis { /* values that a parameter or option takes in turn */
     size_t count;
     int line, column;
 };
+struct aob_pose {
+    double eye[3], target[3]; /* scene units */
+};
 struct aob_scene_choice {
     char *name, *file; /* one of the two */
     char *view;        /* listed view, or NULL */
     bool has_camera, ortho;
     double eye[3], target[3];
     double fov_deg, ortho_height;
+    double shift[2]; /* of the image, in its heights: x right, y up */
+    bool moves;
+    struct aob_pose previous; /* if it moves: a frame earlier */
     int line, column;
 };
 struct aob_technique_choice {

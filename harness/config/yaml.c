@@ -81,16 +81,28 @@ bool aob_yaml_number(struct aob_yaml *yaml, const yaml_node_t *node, double low,
     return true;
 }
 
-bool aob_yaml_vec3(struct aob_yaml *yaml, const yaml_node_t *node, double value[3])
+static bool read_vector(struct aob_yaml *yaml, const yaml_node_t *node, double *value, int count)
 {
     if (node->type != YAML_SEQUENCE_NODE ||
-        node->data.sequence.items.top - node->data.sequence.items.start != 3)
-        return aob_yaml_fail(yaml, node, "three numbers are expected: [x, y, z]");
-    for (int i = 0; i < 3; i++)
+        node->data.sequence.items.top - node->data.sequence.items.start != count)
+        return aob_yaml_fail(yaml, node,
+                             count == 3 ? "three numbers are expected: [x, y, z]"
+                                        : "two numbers are expected: [x, y]");
+    for (int i = 0; i < count; i++)
         if (!aob_yaml_number(yaml, aob_yaml_node(yaml, node->data.sequence.items.start[i]), -1e30, 1e30,
                              &value[i]))
             return false;
     return true;
+}
+
+bool aob_yaml_vec3(struct aob_yaml *yaml, const yaml_node_t *node, double value[3])
+{
+    return read_vector(yaml, node, value, 3);
+}
+
+bool aob_yaml_vec2(struct aob_yaml *yaml, const yaml_node_t *node, double value[2])
+{
+    return read_vector(yaml, node, value, 2);
 }
 
 struct aob_value aob_yaml_value(const yaml_node_t *node, const char *text)

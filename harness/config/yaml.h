@@ -24,6 +24,7 @@ bool aob_yaml_text(struct aob_yaml *yaml, const yaml_node_t *node, const char **
 bool aob_yaml_bool(struct aob_yaml *yaml, const yaml_node_t *node, bool *value);       /* true or false */
 bool aob_yaml_number(struct aob_yaml *yaml, const yaml_node_t *node, double low, double high, double *value);
 bool aob_yaml_vec3(struct aob_yaml *yaml, const yaml_node_t *node, double value[3]);
+bool aob_yaml_vec2(struct aob_yaml *yaml, const yaml_node_t *node, double value[2]);
 struct aob_value aob_yaml_value(const yaml_node_t *node, const char *text); /* copies the text */
 
 /* Call `read` for each entry of a mapping whose key is one of `keys` (NULL-ended); unknown and double keys

@@ -16,6 +16,17 @@ static void add_vectors(struct aob_image *image, const char *const names[3], con
     }
 }
 
+static const char *const velocity_names[2] = {"V.X", "V.Y"};
+
+static void add_velocity(struct aob_image *image, const struct aob_hits *hits, size_t count)
+{
+    for (int c = 0; c < 2 && hits->velocity; c++) {
+        float *channel = aob_image_add(image, velocity_names[c]);
+        for (size_t i = 0; i < count; i++)
+            channel[i] = hits->velocity[i][c];
+    }
+}
+
 bool aob_gbuffer_store(const struct aob_hits *hits, const char *path, struct aob_error *error)
 {
     struct aob_image image = {.width = hits->width, .height = hits->height};
@@ -23,6 +34,7 @@ bool aob_gbuffer_store(const struct aob_hits *hits, const char *path, struct aob
     memcpy(aob_image_add(&image, "Z"), hits->depth, count * sizeof(float));
     add_vectors(&image, normal_names, (const float(*)[3])hits->normal, count);
     add_vectors(&image, shading_names, (const float(*)[3])hits->shading, count);
+    add_velocity(&image, hits, count);
     float *primitive = aob_image_add(&image, "primitive");
     for (size_t i = 0; i < count; i++)
         primitive[i] = hits->primitive[i] == AOB_NO_PRIMITIVE ? -1.0f : (float)hits->primitive[i];
@@ -59,6 +71,19 @@ static bool copy_channels(struct aob_gbuffer *gbuffer, const struct aob_image *i
     return gbuffer->normal && gbuffer->shading;
 }
 
+static bool copy_velocity(struct aob_gbuffer *gbuffer, const struct aob_image *image, size_t count)
+{
+    gbuffer->velocity = AOB_NEW_ARRAY(float, 2 * count);
+    for (int c = 0; c < 2; c++) {
+        const float *v = aob_image_channel(image, velocity_names[c]);
+        if (!v)
+            return false;
+        for (size_t i = 0; i < count; i++)
+            gbuffer->velocity[2 * i + (size_t)c] = v[i];
+    }
+    return true;
+}
+
 bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,
                       int width, int height, int guard, struct aob_error *error)
 {
@@ -68,7 +93,9 @@ bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struc
     if (!aob_image_read(&image, path, error))
         return false;
     bool fits = image.width == gbuffer->projection.width && image.height == gbuffer->projection.height;
-    bool ok = fits && copy_channels(gbuffer, &image, (size_t)image.width * (size_t)image.height);
+    size_t count = (size_t)image.width * (size_t)image.height;
+    bool ok = fits && copy_channels(gbuffer, &image, count) &&
+              (!camera->moves || copy_velocity(gbuffer, &image, count));
     aob_image_finish(&image);
     if (!ok) {
         aob_gbuffer_finish(gbuffer);
@@ -83,5 +110,6 @@ void aob_gbuffer_finish(struct aob_gbuffer *gbuffer)
     free(gbuffer->depth);
     free(gbuffer->normal);
     free(gbuffer->shading);
+    free(gbuffer->velocity);
     *gbuffer = (struct aob_gbuffer){0};
 }

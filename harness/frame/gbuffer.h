@@ -1,6 +1,6 @@
 /* The canonical G-buffer: what the ray tracer sees at pixel centres, in the form that shaders and scores
- * read. It travels between processes as an EXR file (Z, N.X N.Y N.Z, S.X S.Y S.Z, primitive; Z = 0 where
- * sky). */
+ * read. It travels between processes as an EXR file (Z, N.X N.Y N.Z, S.X S.Y S.Z, primitive; V.X V.Y if the
+ * camera moves; Z = 0 where sky). */
 #ifndef AOB_FRAME_GBUFFER_H
 #define AOB_FRAME_GBUFFER_H
 #include <stdbool.h>
@@ -16,6 +16,8 @@ struct aob_gbuffer {
     float *normal; /* four floats a pixel: geometric normal, view space, towards the camera; 0 */
     float *
         shading; /* likewise, interpolated normals on the geometric one's side; that one where there are none */
+    float
+        *velocity; /* two floats a pixel, as struct aob_hits has them; NULL: the camera is still, all are 0 */
 };
 #define AOB_GBUFFER_SKY 1e9f /* far beyond any scene, and its square is finite; AOB_SKY_Z in shaders */
 

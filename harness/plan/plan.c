@@ -39,16 +39,24 @@ static bool choose_view(struct aob_plan_scene *scene, const struct aob_scene_cho
     return false;
 }
 
+static struct aob_vec3 from_array(const double v[3])
+{
+    return aob_vec(v[0], v[1], v[2]);
+}
+
 static bool choose_camera(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
                           struct aob_error *error)
 {
     if (choice->has_camera) {
         scene->view = aob_strdup("camera");
-        scene->camera =
-            (struct aob_camera){.eye = aob_vec(choice->eye[0], choice->eye[1], choice->eye[2]),
-                                .target = aob_vec(choice->target[0], choice->target[1], choice->target[2]),
-                                .fov_deg = choice->fov_deg,
-                                .ortho_height = choice->ortho ? choice->ortho_height : 0};
+        scene->camera = (struct aob_camera){.eye = from_array(choice->eye),
+                                            .target = from_array(choice->target),
+                                            .fov_deg = choice->fov_deg,
+                                            .ortho_height = choice->ortho ? choice->ortho_height : 0,
+                                            .shift = {choice->shift[0], choice->shift[1]},
+                                            .moves = choice->moves,
+                                            .previous_eye = from_array(choice->previous.eye),
+                                            .previous_target = from_array(choice->previous.target)};
         return aob_camera_check(&scene->camera, error);
     }
     if (scene->info)
@@ -204,15 +212,13 @@ static double reference_radius(const struct aob_plan *plan, const struct aob_cas
 static void make_key(const struct aob_plan *plan, struct aob_case *c)
 {
     struct aob_text text = {0};
-    const struct aob_camera *camera = &c->scene->camera;
     const struct aob_config *config = plan->config;
     aob_case_settings(c, &text);
-    aob_text_add(&text,
-                 "\n%s %s %u\n%d %.17g %.17g %.17g  %.17g %.17g %.17g  %.17g %.17g\n%.9g %d %d%d%d %.9g",
-                 c->scene->digest, c->technique->digest, c->technique->revision, c->scene->framed,
-                 camera->eye.x, camera->eye.y, camera->eye.z, camera->target.x, camera->target.y,
-                 camera->target.z, camera->fov_deg, camera->ortho_height, c->reference_radius, config->spp,
-                 config->measure_time, config->measure_error, config->images, config->seconds);
+    aob_text_add(&text, "\n%s %s %u\n%d ", c->scene->digest, c->technique->digest, c->technique->revision,
+                 c->scene->framed);
+    aob_camera_print(&c->scene->camera, true, &text);
+    aob_text_add(&text, "\n%.9g %d %d%d%d %.9g", c->reference_radius, config->spp, config->measure_time,
+                 config->measure_error, config->images, config->seconds);
     aob_hash_text(text.data, c->key);
     aob_text_finish(&text);
 }

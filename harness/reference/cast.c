@@ -18,6 +18,7 @@ struct cast {
     const struct aob_projection *projection;
     struct aob_frame_axes axes;
     struct aob_hits *hits;
+    struct aob_camera previous;
 };
 
 static void clip(double origin, double direction, double half, double *near, double *far)
@@ -115,6 +116,25 @@ static struct aob_vec3 shading_normal(const struct aob_tracer *tracer, uint32_t 
     return aob_vec_dot(n, geometric) < 0 ? aob_vec_scale(n, -1) : n;
 }
 
+/* `point`: local; NULL: the sky in the ray's direction. */
+static void store_velocity(const struct cast *cast, const struct primary *ray, const struct aob_vec3 *point,
+                           size_t pixel)
+{
+    float *velocity = cast->hits->velocity[pixel];
+    size_t width = (size_t)cast->hits->width;
+    struct aob_vec3 to_eye = aob_vec_sub(cast->tracer->centre, cast->previous.eye);
+    double then[2];
+    if (!point && !cast->projection->perspective)
+        return;
+    if (!aob_camera_project(&cast->previous, cast->projection,
+                            point ? aob_vec_add(*point, to_eye) : ray->direction, then)) {
+        velocity[0] = velocity[1] = AOB_NO_VELOCITY;
+        return;
+    }
+    velocity[0] = (float)((double)(pixel % width) + 0.5 - then[0]);
+    velocity[1] = (float)((double)(pixel / width) + 0.5 - then[1]);
+}
+
 static void store_hit(const struct cast *cast, const struct primary *ray, uint32_t triangle, double u,
                       double v, size_t pixel)
 {
@@ -132,6 +152,15 @@ static void store_hit(const struct cast *cast, const struct primary *ray, uint32
     hits->depth[pixel] = (float)-aob_vec_dot(aob_vec_sub(p, ray->origin), cast->axes.back);
     to_view(&cast->axes, normal, hits->normal[pixel]);
     to_view(&cast->axes, shading_normal(cast->tracer, triangle, u, v, normal), hits->shading[pixel]);
+    if (hits->velocity)
+        store_velocity(cast, ray, &p, pixel);
+}
+
+static void store_sky(const struct cast *cast, const struct primary *ray, size_t pixel)
+{
+    cast->hits->primitive[pixel] = AOB_NO_PRIMITIVE;
+    if (cast->hits->velocity)
+        store_velocity(cast, ray, NULL, pixel);
 }
 
 static void cast_packet(const struct cast *cast, int x0, int y)
@@ -154,11 +183,11 @@ static void cast_packet(const struct cast *cast, int x0, int y)
             store_hit(cast, &rays[k], cast->tracer->triangle_of[packet.hit.primID[k]], packet.hit.u[k],
                       packet.hit.v[k], pixel);
         else
-            cast->hits->primitive[pixel] = AOB_NO_PRIMITIVE;
+            store_sky(cast, &rays[k], pixel);
     }
 }
 
-static void hits_init(struct aob_hits *hits, int width, int height)
+static void hits_init(struct aob_hits *hits, int width, int height, bool moves)
 {
     size_t pixels = (size_t)width * (size_t)height;
     *hits = (struct aob_hits){.width = width, .height = height};
@@ -168,6 +197,7 @@ static void hits_init(struct aob_hits *hits, int width, int height)
     hits->depth = aob_alloc(pixels, sizeof *hits->depth);
     hits->normal = aob_alloc(pixels, sizeof *hits->normal);
     hits->shading = aob_alloc(pixels, sizeof *hits->shading);
+    hits->velocity = moves ? aob_alloc(pixels, sizeof *hits->velocity) : NULL;
 }
 
 void aob_hits_finish(struct aob_hits *hits)
@@ -178,14 +208,16 @@ void aob_hits_finish(struct aob_hits *hits)
     free(hits->depth);
     free(hits->normal);
     free(hits->shading);
+    free(hits->velocity);
     *hits = (struct aob_hits){0};
 }
 
 void aob_tracer_cast(const struct aob_tracer *tracer, const struct aob_camera *camera,
                      const struct aob_projection *projection, struct aob_hits *hits)
 {
-    hits_init(hits, projection->width, projection->height);
-    struct cast cast = {tracer, camera, projection, aob_camera_axes(camera), hits};
+    hits_init(hits, projection->width, projection->height, camera->moves);
+    struct cast cast = {
+        tracer, camera, projection, aob_camera_axes(camera), hits, aob_camera_previous(camera)};
 #pragma omp parallel
     {
         unsigned mode = aob_float_mode_begin();

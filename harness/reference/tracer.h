@@ -29,9 +29,15 @@ struct aob_hits {
     float (*normal)[3];  /* geometric, view space, unit, turned to the camera; 0 where sky */
     float (*shading)[3]; /* shading normal, on the geometric one's side; the geometric one where the mesh has
                             none */
+    /* Of a camera that moves, else NULL: pixels right and down that the point in the pixel's centre has moved over the
+     * image since the previous frame: its place now less its place then. The sky lies infinitely far: it moves with the
+     * camera's rotation only, and not at all in an orthographic view. AOB_NO_VELOCITY twice where it was behind the
+     * previous camera: there is no place then, and now less that lies outside of every image. */
+    float (*velocity)[2];
 };
+#define AOB_NO_VELOCITY 1e9f
 
-/* Embree decides which triangle is hit; the place on it, depth and normals are computed in double precision
+/* Embree decides which triangle is hit; the place on it, depth, normals and velocity are computed in double precision
  * on the pixel's own ray. `camera` must have passed aob_camera_check. Allocates the arrays of `hits`. */
 void aob_tracer_cast(const struct aob_tracer *tracer, const struct aob_camera *camera,
                      const struct aob_projection *projection, struct aob_hits *hits);

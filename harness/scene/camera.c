@@ -5,14 +5,27 @@ static bool finite_vec(struct aob_vec3 v)
     return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
 }
 
+static bool check_pose(struct aob_vec3 eye, struct aob_vec3 target, const char *whose,
+                       struct aob_error *error)
+{
+    if (!finite_vec(eye) || !finite_vec(target))
+        return aob_fail(error, "camera: %seye and target must be finite numbers", whose);
+    double distance = aob_vec_length(aob_vec_sub(target, eye));
+    if (!(distance > 0) || !isfinite(distance))
+        return aob_fail(
+            error, "camera: %seye and target are the same point (or too far apart): move one of them", whose);
+    return true;
+}
+
 bool aob_camera_check(const struct aob_camera *camera, struct aob_error *error)
 {
-    if (!finite_vec(camera->eye) || !finite_vec(camera->target))
-        return aob_fail(error, "camera: eye and target must be finite numbers");
-    double distance = aob_vec_length(aob_vec_sub(camera->target, camera->eye));
-    if (!(distance > 0) || !isfinite(distance))
-        return aob_fail(error,
-                        "camera: eye and target are the same point (or too far apart): move one of them");
+    if (!check_pose(camera->eye, camera->target, "", error) ||
+        (camera->moves && !check_pose(camera->previous_eye, camera->previous_target, "previous ", error)))
+        return false;
+    for (int i = 0; i < 2; i++)
+        if (!(fabs(camera->shift[i]) <= AOB_SHIFT_MAX))
+            return aob_fail(error, "camera: shift %g: must be -%d to %d heights of the image",
+                            camera->shift[i], AOB_SHIFT_MAX, AOB_SHIFT_MAX);
     if (!(camera->ortho_height >= 0) || !isfinite(camera->ortho_height))
         return aob_fail(error, "camera: ortho height %g: must be finite and not negative",
                         camera->ortho_height);
@@ -46,8 +59,8 @@ struct aob_projection aob_camera_projection(const struct aob_camera *camera, int
         .height = height + 2 * guard,
         .sx = span / height,
         .sy = span / height,
-        .cx = guard + width / 2.0,
-        .cy = guard + height / 2.0,
+        .cx = guard + width / 2.0 - camera->shift[0] * height,
+        .cy = guard + height / 2.0 + camera->shift[1] * height,
     };
 }
 
@@ -65,4 +78,44 @@ void aob_camera_ray(const struct aob_camera *camera, const struct aob_projection
         *origin = aob_vec_add(camera->eye, offset);
         *direction = aob_vec_scale(axes.back, -1);
     }
+}
+
+struct aob_camera aob_camera_previous(const struct aob_camera *camera)
+{
+    struct aob_camera previous = *camera;
+    if (camera->moves) {
+        previous.eye = camera->previous_eye;
+        previous.target = camera->previous_target;
+    }
+    previous.moves = false;
+    return previous;
+}
+
+bool aob_camera_project(const struct aob_camera *camera, const struct aob_projection *projection,
+                        struct aob_vec3 from_eye, double q[2])
+{
+    struct aob_frame_axes axes = aob_camera_axes(camera);
+    double s = projection->perspective ? -aob_vec_dot(from_eye, axes.back) : 1;
+    if (!(s > 0))
+        return false;
+    q[0] = projection->cx + aob_vec_dot(from_eye, axes.right) / (projection->sx * s);
+    q[1] = projection->cy - aob_vec_dot(from_eye, axes.up) / (projection->sy * s);
+    return true;
+}
+
+static void print_pose(struct aob_vec3 eye, struct aob_vec3 target, struct aob_text *text)
+{
+    aob_text_add(text, "%.17g %.17g %.17g %.17g %.17g %.17g", eye.x, eye.y, eye.z, target.x, target.y,
+                 target.z);
+}
+
+void aob_camera_print(const struct aob_camera *camera, bool motion, struct aob_text *text)
+{
+    print_pose(camera->eye, camera->target, text);
+    aob_text_add(text, " %.17g %.17g %.17g %.17g", camera->fov_deg, camera->ortho_height, camera->shift[0],
+                 camera->shift[1]);
+    if (!motion || !camera->moves)
+        return;
+    aob_text_add(text, " after ");
+    print_pose(camera->previous_eye, camera->previous_target, text);
 }

@@ -38,6 +38,9 @@ expect 2 "'radius' is not name=value" "${shot[@]}" -p radius
 expect 2 "fetch: 'tex' is not one of sampled, storage" "${shot[@]}" -p fetch=tex
 expect 2 "must be odd" "${shot[@]}" -p blur=4
 expect 2 "--eye and --target go together" "${shot[@]}" --eye 0,0,1
+expect 2 "--shift need --eye" "${shot[@]}" --shift 1,0
+expect 2 "is not x,y" "${shot[@]}" --eye 0,0,1 --target 0,0,0 --shift 1
+expect 2 "shift 17" "${shot[@]}" --eye 0,0,1 --target 0,0,0 --shift 17,0
 expect 2 "is not x,y,z" "${shot[@]}" --eye 0,0,1z --target 0,0,0
 expect 2 "even whole number" "$program" shot --technique none --scene plane --backend null --reference-spp 3
 expect 2 "cannot" "${shot[@]}" --json /proc/nowhere/x.json

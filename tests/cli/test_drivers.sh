@@ -58,6 +58,7 @@ code=0
 "$program" shot --technique none --scene strip.ply --size 16x9 --reference-spp 2 >/dev/null 2>strip.err || code=$?
 check "and strips that were not understood" grep -q 'warning: strip.ply: .* bytes but only 1 triangles' strip.err
 check "and a camera" "$program" shot --technique gtao --scene mesh.obj --eye 0,1,3 --target 0,0.3,0 --fov 50 --size 96x54 --reference-spp 16
+check "off-centre" "$program" shot --technique gtao --scene mesh.obj --eye 0,1,3 --target 0,0.3,0 --shift 0.2,-0.1 --size 96x54 --reference-spp 16
 check "orthographic" "$program" shot --technique gtao --scene mesh.obj --eye 0,1,3 --target 0,0.3,0 --ortho 2 --size 96x54 --reference-spp 16
 check "a module in place of the built-in" "$program" shot --technique gtao --scene corner --size 32x18 --reference-spp 2 --module "$AOBUDGET_BUILD/modules/gtao.so"
 

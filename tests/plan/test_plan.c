@@ -150,6 +150,20 @@ static void test_refusals(void **state)
          "letters"},
         {"name: t\nscenes: [{name: corner, fov_deg: 30}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
          ":2:", "need eye and target"},
+        {"name: t\nscenes: [{name: corner, shift: [0.5, 0]}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
+         ":2:", "need eye and target"},
+        {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], shift: [1]}]\nresolutions: "
+         "[8x8]\nbackends: [null]\n" NONE,
+         ":2:", "two numbers are expected"},
+        {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], shift: [99, 0]}]\nresolutions: "
+         "[8x8]\nbackends: [null]\n" NONE,
+         ":2:", "shift 99"},
+        {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], previous: {eye: [0, 0, "
+         "1]}}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
+         ":2:", "needs both eye and target"},
+        {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], previous: {eye: [0, 0, 1], "
+         "target: [0, 0, 1]}}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
+         ":2:", "previous eye and target"},
         {HEAD "techniques: [{name: gtao, sweep: [{param: radius, values: [1], from: 1, to: 2, step: 1}]}]\n",
          ":5:35", "not both"},
         {HEAD NONE "reference: {spp: 33}\n", ":6:18", "even"},

@@ -15,6 +15,8 @@ static const struct aob_camera cameras[] = {
     {.eye = {0, 5, 0}, .target = {0, 0, 0}, .fov_deg = 90},
     {.eye = {0, -5, 0}, .target = {0, 0, 0}, .fov_deg = 90},
     {.eye = {1, 2, 3}, .target = {4, 5, 6}, .ortho_height = 3},
+    {.eye = {1, 2, 3}, .target = {4, 5, 6}, .ortho_height = 3, .shift = {0.4, -0.7}},
+    {.eye = {3, 4, 8}, .target = {-1, 1, 2}, .fov_deg = 20, .shift = {-1, 0.3}},
 };
 
 static void near_vec(struct aob_vec3 a, struct aob_vec3 b)
@@ -86,6 +88,54 @@ static void field_of_view_is_vertical(void **state)
     assert_true(!p.perspective && fabs(p.sy * 100 - 3) < 1e-12 && p.sx == p.sy);
 }
 
+/* The point (1, 2, 1) from 4 m: 2 tan 45 / 100 a pixel and metre of depth; the axis meets the image at (55, 40). */
+static void off_centre_is_as_computed_by_hand(void **state)
+{
+    (void)state;
+    struct aob_camera camera = {.eye = {0, 0, 5}, .fov_deg = 90, .shift = {0.25, -0.1}};
+    for (int guard = 0; guard <= 6; guard += 6) {
+        struct aob_projection p = aob_camera_projection(&camera, 160, 100, guard);
+        struct aob_vec3 origin, direction;
+        double q[2];
+        assert_true(fabs(p.cx - (55 + guard)) < 1e-12 && fabs(p.cy - (40 + guard)) < 1e-12);
+        assert_true(aob_camera_project(&camera, &p, aob_vec(1, 2, -4), q));
+        assert_true(fabs(q[0] - (67.5 + guard)) < 1e-9 && fabs(q[1] - (15 + guard)) < 1e-9);
+        aob_camera_ray(&camera, &p, 67.5 + guard, 15 + guard, &origin, &direction);
+        near_vec(aob_vec_add(origin, aob_vec_scale(direction, 4)), aob_vec(1, 2, 1));
+        assert_false(aob_camera_project(&camera, &p, aob_vec(1, 2, 4), q));
+    }
+    camera.ortho_height = 5; /* 0.05 m a pixel */
+    struct aob_projection p = aob_camera_projection(&camera, 160, 100, 0);
+    double q[2];
+    assert_true(aob_camera_project(&camera, &p, aob_vec(1, 2, 4), q));
+    assert_true(fabs(q[0] - 75) < 1e-9 && fabs(q[1] - 0) < 1e-9);
+}
+
+static void keys_know_lens_and_motion(void **state)
+{
+    (void)state;
+    struct aob_camera camera = cameras[0], moving;
+    struct aob_text still = {0}, shifted = {0}, moved = {0}, ignored = {0};
+    aob_camera_print(&camera, true, &still);
+    moving = camera;
+    moving.moves = true;
+    moving.previous_eye = aob_vec(1, 1, 1);
+    aob_camera_print(&moving, true, &moved);
+    aob_camera_print(&moving, false, &ignored);
+    camera.shift[1] = 1e-9;
+    aob_camera_print(&camera, true, &shifted);
+    assert_string_equal(still.data, ignored.data);
+    assert_string_not_equal(still.data, moved.data);
+    assert_string_not_equal(still.data, shifted.data);
+    struct aob_camera before = aob_camera_previous(&moving), same = aob_camera_previous(&cameras[0]);
+    assert_true(!before.moves && before.eye.x == 1 && before.fov_deg == moving.fov_deg);
+    near_vec(same.eye, cameras[0].eye);
+    aob_text_finish(&still);
+    aob_text_finish(&shifted);
+    aob_text_finish(&moved);
+    aob_text_finish(&ignored);
+}
+
 static void bad_cameras_are_refused(void **state)
 {
     (void)state;
@@ -98,6 +148,10 @@ static void bad_cameras_are_refused(void **state)
         {.eye = {0, 0, 1}, .fov_deg = NAN},
         {.eye = {0, 0, 1}, .ortho_height = -1, .fov_deg = 60},
         {.eye = {0, 0, 1}, .ortho_height = INFINITY},
+        {.eye = {0, 0, 1}, .fov_deg = 60, .shift = {0, NAN}},
+        {.eye = {0, 0, 1}, .fov_deg = 60, .shift = {-16.5, 0}},
+        {.eye = {0, 0, 1}, .fov_deg = 60, .moves = true},
+        {.eye = {0, 0, 1}, .fov_deg = 60, .moves = true, .previous_eye = {INFINITY, 0, 0}},
     };
     for (size_t i = 0; i < AOB_COUNT(bad); i++) {
         struct aob_error error = {""};
@@ -136,6 +190,8 @@ int main(void)
         cmocka_unit_test(rays_match_the_projection),
         cmocka_unit_test(guard_keeps_the_inner_image),
         cmocka_unit_test(field_of_view_is_vertical),
+        cmocka_unit_test(off_centre_is_as_computed_by_hand),
+        cmocka_unit_test(keys_know_lens_and_motion),
         cmocka_unit_test(bad_cameras_are_refused),
         cmocka_unit_test(framing_holds_the_box),
     };

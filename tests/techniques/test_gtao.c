@@ -137,6 +137,29 @@ static void test_orthographic_corner(void **state)
     aob_gpu_close(gpu);
 }
 
+/* The lens looks aside: other pixels of the same truth, at the edge of a wide frustum. */
+static void test_off_centre_corner(void **state)
+{
+    (void)state;
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    for (int ortho = 0; ortho < 2; ortho++) {
+        struct aob_rig rig;
+        struct aob_mesh mesh = {0};
+        struct aob_camera camera = {
+            .eye = {0, 2, 4}, .target = {0, 0.8, 0}, .fov_deg = 60, .shift = {0.5, -0.15}};
+        camera.ortho_height = ortho ? 4 : 0;
+        aob_scene_find("corner")->build(&mesh);
+        aob_rig_init(&rig, &mesh, &camera, W, H, 128);
+        double rmse = corner_rmse(gpu, &rig, 1, "slices=9 steps=24");
+        printf("%s corner, shift .5 -.15, R=1 9x24: in-band RMSE %.4f\n", ortho ? "orthographic" : "front",
+               rmse);
+        assert_true(rmse <= 0.012);
+        aob_mesh_finish(&mesh);
+        aob_rig_finish(&rig);
+    }
+    aob_gpu_close(gpu);
+}
+
 /* A convex sphere occludes nothing of itself; a blur keeps a constant. */
 static void test_sphere_is_open(void **state)
 {
@@ -254,6 +277,6 @@ int main(void)
         cmocka_unit_test(test_corner_front),        cmocka_unit_test(test_corner_far),
         cmocka_unit_test(test_uniform_weighting),   cmocka_unit_test(test_divided_sizes),
         cmocka_unit_test(test_temporal_noise),      cmocka_unit_test(test_open_plane_is_open),
-        cmocka_unit_test(test_orthographic_corner), cmocka_unit_test(test_sphere_is_open)};
+        cmocka_unit_test(test_orthographic_corner), cmocka_unit_test(test_off_centre_corner), cmocka_unit_test(test_sphere_is_open)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,68 @@
+/* What the canonical G-buffer's file carries from the ray tracer to the devices. */
+#include "check.h"
+#include <unistd.h>
+#include "rig.h"
+
+enum { W = 40, H = 24, GUARD = 3 };
+
+static void store(const struct aob_rig *rig, char path[64])
+{
+    struct aob_error error = {{0}};
+    snprintf(path, 64, "/tmp/aob_test_gbuffer_%ld.exr", (long)getpid());
+    assert_true(aob_gbuffer_store(&rig->hits, path, &error));
+}
+
+static void moving(struct aob_rig *rig, bool moves)
+{
+    struct aob_mesh mesh = {0};
+    struct aob_camera camera = aob_scene_find("corner")->views[0].camera;
+    camera.moves = moves;
+    camera.previous_eye = aob_vec_add(camera.eye, aob_vec(0.1, 0, 0));
+    camera.previous_target = camera.target;
+    aob_scene_find("corner")->build(&mesh);
+    aob_rig_init(rig, &mesh, &camera, W, H, GUARD);
+    aob_mesh_finish(&mesh);
+}
+
+static void test_velocity_of_a_moving_camera_only(void **state)
+{
+    (void)state;
+    for (int moves = 0; moves < 2; moves++) {
+        struct aob_rig rig;
+        struct aob_gbuffer back;
+        struct aob_error error = {{0}};
+        char path[64];
+        moving(&rig, moves);
+        store(&rig, path);
+        assert_true(aob_gbuffer_load(&back, path, &rig.camera, W, H, GUARD, &error));
+        assert_int_equal(back.velocity != NULL, moves);
+        for (int i = 0; moves && i < rig.hits.width * rig.hits.height; i++)
+            assert_memory_equal(&back.velocity[2 * i], rig.hits.velocity[i], 2 * sizeof(float));
+        aob_gbuffer_finish(&back);
+        aob_rig_finish(&rig);
+        unlink(path);
+    }
+}
+
+static void test_a_still_file_does_not_serve_a_moving_camera(void **state)
+{
+    (void)state;
+    struct aob_rig rig;
+    struct aob_gbuffer back;
+    struct aob_error error = {{0}};
+    char path[64];
+    moving(&rig, false);
+    store(&rig, path);
+    rig.camera.moves = true;
+    assert_false(aob_gbuffer_load(&back, path, &rig.camera, W, H, GUARD, &error));
+    assert_contains(error.text, "not a G-buffer");
+    aob_rig_finish(&rig);
+    unlink(path);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_velocity_of_a_moving_camera_only),
+                                       cmocka_unit_test(test_a_still_file_does_not_serve_a_moving_camera)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
