@@ -149,13 +149,16 @@ static void add_error(struct aob_image *image, const float *ao, const struct tru
 static bool write_image(const struct aob_block *block, const json_t *c, const char *path, const float *ao,
                         const struct truth *truth, struct aob_error *error)
 {
-    static const char *const normals[3] = {"N.X", "N.Y", "N.Z"}, *const velocities[2] = {"V.X", "V.Y"};
+    static const char *const normals[3] = {"N.X", "N.Y", "N.Z"}, *const velocities[2] = {"V.X", "V.Y"},
+                             *const albedo[3] = {"albedo.R", "albedo.G", "albedo.B"};
     struct aob_image image = {.width = block->width, .height = block->height};
     float *z = aob_image_add(&image, "Z");
     for (size_t i = 0; i < (size_t)block->width * (size_t)block->height; i++)
         z[i] = truth->depth[i] < 0.5f * AOB_GBUFFER_SKY ? truth->depth[i] : INFINITY;
     for (int n = 0; n < 3; n++)
         crop(block, block->gbuffer.normal + n, 4, aob_image_add(&image, normals[n]));
+    for (int a = 0; a < 3 && block->gbuffer.albedo; a++)
+        crop(block, block->gbuffer.albedo + a, 3, aob_image_add(&image, albedo[a]));
     for (int v = 0; v < 2 && block->gbuffer.velocity; v++)
         crop(block, block->gbuffer.velocity + v, 2, aob_image_add(&image, velocities[v]));
     add_plane(&image, "technique.AO", ao);

@@ -86,7 +86,8 @@ static bool cast_view(struct view *view, struct aob_error *error)
     if (!view->tracer)
         return false;
     aob_tracer_cast(view->tracer, &view->camera, &projection, &view->hits);
-    return aob_file_exists(view->gbuffer) || aob_gbuffer_store(&view->hits, view->gbuffer, error);
+    return aob_file_exists(view->gbuffer) ||
+           aob_gbuffer_store(&view->hits, &view->mesh, view->gbuffer, error);
 }
 
 static bool trace_terms(struct aob_worker *worker, const struct view *view,

@@ -27,7 +27,28 @@ static void add_velocity(struct aob_image *image, const struct aob_hits *hits, s
     }
 }
 
-bool aob_gbuffer_store(const struct aob_hits *hits, const char *path, struct aob_error *error)
+static const char *const albedo_names[3] = {"albedo.R", "albedo.G", "albedo.B"};
+
+static void add_materials(struct aob_image *image, const struct aob_hits *hits, const struct aob_mesh *mesh,
+                          size_t count)
+{
+    if (!mesh->materials)
+        return;
+    float *index = aob_image_add(image, "material");
+    for (size_t i = 0; i < count; i++)
+        index[i] = hits->primitive[i] == AOB_NO_PRIMITIVE
+                       ? -1.0f
+                       : (float)aob_mesh_material_index(mesh, hits->primitive[i]);
+    for (int c = 0; c < 3; c++) {
+        float *channel = aob_image_add(image, albedo_names[c]);
+        for (size_t i = 0; i < count; i++)
+            if (hits->primitive[i] != AOB_NO_PRIMITIVE)
+                channel[i] = aob_mesh_material(mesh, hits->primitive[i])->base_colour[c];
+    }
+}
+
+bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh, const char *path,
+                       struct aob_error *error)
 {
     struct aob_image image = {.width = hits->width, .height = hits->height};
     size_t count = (size_t)hits->width * (size_t)hits->height;
@@ -35,6 +56,7 @@ bool aob_gbuffer_store(const struct aob_hits *hits, const char *path, struct aob
     add_vectors(&image, normal_names, (const float(*)[3])hits->normal, count);
     add_vectors(&image, shading_names, (const float(*)[3])hits->shading, count);
     add_velocity(&image, hits, count);
+    add_materials(&image, hits, mesh, count);
     float *primitive = aob_image_add(&image, "primitive");
     for (size_t i = 0; i < count; i++)
         primitive[i] = hits->primitive[i] == AOB_NO_PRIMITIVE ? -1.0f : (float)hits->primitive[i];
@@ -71,17 +93,19 @@ static bool copy_channels(struct aob_gbuffer *gbuffer, const struct aob_image *i
     return gbuffer->normal && gbuffer->shading;
 }
 
-static bool copy_velocity(struct aob_gbuffer *gbuffer, const struct aob_image *image, size_t count)
+/* `size` channels side by side; NULL unless all are there. */
+static float *interleave(const struct aob_image *image, const char *const *names, size_t size, size_t count)
 {
-    gbuffer->velocity = AOB_NEW_ARRAY(float, 2 * count);
-    for (int c = 0; c < 2; c++) {
-        const float *v = aob_image_channel(image, velocity_names[c]);
-        if (!v)
-            return false;
+    for (size_t c = 0; c < size; c++)
+        if (!aob_image_channel(image, names[c]))
+            return NULL;
+    float *into = AOB_NEW_ARRAY(float, size *count);
+    for (size_t c = 0; c < size; c++) {
+        const float *from = aob_image_channel(image, names[c]);
         for (size_t i = 0; i < count; i++)
-            gbuffer->velocity[2 * i + (size_t)c] = v[i];
+            into[size * i + c] = from[i];
     }
-    return true;
+    return into;
 }
 
 bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,
@@ -94,8 +118,11 @@ bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struc
         return false;
     bool fits = image.width == gbuffer->projection.width && image.height == gbuffer->projection.height;
     size_t count = (size_t)image.width * (size_t)image.height;
-    bool ok = fits && copy_channels(gbuffer, &image, count) &&
-              (!camera->moves || copy_velocity(gbuffer, &image, count));
+    if (fits) {
+        gbuffer->albedo = interleave(&image, albedo_names, 3, count);
+        gbuffer->velocity = camera->moves ? interleave(&image, velocity_names, 2, count) : NULL;
+    }
+    bool ok = fits && copy_channels(gbuffer, &image, count) && !gbuffer->velocity == !camera->moves;
     aob_image_finish(&image);
     if (!ok) {
         aob_gbuffer_finish(gbuffer);
@@ -110,6 +137,7 @@ void aob_gbuffer_finish(struct aob_gbuffer *gbuffer)
     free(gbuffer->depth);
     free(gbuffer->normal);
     free(gbuffer->shading);
+    free(gbuffer->albedo);
     free(gbuffer->velocity);
     *gbuffer = (struct aob_gbuffer){0};
 }

@@ -1,6 +1,7 @@
 /* The canonical G-buffer: what the ray tracer sees at pixel centres, in the form that shaders and scores
  * read. It travels between processes as an EXR file (Z, N.X N.Y N.Z, S.X S.Y S.Z, primitive; V.X V.Y if the
- * camera moves; Z = 0 where sky). */
+ * camera moves; material, albedo.R albedo.G albedo.B if the mesh has other materials than the default; Z = 0 and
+ * primitive = material = -1 where sky). */
 #ifndef AOB_FRAME_GBUFFER_H
 #define AOB_FRAME_GBUFFER_H
 #include <stdbool.h>
@@ -18,11 +19,16 @@ struct aob_gbuffer {
         shading; /* likewise, interpolated normals on the geometric one's side; that one where there are none */
     float
         *velocity; /* two floats a pixel, as struct aob_hits has them; NULL: the camera is still, all are 0 */
+    float *depth;    /* scene units along the view axis; AOB_GBUFFER_SKY where sky */
+    float *normal;   /* four floats a pixel: geometric normal, view space, towards the camera; 0 */
+    float *albedo;   /* three floats a pixel, base colour; 0 where sky; NULL: the default's throughout */
+    float *velocity; /* two floats a pixel, as struct aob_hits has them; NULL: a still camera, all are 0 */
 };
 #define AOB_GBUFFER_SKY 1e9f /* far beyond any scene, and its square is finite; AOB_SKY_Z in shaders */
 
-/* From hits / from a stored file that aob_gbuffer_store wrote. Both allocate; aob_gbuffer_finish frees. */
-bool aob_gbuffer_store(const struct aob_hits *hits, const char *path, struct aob_error *error);
+/* From hits on the mesh that was cast / from a stored file that aob_gbuffer_store wrote. Both allocate; aob_gbuffer_finish frees. */
+bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh, const char *path,
+                       struct aob_error *error);
 bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,
                       int width, int height, int guard, struct aob_error *error);
 void aob_gbuffer_finish(struct aob_gbuffer *gbuffer);

@@ -7,13 +7,13 @@
 #include <strings.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "import_material.h"
 
-const char aob_mesh_importer_version[] = "1";
+const char aob_mesh_importer_version[] = "2";
 
-/* Materials go with the rest: they would only split the mesh. */
-static const int dropped = aiComponent_TEXCOORDS | aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS |
+static const int dropped = aiComponent_TEXCOORDS | aiComponent_TANGENTS_AND_BITANGENTS |
                            aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES |
-                           aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_MATERIALS;
+                           aiComponent_LIGHTS | aiComponent_CAMERAS;
 static const unsigned steps = aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
                               aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices |
                               aiProcess_GenSmoothNormals | aiProcess_FindDegenerates |
@@ -43,8 +43,10 @@ static struct aob_vec3 unit_normal(struct aiVector3D v)
     return aob_vec_length(n) > 0.5 ? n : aob_vec(0, 1, 0);
 }
 
-static void append_part(struct aob_mesh *mesh, const struct aiMesh *part)
+static void append_part(struct aob_mesh *mesh, const struct aiScene *scene, const struct aiMesh *part)
 {
+    const struct aiMaterial *material =
+        part->mMaterialIndex < scene->mNumMaterials ? scene->mMaterials[part->mMaterialIndex] : NULL;
     size_t first = mesh->vertex_count;
     for (unsigned i = 0; i < part->mNumVertices; i++) {
         mesh->positions[first + i] = from_assimp(part->mVertices[i]);
@@ -52,12 +54,15 @@ static void append_part(struct aob_mesh *mesh, const struct aiMesh *part)
             mesh->normals[first + i] = unit_normal(part->mNormals[i]);
     }
     mesh->vertex_count += part->mNumVertices;
+    aob_mesh_paint(mesh, aob_import_material(material, part, NULL));
     for (unsigned i = 0; i < part->mNumFaces; i++) {
         const struct aiFace *face = &part->mFaces[i];
-        if (face->mNumIndices == 3)
-            for (int k = 0; k < 3; k++)
-                mesh->triangles[mesh->triangle_count][k] = (uint32_t)(first + face->mIndices[k]);
-        mesh->triangle_count += face->mNumIndices == 3;
+        if (face->mNumIndices != 3)
+            continue;
+        if (part->mColors[0])
+            aob_mesh_paint(mesh, aob_import_material(material, part, face));
+        aob_mesh_add_triangle(mesh, (uint32_t)(first + face->mIndices[0]),
+                              (uint32_t)(first + face->mIndices[1]), (uint32_t)(first + face->mIndices[2]));
     }
 }
 
@@ -73,7 +78,7 @@ static void gather(struct aob_mesh *mesh, const struct aiScene *scene)
     mesh->normals = normals ? aob_alloc(mesh->vertex_capacity, sizeof *mesh->normals) : NULL;
     mesh->triangles = aob_alloc(mesh->triangle_capacity, sizeof *mesh->triangles);
     for (unsigned i = 0; i < scene->mNumMeshes; i++)
-        append_part(mesh, scene->mMeshes[i]);
+        append_part(mesh, scene, scene->mMeshes[i]);
 }
 
 /* Of strips that assimp does not understand one triangle is left, without a word: what is left is held against the

@@ -6,14 +6,14 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-/* A flat file: this header, positions, normals if any, triangles. Only this machine reads it, so its own
+/* A flat file: this header, positions, normals if any, triangles, materials and their indices if any. Only this machine reads it, so its own
  * number formats serve. */
 struct flat_header {
     char magic[8];
-    uint64_t vertex_count, triangle_count, has_normals, source_bytes;
+    uint64_t vertex_count, triangle_count, has_normals, source_bytes, material_count;
     char key[40]; /* of the geometry: a file changed by one byte is refused */
 };
-static const char flat_magic[8] = "aobmsh2";
+static const char flat_magic[8] = "aobmsh3";
 enum { FLAT_LIMIT_BITS = 40 };
 
 void aob_mesh_finish(struct aob_mesh *mesh)
@@ -21,6 +21,8 @@ void aob_mesh_finish(struct aob_mesh *mesh)
     free(mesh->positions);
     free(mesh->normals);
     free(mesh->triangles);
+    free(mesh->materials);
+    free(mesh->material_of);
     *mesh = (struct aob_mesh){0};
 }
 
@@ -39,6 +41,19 @@ static bool finite_vec(struct aob_vec3 v)
     return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
 }
 
+static bool check_materials(const struct aob_mesh *mesh, const char *name, struct aob_error *error)
+{
+    for (size_t i = 0; i < mesh->material_count; i++)
+        if (!aob_material_valid(&mesh->materials[i]))
+            return aob_fail(error, "%s: material %zu is not of numbers within 0 .. 1: the file is damaged",
+                            name, i);
+    for (size_t i = 0; mesh->material_of && i < mesh->triangle_count; i++)
+        if (mesh->material_of[i] >= mesh->material_count)
+            return aob_fail(error, "%s: triangle %zu is of material %u of %zu: the file is damaged", name, i,
+                            mesh->material_of[i], mesh->material_count);
+    return true;
+}
+
 bool aob_mesh_check(const struct aob_mesh *mesh, const char *name, struct aob_error *error)
 {
     if (!mesh->triangle_count)
@@ -52,18 +67,24 @@ bool aob_mesh_check(const struct aob_mesh *mesh, const char *name, struct aob_er
             if (mesh->triangles[i][k] >= mesh->vertex_count)
                 return aob_fail(error, "%s: triangle %zu names vertex %u of %zu: the file is damaged", name,
                                 i, mesh->triangles[i][k], mesh->vertex_count);
-    return true;
+    return check_materials(mesh, name, error);
 }
 
 void aob_mesh_digest(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE])
 {
-    char parts[3 * (AOB_KEY_SIZE - 1) + 1];
+    char parts[5 * (AOB_KEY_SIZE - 1) + 1];
     char *part = parts;
     aob_hash_bytes(mesh->positions, mesh->vertex_count * sizeof *mesh->positions, part);
     part += AOB_KEY_SIZE - 1;
     aob_hash_bytes(mesh->triangles, mesh->triangle_count * sizeof *mesh->triangles, part);
     part += AOB_KEY_SIZE - 1;
     aob_hash_bytes(mesh->normals, mesh->normals ? mesh->vertex_count * sizeof *mesh->normals : 0, part);
+    if (mesh->materials) {
+        part += AOB_KEY_SIZE - 1;
+        aob_hash_bytes(mesh->materials, mesh->material_count * sizeof *mesh->materials, part);
+        part += AOB_KEY_SIZE - 1;
+        aob_hash_bytes(mesh->material_of, mesh->triangle_count * sizeof *mesh->material_of, part);
+    }
     aob_hash_text(parts, key);
 }
 
@@ -81,13 +102,18 @@ bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_err
     struct flat_header header = {.vertex_count = mesh->vertex_count,
                                  .triangle_count = mesh->triangle_count,
                                  .has_normals = mesh->normals != NULL,
-                                 .source_bytes = mesh->source_bytes};
+                                 .source_bytes = mesh->source_bytes,
+                                 .material_count = mesh->material_count};
     memcpy(header.magic, flat_magic, sizeof header.magic);
     flat_key(mesh, header.key);
-    const void *parts[] = {&header, mesh->positions, mesh->normals, mesh->triangles};
-    const size_t sizes[] = {sizeof header, mesh->vertex_count * sizeof *mesh->positions,
+    const void *parts[] = {&header,         mesh->positions, mesh->normals,
+                           mesh->triangles, mesh->materials, mesh->material_of};
+    const size_t sizes[] = {sizeof header,
+                            mesh->vertex_count * sizeof *mesh->positions,
                             mesh->normals ? mesh->vertex_count * sizeof *mesh->normals : 0,
-                            mesh->triangle_count * sizeof *mesh->triangles};
+                            mesh->triangle_count * sizeof *mesh->triangles,
+                            mesh->material_count * sizeof *mesh->materials,
+                            mesh->materials ? mesh->triangle_count * sizeof *mesh->material_of : 0};
     size_t total = 0;
     for (size_t i = 0; i < AOB_COUNT(sizes); i++)
         total += sizes[i];
@@ -106,11 +132,14 @@ static bool header_fits(const struct flat_header *header, size_t size)
 {
     if (memcmp(header->magic, flat_magic, sizeof header->magic) || header->has_normals > 1)
         return false;
-    if (header->vertex_count > size || header->triangle_count > size) /* so that the sum below cannot wrap */
+    if (header->vertex_count > size || header->triangle_count > size ||
+        header->material_count > size) /* so that the sum below cannot wrap */
         return false;
+    uint64_t per_triangle = sizeof(uint32_t) * (header->material_count ? 4 : 3);
     uint64_t per_vertex = sizeof(struct aob_vec3) * (1 + header->has_normals);
-    return size ==
-           sizeof *header + header->vertex_count * per_vertex + header->triangle_count * 3 * sizeof(uint32_t);
+    return size == sizeof *header + header->vertex_count * per_vertex +
+                       header->triangle_count * per_triangle +
+                       header->material_count * sizeof(struct aob_material);
 }
 
 /* The next `count` elements of the file, in memory of their own. */
@@ -142,6 +171,12 @@ bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error 
         if (header.has_normals)
             mesh->normals = take(&at, mesh->vertex_count, sizeof *mesh->normals);
         mesh->triangles = take(&at, mesh->triangle_count, sizeof *mesh->triangles);
+        if (header.material_count) {
+            mesh->material_count = mesh->material_capacity = header.material_count;
+            mesh->materials = take(&at, mesh->material_count, sizeof *mesh->materials);
+            mesh->material_of_capacity = mesh->triangle_count;
+            mesh->material_of = take(&at, mesh->triangle_count, sizeof *mesh->material_of);
+        }
         char key[sizeof header.key] = "";
         flat_key(mesh, key);
         ok = !memcmp(key, header.key, sizeof key);

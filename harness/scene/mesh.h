@@ -6,12 +6,17 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/vec.h"
+#include "material.h"
 
 struct aob_mesh {
     struct aob_vec3 *positions; /* vertex_count */
     struct aob_vec3 *normals;   /* vertex_count shading normals, unit; NULL: the geometric ones serve */
     uint32_t (*triangles)[3];   /* triangle_count; the front is counter-clockwise */
     size_t vertex_count, triangle_count, vertex_capacity, triangle_capacity;
+    struct aob_material *materials; /* material_count, [0] the default one; NULL: all is of that */
+    uint32_t *material_of;          /* of a triangle, its place in `materials`; NULL with them */
+    size_t material_count, material_capacity, material_of_capacity;
+    uint32_t material;   /* of the triangles to come; see aob_mesh_paint */
     size_t source_bytes; /* of the file that it was loaded from, if that says how much is in it; else 0 */
 };
 
@@ -29,13 +34,22 @@ void aob_mesh_add_sphere(struct aob_mesh *mesh, struct aob_vec3 centre, double r
 void aob_mesh_add_disc(struct aob_mesh *mesh, struct aob_vec3 centre, struct aob_vec3 normal, double radius,
                        int segments);
 
+/* Triangles added from here on are of this material; before the first call they are of the default one. */
+void aob_mesh_paint(struct aob_mesh *mesh, struct aob_material material);
+
+/* What a triangle is made of, and the place of that in the table (0 without one). */
+const struct aob_material *aob_mesh_material(const struct aob_mesh *mesh, uint32_t triangle);
+uint32_t aob_mesh_material_index(const struct aob_mesh *mesh, uint32_t triangle);
+
 /* Bounds of all vertices; an empty mesh gives zeros. */
 void aob_mesh_bounds(const struct aob_mesh *mesh, struct aob_vec3 *low, struct aob_vec3 *high);
 
-/* Every index in range, every vertex finite, at least one triangle; else one line that begins with `name`. */
+/* Every index in range, every vertex finite, materials within 0..1, at least one triangle; else one line that begins
+ * with `name`. */
 bool aob_mesh_check(const struct aob_mesh *mesh, const char *name, struct aob_error *error);
 
-/* Of vertices and triangles: the part of a cache key that says which geometry. */
+/* Of vertices and triangles, and of materials if there are any (a cached G-buffer holds their colour): the part of a
+ * cache key that says which geometry. */
 void aob_mesh_digest(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE]);
 
 /* The flat file in which a loaded mesh passes from the loader's process to the others, and its reader. The
@@ -44,7 +58,11 @@ bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_err
 bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error *error);
 
 /* Any mesh file by assimp (OBJ, PLY, glTF, 3DS, ...): triangulated, node transforms applied, shading normals
- * kept or made (60 degrees). Runs hostile parsers over hostile bytes: only ever call it in a child process
+ * kept or made (60 degrees, not across materials). Materials: glTF's factors, with glTF's own defaults for what a material leaves out (a nameless one that leaves out all counts as
+ * none); OBJ's Kd (0.6 if left out), Pr
+ * and Pm; of other formats the diffuse colour. Textures are not read. Vertex colours, as PLY has them, are averaged over
+ * each triangle and multiply the base colour (they are it, where there is no material). Numbers are taken as linear and
+ * clamped to 0..1; what is missing is as in aob_material_default. Runs hostile parsers over hostile bytes: only ever call it in a child process
  * with limits. */
 bool aob_mesh_import(struct aob_mesh *mesh, const char *path, struct aob_error *error);
 
@@ -55,6 +73,6 @@ enum { AOB_MESH_WARNINGS = 2 };
 size_t aob_mesh_suspect(const struct aob_mesh *mesh, const char *name,
                         struct aob_error warnings[AOB_MESH_WARNINGS]);
 
-/* Raised when the importer would make other geometry of the same file; part of cache keys. */
+/* Raised when the importer would make other geometry or materials of the same file; part of cache keys. */
 extern const char aob_mesh_importer_version[];
 #endif

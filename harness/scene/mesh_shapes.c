@@ -9,6 +9,11 @@ uint32_t aob_mesh_add_vertex(struct aob_mesh *mesh, struct aob_vec3 position)
 
 void aob_mesh_add_triangle(struct aob_mesh *mesh, uint32_t a, uint32_t b, uint32_t c)
 {
+    if (mesh->material_of) {
+        mesh->material_of = aob_grow(mesh->material_of, mesh->triangle_count, &mesh->material_of_capacity,
+                                     sizeof *mesh->material_of);
+        mesh->material_of[mesh->triangle_count] = mesh->material;
+    }
     uint32_t *triangle = *AOB_PUSH(mesh->triangles, mesh->triangle_count, mesh->triangle_capacity);
     triangle[0] = a;
     triangle[1] = b;

@@ -77,11 +77,18 @@ static const struct aob_scene_info spheres = {
 static void build_cornell(struct aob_mesh *mesh)
 {
     struct aob_vec3 x = aob_vec(2, 0, 0), y = aob_vec(0, 2, 0), z = aob_vec(0, 0, 2);
+    const struct aob_material white = {.base_colour = {0.725f, 0.71f, 0.68f}, .roughness = 1},
+                              red = {.base_colour = {0.63f, 0.065f, 0.05f}, .roughness = 1},
+                              green = {.base_colour = {0.14f, 0.45f, 0.091f}, .roughness = 1};
+    aob_mesh_paint(mesh, white);
     aob_mesh_add_quad(mesh, aob_vec(-1, 0, -1), z, x); /* floor */
     aob_mesh_add_quad(mesh, aob_vec(-1, 2, -1), x, z); /* ceiling */
     aob_mesh_add_quad(mesh, aob_vec(-1, 0, -1), x, y); /* back */
+    aob_mesh_paint(mesh, red);
     aob_mesh_add_quad(mesh, aob_vec(-1, 0, -1), y, z); /* left */
-    aob_mesh_add_quad(mesh, aob_vec(1, 0, -1), z, y);  /* right */
+    aob_mesh_paint(mesh, green);
+    aob_mesh_add_quad(mesh, aob_vec(1, 0, -1), z, y); /* right */
+    aob_mesh_paint(mesh, white);
     aob_mesh_add_box(mesh, aob_vec(-0.65, 0, -0.6), aob_vec(-0.05, 1.2, 0), 18);
     aob_mesh_add_box(mesh, aob_vec(0.05, 0, 0), aob_vec(0.65, 0.6, 0.6), -17);
 }
@@ -94,7 +101,9 @@ static const struct aob_scene_info cornell = {
     .name = "cornell",
     .title =
         "Room x -1..1, y 0..2, z -1..1 m, open at z = 1; blocks 0.6 x 1.2 x 0.6 about (-0.35, 0.6, -0.3) "
-        "turned 18 degrees and 0.6 x 0.6 x 0.6 about (0.35, 0.3, 0.3) turned -17",
+        "turned 18 degrees and 0.6 x 0.6 x 0.6 about (0.35, 0.3, 0.3) turned -17; base colour 0.725 0.71 "
+        "0.68, "
+        "left wall 0.63 0.065 0.05, right wall 0.14 0.45 0.091",
     .metres_per_unit = 1,
     .views = cornell_views,
     .view_count = AOB_COUNT(cornell_views),

@@ -1,28 +1,55 @@
 #include "source.h"
 #include <jansson.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/text.h"
 
-/* Buffers that lie beside a .gltf; one that is missing is the importer's to complain of. */
+/* A file that lies beside the mesh; one that is missing is the importer's to complain of. */
+static void add_neighbour(const char *file, const char *name, struct aob_text *text)
+{
+    const char *slash = strrchr(file, '/');
+    char key[AOB_KEY_SIZE];
+    struct aob_text path = {0};
+    aob_text_add(&path, "%.*s%s", slash ? (int)(slash - file) + 1 : 0, file, name);
+    if (aob_hash_file(path.data, key, NULL))
+        aob_text_add(text, " %s", key);
+    aob_text_finish(&path);
+}
+
+/* The materials of an OBJ: lines `mtllib NAME`. */
+static void add_libraries(const char *file, struct aob_text *text)
+{
+    FILE *in = fopen(file, "r");
+    char *line = NULL;
+    size_t room = 0;
+    while (in && getline(&line, &room, in) > 0) {
+        char *name = line + strspn(line, " \t");
+        if (strncmp(name, "mtllib", 6) != 0 || !strchr(" \t", name[6]))
+            continue;
+        name += 6 + strspn(name + 6, " \t");
+        for (size_t size = strlen(name); size && strchr(" \t\r\n", name[size - 1]); size--)
+            name[size - 1] = '\0';
+        if (*name)
+            add_neighbour(file, name, text);
+    }
+    free(line);
+    if (in)
+        fclose(in);
+}
+
 static void add_buffers(const char *file, struct aob_text *text)
 {
     json_t *document = json_load_file(file, 0, NULL), *buffer;
-    const char *slash = strrchr(file, '/');
     size_t at;
     json_array_foreach(json_object_get(document, "buffers"), at, buffer)
     {
         const char *uri = json_string_value(json_object_get(buffer, "uri"));
-        char key[AOB_KEY_SIZE];
-        struct aob_text path = {0};
-        if (!uri || strncmp(uri, "data:", 5) == 0)
-            continue;
-        aob_text_add(&path, "%.*s%s", slash ? (int)(slash - file) + 1 : 0, file, uri);
-        if (aob_hash_file(path.data, key, NULL))
-            aob_text_add(text, " %s", key);
-        aob_text_finish(&path);
+        if (uri && strncmp(uri, "data:", 5) != 0)
+            add_neighbour(file, uri, text);
     }
     json_decref(document);
 }
@@ -36,6 +63,8 @@ static bool digest_file(const char *file, char key[AOB_KEY_SIZE], struct aob_err
     aob_text_add(&text, "%s %s %s", key, ending ? ending : "", aob_mesh_importer_version);
     if (ending && strcmp(ending, ".gltf") == 0)
         add_buffers(file, &text);
+    if (ending && strcasecmp(ending, ".obj") == 0)
+        add_libraries(file, &text);
     aob_hash_text(text.data, key);
     aob_text_finish(&text);
     return true;

@@ -6,7 +6,7 @@
 #include "scene.h"
 
 /* Of the geometry itself for a procedural scene (file NULL); for a mesh file of its bytes, its ending, the importer's
- * version, and the buffers that a .gltf names. False with a line if the file cannot be read. */
+ * version, and the files that it names: buffers of a .gltf, material libraries of an .obj. False with a line if the file cannot be read. */
 bool aob_source_digest(const struct aob_scene_info *info, const char *file, char key[AOB_KEY_SIZE],
                        struct aob_error *error);
 #endif

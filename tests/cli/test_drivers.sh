@@ -42,6 +42,23 @@ for channel in Z N.X N.Y N.Z technique.AO reference.AO reference.SE error.AO def
   check "the image has $channel" grep -qa "$channel" shot.exr
 done
 
+# Colours only of a painted scene, velocity only of a camera that moves; the lens shift in an attribute.
+cat >moving.yaml <<'YAML'
+name: moving
+scenes:
+  - {name: cornell, eye: [0, 1, 3.4], target: [0, 1, 0], shift: [0.25, 0], previous: {eye: [0.1, 1, 3.4], target: [0, 1, 0]}}
+resolutions: [32x18]
+backends: ["null"]
+techniques: [{name: none}]
+measure: {time: false, error: false}
+YAML
+check "a moving, off-centre camera" "$program" run moving.yaml --out moving --quiet
+for channel in albedo.R albedo.G albedo.B V.X V.Y aobudget.shift; do
+  check "its image has $channel" grep -qa "$channel" moving/images/*.exr
+done
+check "and its record" grep -q '"shift":\[0.25,0.0\],"previous":{"eye":\[0.1' moving/journal.jsonl
+check "the image of a still one has no velocity" test "$(grep -ca 'V\.X\|albedo' shot.exr)" -eq 0
+
 # A user's mesh, framed by itself and by a camera.
 printf 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 1 -1\nv 1 1 -1\nf 1 3 2\nf 1 4 3\nf 1 2 6\nf 1 6 5\n' >mesh.obj
 check "a mesh file" "$program" shot --technique gtao --scene mesh.obj --size 96x54 --reference-spp 16

@@ -156,14 +156,19 @@ static void a_saved_mesh_comes_back(void **state)
         struct aob_mesh mesh = {0}, back;
         struct aob_error error = {""};
         aob_mesh_add_sphere(&mesh, aob_vec(0, 0, 0), 1, 12);
-        if (normals)
+        if (normals) {
             add_normals(&mesh);
+            aob_mesh_paint(&mesh, (struct aob_material){.base_colour = {1, 0, 0.5f}, .metalness = 1});
+            aob_mesh_add_triangle(&mesh, 0, 1, 2);
+        }
         aob_mesh_digest(&mesh, before);
         assert_true(aob_mesh_save(&mesh, path, &error));
         assert_true(aob_mesh_restore(&back, path, &error));
         aob_mesh_digest(&back, after);
         assert_string_equal(before, after);
         assert_int_equal(back.normals != NULL, normals);
+        assert_int_equal(back.material_count, 2 * normals);
+        assert_true(aob_mesh_material(&back, (uint32_t)back.triangle_count - 1)->metalness == (float)normals);
         aob_mesh_finish(&mesh);
         aob_mesh_finish(&back);
     }
@@ -187,6 +192,7 @@ static void damaged_files_are_refused(void **state)
     scratch_path(path);
     struct aob_mesh mesh = {0};
     struct aob_error error = {""};
+    aob_mesh_paint(&mesh, (struct aob_material){.metalness = 1});
     aob_mesh_add_quad(&mesh, aob_vec(0, 0, 0), aob_vec(1, 0, 0), aob_vec(0, 1, 0));
     assert_true(aob_mesh_save(&mesh, path, &error));
     aob_mesh_finish(&mesh);
