@@ -195,13 +195,14 @@ size_t aob_mesh_suspect(const struct aob_mesh *mesh, const char *name,
     size_t count = 0;
     struct aob_vec3 low, high;
     aob_mesh_bounds(mesh, &low, &high);
-    double extent = aob_vec_length(aob_vec_sub(high, low)), away = aob_vec_length(aob_vec_add(low, high)) / 2;
+    struct aob_vec3 box = aob_vec_sub(high, low);
+    double extent = fmax(box.x, fmax(box.y, box.z)), away = aob_vec_length(aob_vec_add(low, high)) / 2;
     float far = (float)fmax(fmax(fabs(low.x + high.x), fabs(low.y + high.y)), fabs(low.z + high.z)) / 2;
     if (mesh->source_bytes > 512 + 400 * mesh->triangle_count)
         aob_fail(&warnings[count++],
                  "%s: %zu bytes but only %zu triangles: much of the file was not understood (strips?)", name,
                  mesh->source_bytes, mesh->triangle_count);
-    if (away >= 1e4 * extent)
+    if (away >= 5e3 * extent)
         aob_fail(&warnings[count++],
                  "%s: lies %g from the origin and is %g large: its vertices are rounded to steps of %.2g; "
                  "move it to "

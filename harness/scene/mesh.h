@@ -66,9 +66,9 @@ bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error 
  * with limits. */
 bool aob_mesh_import(struct aob_mesh *mesh, const char *path, struct aob_error *error);
 
-/* What makes a loaded mesh suspicious, a line each that begins with `name`: more than 400 bytes
- * of the file a triangle (strips that were not understood); a centre 1e4 extents or more from the origin (32-bit floats have lost its detail; the
- * line says to what step). Returns how many lines were written. */
+/* What makes a loaded mesh suspicious, a line each that begins with `name`: more than 400 bytes of the file a triangle
+ * (strips that were not understood); a centre 5000 longest sides or more from the origin (32-bit floats have lost its
+ * detail, a side has 3,400 steps at most; the line says how large one is). Returns how many lines were written. */
 enum { AOB_MESH_WARNINGS = 2 };
 size_t aob_mesh_suspect(const struct aob_mesh *mesh, const char *name,
                         struct aob_error warnings[AOB_MESH_WARNINGS]);

@@ -65,6 +65,12 @@ check "a mesh file" "$program" shot --technique gtao --scene mesh.obj --size 96x
 awk '/^v/ { $2 += 3e5; $3 += 3e5 } { print }' mesh.obj >far.obj
 "$program" shot --technique none --scene far.obj --size 16x9 --reference-spp 2 >/dev/null 2>far.err
 check "a mesh far from the origin is warned of, with the step of its rounding" grep -q 'warning: far.obj: lies .* rounded to steps of 0.031' far.err
+awk '/^v/ { $2 += 2e4 } { print }' mesh.obj >four.obj
+"$program" shot --technique none --scene four.obj --size 16x9 --reference-spp 2 >/dev/null 2>four.err
+check "at 10,000 times its side it is, in one line" test "$(grep -c 'warning: four.obj: lies .* rounded to steps of 0.002;' four.err)" -eq 1
+awk '/^v/ { $2 += 200 } { print }' mesh.obj >two.obj
+"$program" shot --technique none --scene two.obj --size 16x9 --reference-spp 2 >/dev/null 2>two.err
+check "at 100 times its side it is not" test "$(grep -c warning two.err)" -eq 0
 {
   printf 'ply\nformat ascii 1.0\nelement vertex 600\nproperty float x\nproperty float y\nproperty float z\n'
   printf 'element tristrips 1\nproperty list int int vertex_indices\nend_header\n'
