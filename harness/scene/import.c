@@ -3,11 +3,13 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include "base/file.h"
 #include "base/memory.h"
 #include "import_material.h"
+#include "ply_pad.h"
 
 const char aob_mesh_importer_version[] = "2";
 
@@ -26,7 +28,12 @@ static const struct aiScene *import_scene(const char *path)
                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     aiSetImportPropertyInteger(options, AI_CONFIG_PP_RVC_FLAGS, dropped);
     aiSetImportPropertyFloat(options, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 60);
-    const struct aiScene *scene = aiImportFileExWithProperties(path, steps, NULL, options);
+    size_t size;
+    char *padded = aob_ply_pad(path, &size);
+    const struct aiScene *scene =
+        padded ? aiImportFileFromMemoryWithProperties(padded, (unsigned)size, steps, "ply", options)
+               : aiImportFileExWithProperties(path, steps, NULL, options);
+    free(padded);
     aiReleasePropertyStore(options);
     return scene;
 }

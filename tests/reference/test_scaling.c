@@ -122,6 +122,13 @@ static void a_machine_keeps_its_reference(void **state)
     check_scene("machine", "train");
 }
 
+/* Its file's first number is -0.01, whose first byte is a line end. */
+static void a_hall_keeps_its_reference(void **state)
+{
+    (void)state;
+    check_scene("atrium", "column");
+}
+
 /* One line, with the spacing of 32-bit floats there; at 100 extents none. */
 static void far_vertices_are_warned_of(void **state)
 {
@@ -149,6 +156,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_room_keeps_its_reference),
         cmocka_unit_test(a_machine_keeps_its_reference),
+        cmocka_unit_test(a_hall_keeps_its_reference),
         cmocka_unit_test(far_vertices_are_warned_of),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
