@@ -22,16 +22,20 @@ static void write_ply(const struct aob_mesh *mesh, double scale, struct aob_vec3
         "ply\nformat binary_little_endian 1.0\nelement vertex %zu\nproperty float x\nproperty float "
         "y\nproperty float z\nelement face %zu\nproperty list uchar int vertex_indices\nend_header\n",
         mesh->vertex_count, mesh->triangle_count);
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
+    size_t size = text.size + mesh->vertex_count * 12 + mesh->triangle_count * 13;
+    char *bytes = aob_alloc(size, 1), *at = bytes + text.size;
+    memcpy(bytes, text.data, text.size);
+    for (size_t i = 0; i < mesh->vertex_count; i++, at += 12) {
         struct aob_vec3 p = place(mesh->positions[i], scale, move);
         const float v[3] = {(float)p.x, (float)p.y, (float)p.z};
-        aob_text_add_bytes(&text, (const char *)v, sizeof v);
+        memcpy(at, v, sizeof v);
     }
-    for (size_t i = 0; i < mesh->triangle_count; i++) {
-        aob_text_add_bytes(&text, "\3", 1);
-        aob_text_add_bytes(&text, (const char *)mesh->triangles[i], sizeof mesh->triangles[i]);
+    for (size_t i = 0; i < mesh->triangle_count; i++, at += 13) {
+        *at = 3;
+        memcpy(at + 1, mesh->triangles[i], sizeof mesh->triangles[i]);
     }
-    assert_true(aob_file_write(path, text.data, text.size, NULL));
+    assert_true(aob_file_write(path, bytes, size, NULL));
+    free(bytes);
     aob_text_finish(&text);
 }
 
