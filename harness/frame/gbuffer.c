@@ -65,19 +65,20 @@ bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh,
     return ok;
 }
 
-static float *copy_vectors(const struct aob_image *image, const char *const names[3], size_t count)
+/* `size` channels side by side, `stride` floats a pixel, the rest 0; NULL unless all are there. */
+static float *interleave(const struct aob_image *image, const char *const *names, size_t size, size_t stride)
 {
-    float *vectors = AOB_NEW_ARRAY(float, 4 * count);
-    for (int c = 0; c < 3; c++) {
-        const float *channel = aob_image_channel(image, names[c]);
-        for (size_t i = 0; channel && i < count; i++)
-            vectors[4 * i + (size_t)c] = channel[i];
-        if (!channel) {
-            free(vectors);
+    size_t count = (size_t)image->width * (size_t)image->height;
+    for (size_t c = 0; c < size; c++)
+        if (!aob_image_channel(image, names[c]))
             return NULL;
-        }
+    float *into = AOB_NEW_ARRAY(float, stride *count);
+    for (size_t c = 0; c < size; c++) {
+        const float *from = aob_image_channel(image, names[c]);
+        for (size_t i = 0; i < count; i++)
+            into[stride * i + c] = from[i];
     }
-    return vectors;
+    return into;
 }
 
 static bool copy_channels(struct aob_gbuffer *gbuffer, const struct aob_image *image, size_t count)
@@ -88,24 +89,9 @@ static bool copy_channels(struct aob_gbuffer *gbuffer, const struct aob_image *i
     gbuffer->depth = AOB_NEW_ARRAY(float, count);
     for (size_t i = 0; i < count; i++)
         gbuffer->depth[i] = z[i] > 0 ? z[i] : AOB_GBUFFER_SKY;
-    gbuffer->normal = copy_vectors(image, normal_names, count);
-    gbuffer->shading = copy_vectors(image, shading_names, count);
+    gbuffer->normal = interleave(image, normal_names, 3, 4);
+    gbuffer->shading = interleave(image, shading_names, 3, 4);
     return gbuffer->normal && gbuffer->shading;
-}
-
-/* `size` channels side by side; NULL unless all are there. */
-static float *interleave(const struct aob_image *image, const char *const *names, size_t size, size_t count)
-{
-    for (size_t c = 0; c < size; c++)
-        if (!aob_image_channel(image, names[c]))
-            return NULL;
-    float *into = AOB_NEW_ARRAY(float, size *count);
-    for (size_t c = 0; c < size; c++) {
-        const float *from = aob_image_channel(image, names[c]);
-        for (size_t i = 0; i < count; i++)
-            into[size * i + c] = from[i];
-    }
-    return into;
 }
 
 bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,
@@ -119,8 +105,8 @@ bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struc
     bool fits = image.width == gbuffer->projection.width && image.height == gbuffer->projection.height;
     size_t count = (size_t)image.width * (size_t)image.height;
     if (fits) {
-        gbuffer->albedo = interleave(&image, albedo_names, 3, count);
-        gbuffer->velocity = camera->moves ? interleave(&image, velocity_names, 2, count) : NULL;
+        gbuffer->albedo = interleave(&image, albedo_names, 3, 3);
+        gbuffer->velocity = camera->moves ? interleave(&image, velocity_names, 2, 2) : NULL;
     }
     bool ok = fits && copy_channels(gbuffer, &image, count) && !gbuffer->velocity == !camera->moves;
     aob_image_finish(&image);

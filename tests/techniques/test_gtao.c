@@ -277,6 +277,7 @@ int main(void)
         cmocka_unit_test(test_corner_front),        cmocka_unit_test(test_corner_far),
         cmocka_unit_test(test_uniform_weighting),   cmocka_unit_test(test_divided_sizes),
         cmocka_unit_test(test_temporal_noise),      cmocka_unit_test(test_open_plane_is_open),
-        cmocka_unit_test(test_orthographic_corner), cmocka_unit_test(test_off_centre_corner), cmocka_unit_test(test_sphere_is_open)};
+        cmocka_unit_test(test_orthographic_corner), cmocka_unit_test(test_off_centre_corner),
+        cmocka_unit_test(test_sphere_is_open)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
