@@ -19,10 +19,7 @@ struct aob_gbuffer {
         shading; /* likewise, interpolated normals on the geometric one's side; that one where there are none */
     float
         *velocity; /* two floats a pixel, as struct aob_hits has them; NULL: the camera is still, all are 0 */
-    float *depth;  /* scene units along the view axis; AOB_GBUFFER_SKY where sky */
-    float *normal; /* four floats a pixel: geometric normal, view space, towards the camera; 0 */
-    float *albedo; /* three floats a pixel, base colour; 0 where sky; NULL: the default's throughout */
-    float *velocity; /* two floats a pixel, as struct aob_hits has them; NULL: a still camera, all are 0 */
+    float *albedo; /* three floats a pixel: base colour, linear, 0 where sky; NULL: the default throughout */
 };
 #define AOB_GBUFFER_SKY 1e9f /* far beyond any scene, and its square is finite; AOB_SKY_Z in shaders */
 
