@@ -28,6 +28,6 @@ uint32_t aob_glsl_bindings(const uint32_t *words, size_t word_count);
 /* The functions above, put in front of every text. */
 extern const char aob_glsl_arithmetic[];
 
-/* The vertex program of every pass: one triangle that covers the target; the body of the text, as above. */
+/* The vertex program of every pass without one of its own: one triangle that covers the target; the body of the text, as above. */
 extern const char aob_glsl_screen_triangle[];
 #endif

@@ -98,7 +98,16 @@ bool aob_gpu_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *tex
 struct aob_gpu_program *aob_gpu_program_create(struct aob_gpu *gpu, const char *glsl, struct aob_error *error)
 {
     struct aob_gpu_program *program = NULL;
-    gpu->fns->program_create(gpu, glsl, &program, error);
+    gpu->fns->program_create(gpu, NULL, glsl, &program, error);
+    return program;
+}
+
+struct aob_gpu_program *aob_gpu_program_create_geometry(struct aob_gpu *gpu, const char *vertex,
+                                                        const char *fragment, struct aob_error *error)
+{
+    struct aob_gpu_program *program = NULL;
+    if (gpu->fns->program_create(gpu, vertex, fragment, &program, error))
+        program->geometry = true;
     return program;
 }
 
@@ -176,6 +185,20 @@ static bool check_bindings(const char *name, const struct aob_gpu_pass_desc *des
     return true;
 }
 
+static bool check_geometry(const char *name, const struct aob_gpu_pass_desc *desc, struct aob_error *error)
+{
+    if (!desc->program->geometry)
+        return (!desc->vertex_count && !desc->depth_test && desc->blend == AOB_GPU_REPLACE) ||
+               aob_fail(error,
+                        "%s: pass with vertices, depth or blending, but its program has no vertex text",
+                        name);
+    if (!desc->vertex_count || desc->vertex_count % 3 || desc->vertex_count > INT32_MAX)
+        return aob_fail(error, "%s: pass with %u vertices: it must have three a triangle, and one triangle",
+                        name, desc->vertex_count);
+    return desc->blend == AOB_GPU_REPLACE || desc->blend == AOB_GPU_ADD ||
+           aob_fail(error, "%s: pass with an unknown blend %d", name, (int)desc->blend);
+}
+
 struct aob_gpu_pass *aob_gpu_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc,
                                          struct aob_error *error)
 {
@@ -183,7 +206,8 @@ struct aob_gpu_pass *aob_gpu_pass_create(struct aob_gpu *gpu, const struct aob_g
     struct aob_gpu_pass *pass = NULL;
     if (!desc->program)
         aob_fail(error, "%s: pass without a program", name);
-    else if (check_targets(name, desc, error) && check_bindings(name, desc, error))
+    else if (check_targets(name, desc, error) && check_bindings(name, desc, error) &&
+             check_geometry(name, desc, error))
         gpu->fns->pass_create(gpu, desc, &pass, error);
     return pass;
 }

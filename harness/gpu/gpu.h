@@ -44,6 +44,10 @@ struct aob_gpu_bind {
     enum aob_filter filter;
     const struct aob_gpu_texture *texture;
 };
+enum aob_gpu_blend {
+    AOB_GPU_REPLACE,
+    AOB_GPU_ADD, /* to what the target holds, in its own format */
+};
 struct aob_gpu_pass_desc {
     const struct aob_gpu_program *program;
     const struct aob_gpu_bind *binds;
@@ -52,6 +56,11 @@ struct aob_gpu_pass_desc {
     size_t target_count;
     const void *uniforms; /* std140 block at binding 0 (copied); NULL: the program declares none */
     size_t uniform_size;
+    /* Of a program with a vertex text only, zero for others. Its targets are cleared to 0 first; triangles are
+     * drawn in order, both sides alike. */
+    uint32_t vertex_count; /* three a triangle */
+    bool depth_test;       /* against a float depth of the pass's own, cleared to 0: the greater wins */
+    enum aob_gpu_blend blend;
 };
 
 /* One row per backend. All slots are required. */
@@ -66,8 +75,8 @@ struct aob_gpu_fns {
     void (*texture_destroy)(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
     bool (*texture_read)(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels,
                          struct aob_error *error);
-    bool (*program_create)(struct aob_gpu *gpu, const char *glsl, struct aob_gpu_program **program,
-                           struct aob_error *error);
+    bool (*program_create)(struct aob_gpu *gpu, const char *vertex /* NULL: the screen triangle */,
+                           const char *fragment, struct aob_gpu_program **program, struct aob_error *error);
     void (*program_destroy)(struct aob_gpu *gpu, struct aob_gpu_program *program);
     bool (*pass_create)(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass **pass,
                         struct aob_error *error);
@@ -85,6 +94,7 @@ struct aob_gpu_texture { /* likewise */
 };
 struct aob_gpu_program { /* likewise */
     uint32_t bindings;   /* bit n: it declares BIND(n), so a pass must bind it */
+    bool geometry;       /* it has a vertex text */
 };
 
 extern const struct aob_gpu_fns *const aob_gpu_backends[]; /* NULL-ended, in the order of `list backends` */
@@ -106,6 +116,12 @@ bool aob_gpu_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *tex
  * over the full target by one triangle. A compile error's first line, with its line number, is the reason. */
 struct aob_gpu_program *aob_gpu_program_create(struct aob_gpu *gpu, const char *glsl,
                                                struct aob_error *error);
+
+/* A program that draws triangles: its vertex text has no inputs but VERTEX_ID and its bindings, which both
+ * texts share, and writes gl_Position (0 <= z <= w is seen; y = -w is the image's upper edge on every API).
+ * Outputs of the one are inputs of the other by location. */
+struct aob_gpu_program *aob_gpu_program_create_geometry(struct aob_gpu *gpu, const char *vertex,
+                                                        const char *fragment, struct aob_error *error);
 void aob_gpu_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program);
 
 /* A pass is recorded once and run many times. It reads and writes whole textures; a texture must not be both.

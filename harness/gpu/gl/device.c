@@ -122,6 +122,8 @@ static bool set_up(struct gl *gl, struct aob_error *error)
         return false;
     gl->api.Disable(GL_DITHER);
     gl->api.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    gl->api.DepthFunc(GL_GREATER);
+    gl->api.BlendFunc(GL_ONE, GL_ONE);
     gl->api.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl->api.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     create_samplers(gl);

@@ -11,6 +11,7 @@
     X(PFNGLGETSTRINGPROC, GetString)                                                                         \
     X(PFNGLGETSTRINGIPROC, GetStringi)                                                                       \
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                                     \
+    X(PFNGLENABLEPROC, Enable)                                                                               \
     X(PFNGLDISABLEPROC, Disable)                                                                             \
     X(PFNGLFINISHPROC, Finish)                                                                               \
     X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                                     \
@@ -49,6 +50,13 @@
     X(PFNGLNAMEDFRAMEBUFFERTEXTUREPROC, NamedFramebufferTexture)                                             \
     X(PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC, NamedFramebufferDrawBuffers)                                     \
     X(PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC, CheckNamedFramebufferStatus)                                     \
+    X(PFNGLCLEARNAMEDFRAMEBUFFERFVPROC, ClearNamedFramebufferfv)                                             \
+    X(PFNGLCREATERENDERBUFFERSPROC, CreateRenderbuffers)                                                     \
+    X(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers)                                                     \
+    X(PFNGLNAMEDRENDERBUFFERSTORAGEPROC, NamedRenderbufferStorage)                                           \
+    X(PFNGLNAMEDFRAMEBUFFERRENDERBUFFERPROC, NamedFramebufferRenderbuffer)                                   \
+    X(PFNGLDEPTHFUNCPROC, DepthFunc)                                                                         \
+    X(PFNGLBLENDFUNCPROC, BlendFunc)                                                                         \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                             \
     X(PFNGLCREATEVERTEXARRAYSPROC, CreateVertexArrays)                                                       \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                             \
@@ -117,8 +125,8 @@ bool aob_gl_texture_create(struct aob_gpu *gpu, enum aob_format format, int widt
 void aob_gl_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
 bool aob_gl_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels,
                          struct aob_error *error);
-bool aob_gl_program_create(struct aob_gpu *gpu, const char *glsl, struct aob_gpu_program **program,
-                           struct aob_error *error);
+bool aob_gl_program_create(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+                           struct aob_gpu_program **program, struct aob_error *error);
 void aob_gl_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program);
 bool aob_gl_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass **pass,
                         struct aob_error *error);

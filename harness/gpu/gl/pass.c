@@ -5,10 +5,13 @@
 #include <string.h>
 
 struct aob_gpu_pass {
-    GLuint framebuffer, uniforms, program;
+    GLuint framebuffer, uniforms, program, depth; /* depth 0: no test */
     struct aob_gpu_bind *binds;
     size_t bind_count;
     GLint width, height;
+    GLsizei vertices;
+    bool add;
+    GLint clears; /* targets */
 };
 
 static bool check_units(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_error *error)
@@ -37,6 +40,13 @@ static void create_framebuffer(const struct gl_api *api, const struct aob_gpu_pa
     pass->height = desc->targets[0]->height;
 }
 
+static void create_depth(const struct gl_api *api, struct aob_gpu_pass *pass)
+{
+    api->CreateRenderbuffers(1, &pass->depth);
+    api->NamedRenderbufferStorage(pass->depth, GL_DEPTH_COMPONENT32F, pass->width, pass->height);
+    api->NamedFramebufferRenderbuffer(pass->framebuffer, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, pass->depth);
+}
+
 static void create_uniforms(const struct gl_api *api, const struct aob_gpu_pass_desc *desc,
                             struct aob_gpu_pass *pass)
 {
@@ -61,7 +71,12 @@ bool aob_gl_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
     made->binds = AOB_NEW_ARRAY(struct aob_gpu_bind, desc->bind_count);
     for (size_t i = 0; i < desc->bind_count; i++)
         made->binds[i] = desc->binds[i];
+    made->vertices = desc->vertex_count ? (GLsizei)desc->vertex_count : 3;
+    made->add = desc->blend == AOB_GPU_ADD;
+    made->clears = desc->program->geometry ? (GLint)desc->target_count : 0;
     create_framebuffer(api, desc, made);
+    if (desc->depth_test)
+        create_depth(api, made);
     if (desc->uniforms)
         create_uniforms(api, desc, made);
     if (api->CheckNamedFramebufferStatus(made->framebuffer, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
@@ -78,6 +93,7 @@ void aob_gl_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass)
 {
     const struct gl_api *api = aob_gl_use(gpu);
     api->DeleteFramebuffers(1, &pass->framebuffer);
+    api->DeleteRenderbuffers(1, &pass->depth);
     api->DeleteBuffers(1, &pass->uniforms);
     free(pass->binds);
     free(pass);
@@ -95,11 +111,30 @@ static void bind_texture(const struct gl *gl, const struct aob_gpu_bind *bind)
     }
 }
 
+static void set_switch(const struct gl_api *api, GLenum what, bool on)
+{
+    if (on)
+        api->Enable(what);
+    else
+        api->Disable(what);
+}
+
+static void clear_targets(const struct gl_api *api, const struct aob_gpu_pass *pass)
+{
+    static const GLfloat zero[4];
+    for (GLint i = 0; i < pass->clears; i++)
+        api->ClearNamedFramebufferfv(pass->framebuffer, GL_COLOR, i, zero);
+    if (pass->depth)
+        api->ClearNamedFramebufferfv(pass->framebuffer, GL_DEPTH, 0, zero);
+}
+
 static void bind_pass(const struct gl *gl, const struct aob_gpu_pass *pass)
 {
     gl->api.BindFramebuffer(GL_DRAW_FRAMEBUFFER, pass->framebuffer);
     gl->api.Viewport(0, 0, pass->width, pass->height);
     gl->api.UseProgram(pass->program);
+    set_switch(&gl->api, GL_DEPTH_TEST, pass->depth);
+    set_switch(&gl->api, GL_BLEND, pass->add);
     if (pass->uniforms)
         gl->api.BindBufferBase(GL_UNIFORM_BUFFER, 0, pass->uniforms);
     for (size_t i = 0; i < pass->bind_count; i++)
@@ -113,7 +148,8 @@ bool aob_gl_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_
     bind_pass((struct gl *)gpu, pass);
     api->Finish();
     int64_t cpu = aob_clock_cpu_ns(), wall = aob_clock_wall_ns();
-    api->DrawArrays(GL_TRIANGLES, 0, 3);
+    clear_targets(api, pass);
+    api->DrawArrays(GL_TRIANGLES, 0, pass->vertices);
     api->Finish();
     time->wall_ns = aob_clock_wall_ns() - wall;
     time->cpu_ns = aob_clock_cpu_ns() - cpu;

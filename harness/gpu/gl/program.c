@@ -32,14 +32,14 @@ GLuint aob_gl_shader_create(struct aob_gpu *gpu, GLenum stage, const uint32_t *w
     return 0;
 }
 
-static bool link_program(struct aob_gpu *gpu, GLuint program, GLuint fragment, struct aob_error *error)
+static bool link_program(struct aob_gpu *gpu, GLuint program, const GLuint shaders[2],
+                         struct aob_error *error)
 {
     const struct gl_api *api = &((struct gl *)gpu)->api;
-    const GLuint shaders[] = {((struct gl *)gpu)->triangle, fragment};
-    for (size_t i = 0; i < AOB_COUNT(shaders); i++)
+    for (size_t i = 0; i < 2; i++)
         api->AttachShader(program, shaders[i]);
     api->LinkProgram(program);
-    for (size_t i = 0; i < AOB_COUNT(shaders); i++)
+    for (size_t i = 0; i < 2; i++)
         api->DetachShader(program, shaders[i]);
     GLint good = 0;
     char log[512] = "";
@@ -51,24 +51,35 @@ static bool link_program(struct aob_gpu *gpu, GLuint program, GLuint fragment, s
     return false;
 }
 
-bool aob_gl_program_create(struct aob_gpu *gpu, const char *glsl, struct aob_gpu_program **program,
-                           struct aob_error *error)
+static bool compile(struct aob_gpu *gpu, const char *text, enum aob_glsl_stage stage, GLuint *shader,
+                    uint32_t *bindings, struct aob_error *error)
 {
-    const struct gl_api *api = aob_gl_use(gpu);
+    static const GLenum stages[] = {
+        [AOB_GLSL_VERTEX] = GL_VERTEX_SHADER, [AOB_GLSL_FRAGMENT] = GL_FRAGMENT_SHADER};
     size_t count;
-    uint32_t *words = aob_glsl_compile(glsl, AOB_GLSL_FRAGMENT, AOB_GLSL_OPENGL, &count, error);
+    uint32_t *words = aob_glsl_compile(text, stage, AOB_GLSL_OPENGL, &count, error);
     if (!words)
         return aob_fail_in(error, "%s", gpu->info.backend);
-    GLuint fragment = aob_gl_shader_create(gpu, GL_FRAGMENT_SHADER, words, count, error);
-    uint32_t bindings = aob_glsl_bindings(words, count);
+    *bindings |= aob_glsl_bindings(words, count);
+    *shader = aob_gl_shader_create(gpu, stages[stage], words, count, error);
     free(words);
-    if (!fragment)
-        return false;
+    return *shader;
+}
+
+bool aob_gl_program_create(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+                           struct aob_gpu_program **program, struct aob_error *error)
+{
+    const struct gl_api *api = aob_gl_use(gpu);
+    GLuint own = 0, shaders[2] = {((struct gl *)gpu)->triangle, 0};
     struct gl_program *made = AOB_NEW(struct gl_program);
-    made->base.bindings = bindings;
     made->name = api->CreateProgram();
-    bool good = link_program(gpu, made->name, fragment, error);
-    api->DeleteShader(fragment);
+    bool good = !vertex || compile(gpu, vertex, AOB_GLSL_VERTEX, &own, &made->base.bindings, error);
+    good = good && compile(gpu, fragment, AOB_GLSL_FRAGMENT, &shaders[1], &made->base.bindings, error);
+    if (own)
+        shaders[0] = own;
+    good = good && link_program(gpu, made->name, shaders, error);
+    api->DeleteShader(own);
+    api->DeleteShader(shaders[1]);
     if (good)
         *program = &made->base;
     else

@@ -71,16 +71,28 @@ static bool null_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture 
     return true;
 }
 
-static bool null_program_create(struct aob_gpu *gpu, const char *glsl, struct aob_gpu_program **program,
-                                struct aob_error *error)
+static bool add_bindings(const char *text, enum aob_glsl_stage stage, uint32_t *bindings,
+                         struct aob_error *error)
 {
     size_t count;
-    uint32_t *words = aob_glsl_compile(glsl, AOB_GLSL_FRAGMENT, AOB_GLSL_VULKAN, &count, error);
+    uint32_t *words = aob_glsl_compile(text, stage, AOB_GLSL_VULKAN, &count, error);
     if (!words)
-        return aob_fail_in(error, "%s", gpu->info.backend);
-    *program = AOB_NEW(struct aob_gpu_program);
-    (*program)->bindings = aob_glsl_bindings(words, count);
+        return aob_fail_in(error, "%s", aob_gpu_null.name);
+    *bindings |= aob_glsl_bindings(words, count);
     free(words);
+    return true;
+}
+
+static bool null_program_create(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+                                struct aob_gpu_program **program, struct aob_error *error)
+{
+    (void)gpu;
+    uint32_t bindings = 0;
+    if ((vertex && !add_bindings(vertex, AOB_GLSL_VERTEX, &bindings, error)) ||
+        !add_bindings(fragment, AOB_GLSL_FRAGMENT, &bindings, error))
+        return false;
+    *program = AOB_NEW(struct aob_gpu_program);
+    (*program)->bindings = bindings;
     return true;
 }
 

@@ -11,6 +11,7 @@ struct aob_gpu_pass {
     VkPipelineLayout layout;
     VkPipeline pipeline;
     VkCommandBuffer commands;
+    struct vk_depth depth; /* NULL handles: none */
 };
 
 enum { MAX_SET = 16, FLUSH_EVERY = 8 };
@@ -26,6 +27,12 @@ static const VkPipelineRasterizationStateCreateInfo fill = {
     .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
     .lineWidth = 1,
 };
+static const VkPipelineDepthStencilStateCreateInfo greater_wins = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
+    .depthTestEnable = VK_TRUE,
+    .depthWriteEnable = VK_TRUE,
+    .depthCompareOp = VK_COMPARE_OP_GREATER,
+};
 static const VkPipelineMultisampleStateCreateInfo one_sample = {
     .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
     .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT,
@@ -37,12 +44,13 @@ static VkDescriptorType descriptor_type(enum aob_gpu_bind_kind kind)
                                    : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 }
 
-static VkDescriptorSetLayoutBinding describe_binding(uint32_t binding, VkDescriptorType type)
+static VkDescriptorSetLayoutBinding describe_binding(uint32_t binding, VkDescriptorType type, bool geometry)
 {
+    VkShaderStageFlags vertex = geometry ? VK_SHADER_STAGE_VERTEX_BIT : 0;
     return (VkDescriptorSetLayoutBinding){.binding = binding,
                                           .descriptorType = type,
                                           .descriptorCount = 1,
-                                          .stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT};
+                                          .stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT | vertex};
 }
 
 static bool create_layout(struct vk *vk, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass *pass,
@@ -50,10 +58,12 @@ static bool create_layout(struct vk *vk, const struct aob_gpu_pass_desc *desc, s
 {
     VkDescriptorSetLayoutBinding bindings[MAX_SET];
     uint32_t count = 0;
+    bool geometry = desc->program->geometry;
     if (desc->uniforms)
-        bindings[count++] = describe_binding(0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
+        bindings[count++] = describe_binding(0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, geometry);
     for (size_t i = 0; i < desc->bind_count; i++)
-        bindings[count++] = describe_binding(desc->binds[i].binding, descriptor_type(desc->binds[i].kind));
+        bindings[count++] =
+            describe_binding(desc->binds[i].binding, descriptor_type(desc->binds[i].kind), geometry);
     VkDescriptorSetLayoutCreateInfo set = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
                                            .bindingCount = count,
                                            .pBindings = bindings};
@@ -149,30 +159,51 @@ static VkPipelineShaderStageCreateInfo describe_stage(VkShaderStageFlagBits stag
                                              .pName = "main"};
 }
 
-static VkPipelineColorBlendStateCreateInfo describe_output(uint32_t count)
+static VkPipelineColorBlendStateCreateInfo
+describe_output(const struct aob_gpu_pass_desc *desc,
+                VkPipelineColorBlendAttachmentState outputs[AOB_MAX_OUT])
 {
-    static const VkPipelineColorBlendAttachmentState overwrite[AOB_MAX_OUT] = {
-        {.colorWriteMask = 0xf}, {.colorWriteMask = 0xf}, {.colorWriteMask = 0xf}, {.colorWriteMask = 0xf}};
+    for (size_t i = 0; i < desc->target_count; i++)
+        outputs[i] = (VkPipelineColorBlendAttachmentState){.blendEnable = desc->blend == AOB_GPU_ADD,
+                                                           .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
+                                                           .dstColorBlendFactor = VK_BLEND_FACTOR_ONE,
+                                                           .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+                                                           .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+                                                           .colorWriteMask = 0xf};
     return (VkPipelineColorBlendStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
-        .attachmentCount = count,
-        .pAttachments = overwrite,
+        .attachmentCount = (uint32_t)desc->target_count,
+        .pAttachments = outputs,
     };
+}
+
+static bool can_blend(const struct vk *vk, const struct aob_gpu_pass_desc *desc, struct aob_error *error)
+{
+    for (size_t i = 0; desc->blend != AOB_GPU_REPLACE && i < desc->target_count; i++) {
+        VkFormatProperties can;
+        vkGetPhysicalDeviceFormatProperties(vk->physical, aob_vk_format(desc->targets[i]->format), &can);
+        if (!(can.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
+            return aob_fail(error, "vulkan: %s cannot blend to %s: use another device or backend",
+                            vk->properties.deviceName, aob_gpu_format_layout(desc->targets[i]->format));
+    }
+    return true;
 }
 
 static bool create_pipeline(struct vk *vk, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass *pass,
                             struct aob_error *error)
 {
+    const struct vk_program *program = (const struct vk_program *)desc->program;
     uint32_t count = (uint32_t)desc->target_count;
     VkFormat formats[AOB_MAX_OUT];
+    VkPipelineColorBlendAttachmentState outputs[AOB_MAX_OUT];
     for (uint32_t i = 0; i < count; i++)
         formats[i] = aob_vk_format(desc->targets[i]->format);
     VkRect2D scissor = area(desc);
     VkViewport viewport = {
         .width = (float)scissor.extent.width, .height = (float)scissor.extent.height, .maxDepth = 1};
     VkPipelineShaderStageCreateInfo stages[] = {
-        describe_stage(VK_SHADER_STAGE_VERTEX_BIT, vk->triangle),
-        describe_stage(VK_SHADER_STAGE_FRAGMENT_BIT, ((const struct vk_program *)desc->program)->module),
+        describe_stage(VK_SHADER_STAGE_VERTEX_BIT, program->vertex ? program->vertex : vk->triangle),
+        describe_stage(VK_SHADER_STAGE_FRAGMENT_BIT, program->fragment),
     };
     VkPipelineViewportStateCreateInfo view = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
@@ -181,10 +212,12 @@ static bool create_pipeline(struct vk *vk, const struct aob_gpu_pass_desc *desc,
         .scissorCount = 1,
         .pScissors = &scissor,
     };
-    VkPipelineColorBlendStateCreateInfo output = describe_output(count);
-    VkPipelineRenderingCreateInfo rendering = {.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
-                                               .colorAttachmentCount = count,
-                                               .pColorAttachmentFormats = formats};
+    VkPipelineColorBlendStateCreateInfo output = describe_output(desc, outputs);
+    VkPipelineRenderingCreateInfo rendering = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+        .colorAttachmentCount = count,
+        .pColorAttachmentFormats = formats,
+        .depthAttachmentFormat = desc->depth_test ? AOB_VK_DEPTH_FORMAT : VK_FORMAT_UNDEFINED};
     VkGraphicsPipelineCreateInfo create = {
         .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
         .pNext = &rendering,
@@ -195,6 +228,7 @@ static bool create_pipeline(struct vk *vk, const struct aob_gpu_pass_desc *desc,
         .pViewportState = &view,
         .pRasterizationState = &fill,
         .pMultisampleState = &one_sample,
+        .pDepthStencilState = desc->depth_test ? &greater_wins : NULL,
         .pColorBlendState = &output,
         .layout = pass->layout,
     };
@@ -206,23 +240,31 @@ static void record_draw(const struct aob_gpu_pass_desc *desc, const struct aob_g
 {
     VkRenderingAttachmentInfo targets[AOB_MAX_OUT];
     for (size_t i = 0; i < desc->target_count; i++)
-        targets[i] =
-            (VkRenderingAttachmentInfo){.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                        .imageView = ((const struct vk_texture *)desc->targets[i])->view,
-                                        .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
-                                        .loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
-                                        .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
+        targets[i] = (VkRenderingAttachmentInfo){
+            .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+            .imageView = ((const struct vk_texture *)desc->targets[i])->view,
+            .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
+            .loadOp = desc->program->geometry ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+            .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
+    VkRenderingAttachmentInfo depth = {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                       .imageView = pass->depth.view,
+                                       .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
+                                       .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                       .storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE};
     VkRenderingInfo rendering = {.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
                                  .renderArea = area(desc),
                                  .layerCount = 1,
                                  .colorAttachmentCount = (uint32_t)desc->target_count,
-                                 .pColorAttachments = targets};
+                                 .pColorAttachments = targets,
+                                 .pDepthAttachment = desc->depth_test ? &depth : NULL};
+    if (desc->depth_test)
+        aob_vk_depth_record(&pass->depth, pass->commands);
     vkCmdBeginRendering(pass->commands, &rendering);
     vkCmdBindPipeline(pass->commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass->pipeline);
     if (pass->set)
         vkCmdBindDescriptorSets(pass->commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass->layout, 0, 1,
                                 &pass->set, 0, NULL);
-    vkCmdDraw(pass->commands, 3, 1, 0, 0);
+    vkCmdDraw(pass->commands, desc->vertex_count ? desc->vertex_count : 3, 1, 0, 0);
     vkCmdEndRendering(pass->commands);
 }
 
@@ -245,8 +287,10 @@ bool aob_vk_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
 {
     struct vk *vk = (struct vk *)gpu;
     struct aob_gpu_pass *made = AOB_NEW(struct aob_gpu_pass);
-    if (bind_resources(vk, desc, made, error) && create_pipeline(vk, desc, made, error) &&
-        record(vk, desc, made, error)) {
+    int width = desc->targets[0]->width, height = desc->targets[0]->height;
+    if (can_blend(vk, desc, error) && bind_resources(vk, desc, made, error) &&
+        (!desc->depth_test || aob_vk_depth_init(vk, width, height, &made->depth, error)) &&
+        create_pipeline(vk, desc, made, error) && record(vk, desc, made, error)) {
         *pass = made;
         return true;
     }
@@ -264,6 +308,7 @@ void aob_vk_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass)
     vkDestroyPipelineLayout(vk->device, pass->layout, NULL);
     vkDestroyDescriptorSetLayout(vk->device, pass->set_layout, NULL);
     aob_vk_buffer_finish(vk, &pass->uniforms);
+    aob_vk_depth_finish(vk, &pass->depth);
     free(pass);
     /* lavapipe frees what was destroyed at the next submit only, and a sweep may destroy much in a row. */
     if (++vk->destroyed_passes % FLUSH_EVERY == 0)

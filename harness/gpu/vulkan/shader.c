@@ -16,19 +16,26 @@ VkShaderModule aob_vk_shader_create(struct vk *vk, const uint32_t *words, size_t
     return VK_NULL_HANDLE;
 }
 
-bool aob_vk_program_create(struct aob_gpu *gpu, const char *glsl, struct aob_gpu_program **program,
-                           struct aob_error *error)
+static bool compile(struct vk *vk, const char *text, enum aob_glsl_stage stage, VkShaderModule *module,
+                    uint32_t *bindings, struct aob_error *error)
 {
-    struct vk *vk = (struct vk *)gpu;
     size_t count;
-    uint32_t *words = aob_glsl_compile(glsl, AOB_GLSL_FRAGMENT, AOB_GLSL_VULKAN, &count, error);
+    uint32_t *words = aob_glsl_compile(text, stage, AOB_GLSL_VULKAN, &count, error);
     if (!words)
         return aob_fail_in(error, "vulkan");
-    struct vk_program *made = AOB_NEW(struct vk_program);
-    made->base.bindings = aob_glsl_bindings(words, count);
-    made->module = aob_vk_shader_create(vk, words, count, error);
+    *bindings |= aob_glsl_bindings(words, count);
+    *module = aob_vk_shader_create(vk, words, count, error);
     free(words);
-    if (made->module) {
+    return *module;
+}
+
+bool aob_vk_program_create(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+                           struct aob_gpu_program **program, struct aob_error *error)
+{
+    struct vk *vk = (struct vk *)gpu;
+    struct vk_program *made = AOB_NEW(struct vk_program);
+    if ((!vertex || compile(vk, vertex, AOB_GLSL_VERTEX, &made->vertex, &made->base.bindings, error)) &&
+        compile(vk, fragment, AOB_GLSL_FRAGMENT, &made->fragment, &made->base.bindings, error)) {
         *program = &made->base;
         return true;
     }
@@ -40,6 +47,7 @@ void aob_vk_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program
 {
     struct vk *vk = (struct vk *)gpu;
     struct vk_program *made = (struct vk_program *)program;
-    vkDestroyShaderModule(vk->device, made->module, NULL);
+    vkDestroyShaderModule(vk->device, made->vertex, NULL);
+    vkDestroyShaderModule(vk->device, made->fragment, NULL);
     free(made);
 }

@@ -41,7 +41,7 @@ struct vk_texture {
 
 struct vk_program {
     struct aob_gpu_program base;
-    VkShaderModule module;
+    VkShaderModule vertex, fragment; /* vertex: NULL for the screen triangle */
 };
 
 /* True if `result` is success and the validation layer kept quiet; else one line: "vulkan: cannot WHAT: why".
@@ -76,14 +76,25 @@ bool aob_vk_allocate(struct vk *vk, const VkMemoryRequirements *needs, VkMemoryP
 VkShaderModule aob_vk_shader_create(struct vk *vk, const uint32_t *words, size_t word_count,
                                     struct aob_error *error);
 
+/* depth.c: the depth of a pass, float, GENERAL layout after aob_vk_depth_record. */
+struct vk_depth {
+    VkImage image;
+    VkDeviceMemory memory;
+    VkImageView view;
+};
+#define AOB_VK_DEPTH_FORMAT VK_FORMAT_D32_SFLOAT
+bool aob_vk_depth_init(struct vk *vk, int width, int height, struct vk_depth *depth, struct aob_error *error);
+void aob_vk_depth_finish(struct vk *vk, struct vk_depth *depth);
+void aob_vk_depth_record(const struct vk_depth *depth, VkCommandBuffer commands);
+
 /* The table's slots, texture.c, shader.c and pass.c. */
 bool aob_vk_texture_create(struct aob_gpu *gpu, enum aob_format format, int width, int height,
                            const void *texels, struct aob_gpu_texture **texture, struct aob_error *error);
 void aob_vk_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
 bool aob_vk_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels,
                          struct aob_error *error);
-bool aob_vk_program_create(struct aob_gpu *gpu, const char *glsl, struct aob_gpu_program **program,
-                           struct aob_error *error);
+bool aob_vk_program_create(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+                           struct aob_gpu_program **program, struct aob_error *error);
 void aob_vk_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program);
 bool aob_vk_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass **pass,
                         struct aob_error *error);
