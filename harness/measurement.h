@@ -48,6 +48,7 @@ json_t *aob_record_create(const struct aob_measurement *m, size_t index, const c
 /* For aob_measurement_block: the files of a view. Loads, casts and traces what the cache lacks. */
 struct aob_view_files {
     char *gbuffer;
+    char *mesh;                     /* of a loaded scene; NULL where it is procedural */
     char **reference, **definition; /* one a case of the block; definition NULL where there is none */
     size_t count;
 };

@@ -164,7 +164,7 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
         return false;
     struct aob_text text = {0};
     json_t *missing = json_array();
-    *files = (struct aob_view_files){.count = count};
+    *files = (struct aob_view_files){.count = count, .mesh = mesh};
     files->reference = AOB_NEW_ARRAY(char *, count);
     files->definition = AOB_NEW_ARRAY(char *, count);
     describe_view(c, aob_case_options(c).guard_band, true, &text);
@@ -183,7 +183,6 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
     m->shares.reference += (double)(aob_clock_wall_ns() - start) * 1e-9;
     json_decref(missing);
     aob_text_finish(&text);
-    free(mesh);
     if (!ok)
         aob_view_files_finish(files);
     return ok;
@@ -198,5 +197,6 @@ void aob_view_files_finish(struct aob_view_files *files)
     free(files->reference);
     free(files->definition);
     free(files->gbuffer);
+    free(files->mesh);
     *files = (struct aob_view_files){0};
 }

@@ -10,9 +10,10 @@
  *            -> {low, high, vertices, triangles, warnings: [text]}
  *   view     {scene | mesh, camera, width, height, guard, gbuffer, spp, terms: [{radius, uniform, falloff, out}]}
  *            -> {trace_s, rays} for each trace
- *   block    {modules, backend, validate, camera, width, height, guard, gbuffer, seconds, time, error,
+ *   block    {modules, scene | mesh, raster, backend, validate, camera, width, height, guard, gbuffer, seconds, time, error,
  *             cases: [{technique, params, options, radius, reference, definition, image}]}
- *            -> {index, status, reason, time, error, memory_bytes, fingerprint} a line, then {shares}
+ *            -> {index, status, reason, time, error, memory_bytes, fingerprint, gbuffer (where raster)} a line,
+ *               then {shares}
  * A job that cannot be done says so in one line on standard error and exits with 2. */
 #ifndef AOB_WORKER_H
 #define AOB_WORKER_H
@@ -33,6 +34,9 @@ bool aob_worker_registry(struct aob_worker *worker, struct aob_registry *registr
 bool aob_worker_params(const struct aob_technique *technique, const json_t *numbers, void *values,
                        struct aob_error *error); /* into a buffer of 4 * AOB_MAX_PARAM bytes */
 struct aob_camera;
+struct aob_mesh;
+bool aob_worker_mesh(const json_t *job, struct aob_mesh *mesh,
+                     struct aob_error *error); /* its scene or mesh */
 bool aob_worker_camera(const json_t *object, struct aob_camera *camera, struct aob_error *error);
 
 bool aob_worker_view(struct aob_worker *worker, struct aob_error *error);

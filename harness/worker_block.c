@@ -66,7 +66,8 @@ static const struct aob_screen *use_screen(struct aob_block *block, const struct
             return &block->screens[i];
     }
     struct aob_screen *screen = &block->screens[block->screen_count];
-    if (!aob_screen_init(screen, block->gpu, &block->gbuffer, options, error))
+    const struct aob_gbuffer *seen = block->drawn.depth ? &block->drawn : &block->gbuffer;
+    if (!aob_screen_init(screen, block->gpu, seen, options, error))
         return NULL;
     block->screen_options[block->screen_count++] = *options;
     return screen;
@@ -188,6 +189,8 @@ static void reply_case(struct aob_worker *worker, struct aob_block *block, size_
     json_t *answer = json_pack("{s:i, s:s, s:I, s:o}", "index", (int)block->case_of_frame[f], "status",
                                "failed", "memory_bytes", (json_int_t)block->frames[f].memory_bytes,
                                "fingerprint", fingerprint(block));
+    if (block->difference)
+        json_object_set(answer, "gbuffer", block->difference);
     if (aob_block_finish_case(block, f, answer, &error)) {
         json_object_set_new(answer, "status", json_string("ok"));
         if (block->time)
@@ -208,7 +211,7 @@ static bool open_device(struct aob_block *block, struct aob_error *error)
     const char *backend = json_string_value(json_object_get(block->job, "backend"));
     bool validate = json_is_true(json_object_get(block->job, "validate"));
     block->gpu = aob_gpu_open(backend ? backend : "", &(struct aob_gpu_desc){.validate = validate}, error);
-    return block->gpu && use_screen(block, &(struct aob_options){0}, error);
+    return block->gpu && aob_block_draw(block, error) && use_screen(block, &(struct aob_options){0}, error);
 }
 
 static bool run_cases(struct aob_worker *worker, struct aob_block *block, struct aob_error *error)
@@ -243,6 +246,8 @@ bool aob_worker_block(struct aob_worker *worker, struct aob_error *error)
     for (size_t i = 0; i < block->screen_count; i++)
         aob_screen_finish(&block->screens[i]);
     aob_gpu_close(block->gpu);
+    aob_gbuffer_finish(&block->drawn);
+    json_decref(block->difference);
     aob_gbuffer_finish(&block->gbuffer);
     aob_registry_finish(&block->registry);
     free(block);

@@ -11,7 +11,7 @@
 #include "store/image.h"
 #include "worker.h"
 
-static bool get_mesh(const json_t *job, struct aob_mesh *mesh, struct aob_error *error)
+bool aob_worker_mesh(const json_t *job, struct aob_mesh *mesh, struct aob_error *error)
 {
     const char *path = json_string_value(json_object_get(job, "mesh"));
     const char *name = json_string_value(json_object_get(job, "scene"));
@@ -19,7 +19,7 @@ static bool get_mesh(const json_t *job, struct aob_mesh *mesh, struct aob_error 
     if (path)
         return aob_mesh_restore(mesh, path, error);
     if (!scene || !scene->build)
-        return aob_fail(error, "a view job needs a mesh or a procedural scene");
+        return aob_fail(error, "the job has no mesh and no procedural scene");
     scene->build(mesh);
     return true;
 }
@@ -136,7 +136,7 @@ static bool trace_weighting(struct aob_worker *worker, const struct view *view, 
 bool aob_worker_view(struct aob_worker *worker, struct aob_error *error)
 {
     struct view view = {0};
-    bool ok = get_view(worker->job, &view, error) && get_mesh(worker->job, &view.mesh, error) &&
+    bool ok = get_view(worker->job, &view, error) && aob_worker_mesh(worker->job, &view.mesh, error) &&
               cast_view(&view, error) && trace_weighting(worker, &view, false, error) &&
               trace_weighting(worker, &view, true, error);
     aob_hits_finish(&view.hits);

@@ -19,21 +19,12 @@ void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct
 {
     struct aob_error error = {{0}};
     *rig = (struct aob_rig){.camera = *camera, .width = width, .height = height, .guard = guard};
-    rig->gbuffer.projection = aob_camera_projection(camera, width, height, guard);
-    rig->gbuffer.guard = guard;
+    struct aob_projection projection = aob_camera_projection(camera, width, height, guard);
     rig->tracer = aob_tracer_create(mesh, &error);
     if (!rig->tracer)
         give_up("tracer", &error);
-    aob_tracer_cast(rig->tracer, camera, &rig->gbuffer.projection, &rig->hits);
-    size_t count = (size_t)rig->hits.width * (size_t)rig->hits.height;
-    rig->gbuffer.depth = AOB_NEW_ARRAY(float, count);
-    rig->gbuffer.normal = AOB_NEW_ARRAY(float, 4 * count);
-    rig->gbuffer.shading = AOB_NEW_ARRAY(float, 4 * count);
-    for (size_t i = 0; i < count; i++) {
-        rig->gbuffer.depth[i] = rig->hits.depth[i] > 0 ? rig->hits.depth[i] : AOB_GBUFFER_SKY;
-        memcpy(&rig->gbuffer.normal[4 * i], rig->hits.normal[i], 3 * sizeof(float));
-        memcpy(&rig->gbuffer.shading[4 * i], rig->hits.shading[i], 3 * sizeof(float));
-    }
+    aob_tracer_cast(rig->tracer, camera, &projection, &rig->hits);
+    aob_gbuffer_init(&rig->gbuffer, &rig->hits, &projection, guard);
 }
 
 void aob_rig_scene(struct aob_rig *rig, const char *scene, const char *view, int width, int height, int guard)

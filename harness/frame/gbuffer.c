@@ -81,6 +81,21 @@ static float *interleave(const struct aob_image *image, const char *const *names
     return into;
 }
 
+void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,
+                      const struct aob_projection *projection, int guard)
+{
+    size_t count = (size_t)hits->width * (size_t)hits->height;
+    *gbuffer = (struct aob_gbuffer){.projection = *projection, .guard = guard};
+    gbuffer->depth = AOB_NEW_ARRAY(float, count);
+    gbuffer->normal = AOB_NEW_ARRAY(float, 4 * count);
+    gbuffer->shading = AOB_NEW_ARRAY(float, 4 * count);
+    for (size_t i = 0; i < count; i++) {
+        gbuffer->depth[i] = hits->depth[i] > 0 ? hits->depth[i] : AOB_GBUFFER_SKY;
+        memcpy(&gbuffer->normal[4 * i], hits->normal[i], sizeof hits->normal[i]);
+        memcpy(&gbuffer->shading[4 * i], hits->shading[i], sizeof hits->shading[i]);
+    }
+}
+
 static bool copy_channels(struct aob_gbuffer *gbuffer, const struct aob_image *image, size_t count)
 {
     const float *z = aob_image_channel(image, "Z");

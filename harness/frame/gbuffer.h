@@ -23,7 +23,11 @@ struct aob_gbuffer {
 };
 #define AOB_GBUFFER_SKY 1e9f /* far beyond any scene, and its square is finite; AOB_SKY_Z in shaders */
 
-/* From hits on the mesh that was cast / from a stored file that aob_gbuffer_store wrote. Both allocate; aob_gbuffer_finish frees. */
+/* From hits, of the tracer or of a rasteriser (frame/raster.h): depth and normals. Allocates; aob_gbuffer_finish frees. */
+void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,
+                      const struct aob_projection *projection, int guard);
+
+/* Into a file, with the materials of the mesh that was cast / from such a file; that allocates too. */
 bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh, const char *path,
                        struct aob_error *error);
 bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,

@@ -46,7 +46,8 @@ bool aob_case_same_block(const struct aob_case *a, const struct aob_case *b)
 {
     struct aob_options oa = aob_case_options(a), ob = aob_case_options(b);
     return a->scene == b->scene && a->width == b->width && a->height == b->height &&
-           a->backend == b->backend && oa.guard_band == ob.guard_band && oa.threads == ob.threads;
+           a->backend == b->backend && oa.guard_band == ob.guard_band && oa.gbuffer == ob.gbuffer &&
+           oa.threads == ob.threads;
 }
 
 void aob_plan_filter(struct aob_plan *plan, const char *filter)

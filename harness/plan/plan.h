@@ -56,7 +56,7 @@ void aob_case_describe(const struct aob_case *c, struct aob_text *text);
 /* All parameters and all options, without scene and view: a part of the key. */
 void aob_case_settings(const struct aob_case *c, struct aob_text *text);
 
-/* Whether two cases may be timed in one block: same view, size, guard band, backend and threads. */
+/* Whether two cases may be timed in one block: same view, size, guard band, G-buffer, backend and threads. */
 bool aob_case_same_block(const struct aob_case *a, const struct aob_case *b);
 
 /* Option by its struct: packed from c->options. */

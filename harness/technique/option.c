@@ -15,6 +15,7 @@ static const char *const depth_names[] = {"r32f",
                                           NULL};
 static const char *const normal_names[] = {"rgba32f", "oct_rg16f", "rgba8", "packed8", NULL};
 static const char *const normals_names[] = {"geometric", "shading", "from_depth", NULL};
+static const char *const gbuffer_names[] = {"canonical", "raster", NULL};
 
 const struct aob_param aob_option_params[AOB_OPTION_COUNT] = {
     AOB_PARAM(
@@ -23,6 +24,9 @@ const struct aob_param aob_option_params[AOB_OPTION_COUNT] = {
             "Pixels rendered around the view and cropped before scoring; more removes the border's error."),
     AOB_PARAM(struct aob_options, fetch, .choices = fetch_names,
               .doc = "How shaders read textures: through a sampler, or as a storage image."),
+    AOB_PARAM(struct aob_options, gbuffer, .choices = gbuffer_names,
+              .doc =
+                  "What techniques read: the ray-cast G-buffer, or one that the backend's rasteriser draws."),
     AOB_PARAM(struct aob_options, threads, .unit = AOB_UNIT_COUNT, .min = 0, .max = 64, .initial = 0,
               .doc = "Threads of a software driver; 0 leaves the driver's default."),
     AOB_PARAM(struct aob_options, depth_encoding, .choices = depth_names,

@@ -4,6 +4,7 @@
 #include <aobudget/technique.h>
 
 enum aob_fetch { AOB_FETCH_SAMPLED, AOB_FETCH_STORAGE };
+enum aob_gbuffer_source { AOB_GBUFFER_CANONICAL, AOB_GBUFFER_RASTER };
 
 /* How a texel of the depth holds the distance z along the view axis; n, f are the options near and far. */
 enum aob_depth_encoding {
@@ -33,11 +34,12 @@ enum aob_normals {
 struct aob_options {
     int32_t guard_band; /* pixels rendered around the view and cropped before scoring */
     int32_t fetch;      /* enum aob_fetch */
+    int32_t gbuffer;    /* enum aob_gbuffer_source */
     int32_t threads;    /* of a software driver; 0: the driver's default */
     int32_t depth_encoding, normal_encoding, normals;
     float near, far; /* of the depth encoding, scene units; 0: from the view's own depths */
 };
-enum { AOB_OPTION_COUNT = 8 };
+enum { AOB_OPTION_COUNT = 9 };
 
 extern const struct aob_param aob_option_params[AOB_OPTION_COUNT];
 #endif

@@ -85,6 +85,18 @@ check "off-centre" "$program" shot --technique gtao --scene mesh.obj --eye 0,1,3
 check "orthographic" "$program" shot --technique gtao --scene mesh.obj --eye 0,1,3 --target 0,0.3,0 --ortho 2 --size 96x54 --reference-spp 16
 check "a module in place of the built-in" "$program" shot --technique gtao --scene corner --size 32x18 --reference-spp 2 --module "$AOBUDGET_BUILD/modules/gtao.so"
 
+# What the rasteriser draws in place of what rays see: nearly the same, on each backend; and on a mesh from a file.
+for backend in vulkan gl-egl gl-osmesa; do
+  check "a raster G-buffer on $backend" "$program" shot --technique gtao --scene corner --size 96x54 --reference-spp 16 \
+    --backend $backend -p gbuffer=raster -p guard_band=16 --json raster.json
+  check "its share of other pixels" awk '/"primitive_share"/ { ok = $2 + 0 <= 0.01 } END { exit !ok }' raster.json
+  check "and its other figures" test "$(grep -cE '"(edge_share|depth_rmse|depth_max)"' raster.json)" -eq 3
+done
+check "of a mesh file" "$program" shot --technique gtao --scene mesh.obj --size 96x54 --reference-spp 16 -p gbuffer=raster --json raster.json
+check "compared too" grep -q '"primitive_share"' raster.json
+expect 2 "unsupported: gbuffer=raster: backend 'null' draws nothing" "$program" shot --technique gtao --scene corner --size 32x18 --backend null -p gbuffer=raster
+check "canonical says nothing of it" bash -c "! grep -q primitive_share shot.json"
+
 check "doctor" "$program" doctor --json doctor.json
 check "every backend is found" test "$(grep -c '"what": "backend"' doctor.json)" -eq 4
 code=0; VK_ICD_FILENAMES=/nonexistent.json VK_DRIVER_FILES=/nonexistent.json "$program" doctor >sick 2>&1 || code=$?
