@@ -51,12 +51,58 @@ static void expect_depths(const struct aob_rig *rig, const struct aob_hits *draw
     assert_true(worst <= 0x1p-20);
 }
 
-static void expect_alike(const struct aob_rig *rig, const struct aob_hits *drawn,
-                         const struct aob_raster_difference *d, size_t slivers)
+/* Distance in pixels from a pixel's centre to the nearest line along an edge of a triangle, in double precision. */
+static double edge_distance(const struct aob_rig *rig, const struct aob_mesh *mesh, uint32_t triangle, int x,
+                            int y)
+{
+    const struct aob_projection *view = &rig->gbuffer.projection;
+    struct aob_frame_axes axes = aob_camera_axes(&rig->camera);
+    struct aob_vec3 q[3], centre = {x + 0.5, y + 0.5, 1};
+    double nearest = INFINITY;
+    for (int k = 0; k < 3; k++) { /* homogeneous image positions: corners behind the eye are no exception */
+        struct aob_vec3 v = aob_vec_sub(mesh->positions[mesh->triangles[triangle][k]], rig->camera.eye);
+        double w = view->perspective ? -aob_vec_dot(v, axes.back) : 1;
+        q[k] = aob_vec(aob_vec_dot(v, axes.right) / view->sx + view->cx * w,
+                       -aob_vec_dot(v, axes.up) / view->sy + view->cy * w, w);
+    }
+    for (int k = 0; k < 3; k++) {
+        struct aob_vec3 line = aob_vec_cross(q[k], q[(k + 1) % 3]);
+        nearest = fmin(nearest, fabs(aob_vec_dot(line, centre)) / hypot(line.x, line.y));
+    }
+    return nearest;
+}
+
+/* A pixel whose neighbours all show one primitive may still see another: a triangle thinner than a pixel, which the
+ * rasteriser's grid of 1/256 pixel moved over its centre or off it. */
+static size_t unexplained(const struct aob_rig *rig, const struct aob_mesh *mesh,
+                          const struct aob_hits *drawn)
+{
+    int w = drawn->width, h = drawn->height;
+    const uint32_t *seen = rig->hits.primitive;
+    size_t count = 0;
+    for (int i = 0; i < w * h; i++) {
+        int x = i % w, y = i / w;
+        bool edge = seen[i] == drawn->primitive[i];
+        for (int k = 0; k < 9 && !edge; k++) {
+            int u = x + k % 3 - 1, v = y + k / 3 - 1;
+            edge = u >= 0 && v >= 0 && u < w && v < h && seen[v * w + u] != seen[i];
+        }
+        double sliver = INFINITY;
+        if (!edge && seen[i] != AOB_NO_PRIMITIVE)
+            sliver = edge_distance(rig, mesh, seen[i], x, y);
+        if (!edge && drawn->primitive[i] != AOB_NO_PRIMITIVE)
+            sliver = fmin(sliver, edge_distance(rig, mesh, drawn->primitive[i], x, y));
+        count += !edge && sliver > 1.0 / 128;
+    }
+    return count;
+}
+
+static void expect_alike(const struct aob_rig *rig, const struct aob_mesh *mesh, const struct aob_hits *drawn,
+                         const struct aob_raster_difference *d)
 {
     expect_depths(rig, drawn);
     assert_true(d->other <= d->pixels / 100);
-    assert_true(d->off_edge <= slivers);
+    assert_int_equal(unexplained(rig, mesh, drawn), 0);
     assert_true(d->normal_max <= 1e-6);
 }
 
@@ -70,7 +116,8 @@ static void test_atrium_on_every_backend(void **state)
     for (size_t b = 0; b < AOB_COUNT(backends); b++) {
         struct aob_hits drawn;
         struct aob_raster_difference d = compare(&rig, &mesh, backends[b], "atrium", &drawn);
-        expect_alike(&rig, &drawn, &d, 0);
+        expect_alike(&rig, &mesh, &drawn, &d);
+        assert_int_equal(d.off_edge, 0);
         aob_hits_finish(&drawn);
     }
     aob_rig_finish(&rig);
@@ -91,8 +138,9 @@ static void test_every_procedural_scene(void **state)
             build((*scene)->name, &mesh);
             aob_rig_scene(&rig, (*scene)->name, (*scene)->views[v].name, 320, 180, 8);
             struct aob_raster_difference d = compare(&rig, &mesh, "vulkan", what, &drawn);
-            /* A blade far away is thinner than a pixel: that it is missed need not show in the neighbours. */
-            expect_alike(&rig, &drawn, &d, strcmp((*scene)->name, "grass") == 0 ? d.other / 100 : 0);
+            expect_alike(&rig, &mesh, &drawn, &d);
+            if (strcmp((*scene)->name, "grass") != 0) /* its far blades are thinner than a pixel */
+                assert_int_equal(d.off_edge, 0);
             aob_hits_finish(&drawn);
             aob_rig_finish(&rig);
             aob_mesh_finish(&mesh);
@@ -111,7 +159,7 @@ static void test_orthographic(void **state)
     for (size_t b = 0; b < AOB_COUNT(backends); b++) {
         struct aob_hits drawn;
         struct aob_raster_difference d = compare(&rig, &mesh, backends[b], "orthographic spheres", &drawn);
-        expect_alike(&rig, &drawn, &d, 0);
+        expect_alike(&rig, &mesh, &drawn, &d);
         aob_hits_finish(&drawn);
     }
     aob_rig_finish(&rig);
@@ -134,7 +182,7 @@ static void test_far_from_the_origin(void **state)
     camera.target = aob_vec_add(camera.target, away);
     aob_rig_init(&rig, &mesh, &camera, 320, 180, 0);
     struct aob_raster_difference d = compare(&rig, &mesh, "vulkan", "cornell far away", &drawn);
-    expect_alike(&rig, &drawn, &d, 0);
+    expect_alike(&rig, &mesh, &drawn, &d);
     aob_hits_finish(&drawn);
     aob_rig_finish(&rig);
     aob_mesh_finish(&mesh);
@@ -154,7 +202,7 @@ static void test_shading_normals(void **state)
         mesh.normals[i] = aob_vec_normalize(mesh.positions[i]);
     aob_rig_init(&rig, &mesh, &camera, 320, 180, 0);
     struct aob_raster_difference d = compare(&rig, &mesh, "vulkan", "smooth sphere", &drawn);
-    expect_alike(&rig, &drawn, &d, 0);
+    expect_alike(&rig, &mesh, &drawn, &d);
     double worst = 0, bend = 0;
     for (size_t i = 0; i < d.pixels; i++)
         for (int c = 0; c < 3 && rig.hits.primitive[i] == drawn.primitive[i]; c++) {

@@ -53,15 +53,15 @@ static void test_product_of_axes(void **state)
     struct aob_plan plan;
     struct aob_error error;
     if (!make(HEAD
-              "options: {fetch: [sampled, storage], guard_band: 8}\n"
+              "options: {fetch: [sampled, storage], guard_band: 8, gbuffer: [canonical, raster]}\n"
               "techniques:\n"
               "  - {name: gtao, params: {blur: 0}, sweep: [{param: radius, from: 0.25, to: 2, log2: 1},\n"
               "                                            {param: slices, from: 1, to: 3, step: 1}]}\n"
               "  - name: none\n",
               &config, &plan, &error))
         fail_msg("%s", error.text);
-    /* 2 views x 2 sizes x 2 backends x 2 fetches x (4 radii x 3 slices + 1) */
-    assert_int_equal(plan.case_count, 2 * 2 * 2 * 2 * 13);
+    /* 2 views x 2 sizes x 2 backends x 2 fetches x 2 G-buffers x (4 radii x 3 slices + 1) */
+    assert_int_equal(plan.case_count, 2 * 2 * 2 * 2 * 2 * 13);
     for (size_t i = 0; i < plan.case_count; i++) {
         const struct aob_case *c = &plan.cases[i];
         assert_int_equal(aob_case_options(c).guard_band, 8);
@@ -70,11 +70,13 @@ static void test_product_of_axes(void **state)
             assert_string_not_equal(c->key, plan.cases[j].key);
         /* cases of one block lie together */
         for (size_t j = i + 2; j < plan.case_count; j++)
-            if (aob_case_same_block(c, &plan.cases[j]))
+            if (aob_case_same_block(c, &plan.cases[j])) {
+                assert_int_equal(aob_case_options(c).gbuffer, aob_case_options(&plan.cases[j]).gbuffer);
                 assert_true(aob_case_same_block(c, &plan.cases[j - 1]));
+            }
     }
     aob_plan_filter(&plan, "radius=0.5 ");
-    assert_int_equal(plan.case_count, 2 * 2 * 2 * 2 * 3);
+    assert_int_equal(plan.case_count, 2 * 2 * 2 * 2 * 2 * 3);
     aob_plan_finish(&plan);
     aob_config_finish(&config);
 }
