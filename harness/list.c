@@ -4,6 +4,7 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/json.h"
+#include "captures.h"
 #include "config/config.h"
 #include "gpu/gpu.h"
 #include "measurement.h"
@@ -204,6 +205,7 @@ enum aob_exit aob_plan_print(const struct aob_dispatch *dispatch, const char *pa
     struct aob_technique_list techniques = {0};
     struct aob_plan plan = {0};
     bool ok = aob_config_read(&config, path, error) && aob_dispatch_describe(dispatch, &techniques, error) &&
+              aob_captures_load(&config, dispatch, error) &&
               aob_plan_create(&plan, &config, &techniques, error);
     if (ok && json)
         ok = write_document(plan_to_json(&plan), json, error);

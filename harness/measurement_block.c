@@ -59,8 +59,8 @@ json_t *aob_record_create(const struct aob_measurement *m, size_t index, const c
 {
     json_t *record = identity(&m->plan->cases[index]), *value;
     const char *name;
-    json_object_set_new(record, "spp",
-                        json_integer(m->plan->config->measure_error ? m->plan->config->spp : 0));
+    bool measured = m->plan->config->measure_error && !m->plan->cases[index].scene->gbuffer;
+    json_object_set_new(record, "spp", json_integer(measured ? m->plan->config->spp : 0));
     if (m->states && *m->states[index].graph)
         json_object_set_new(record, "graph", json_string(m->states[index].graph));
     json_object_set_new(record, "status", json_string(status));

@@ -153,11 +153,23 @@ static void want_whole_view(struct aob_measurement *m, const struct aob_case *c,
     }
 }
 
+/* It has no geometry, so there is nothing to trace. */
+static void prepare_capture(const struct aob_plan_scene *scene, size_t count, struct aob_view_files *files)
+{
+    *files = (struct aob_view_files){.gbuffer = aob_strdup(scene->gbuffer), .count = count};
+    files->reference = AOB_NEW_ARRAY(char *, count);
+    files->definition = AOB_NEW_ARRAY(char *, count);
+}
+
 bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t count,
                       struct aob_view_files *files, struct aob_error *error)
 {
     const struct aob_case *c = &m->plan->cases[indices[0]];
     struct aob_plan_scene *scene = &m->plan->scenes[c->scene - m->plan->scenes];
+    if (scene->gbuffer) {
+        prepare_capture(scene, count, files);
+        return true;
+    }
     int64_t start = aob_clock_wall_ns();
     char *mesh = scene->file ? load_mesh(m, scene, error) : NULL;
     if (scene->file && !mesh)

@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "captures.h"
 #include "config/config.h"
 #include "measure/timing.h"
 #include "measurement.h"
@@ -35,6 +36,7 @@ static bool make_plan(struct run *run, struct aob_error *error)
 {
     return aob_config_read(&run->config, run->desc->config, error) &&
            aob_dispatch_describe(&run->desc->dispatch, &run->techniques, error) &&
+           aob_captures_load(&run->config, &run->desc->dispatch, error) &&
            aob_plan_create(&run->plan, &run->config, &run->techniques, error);
 }
 

@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "captures.h"
 #include "config/config.h"
 #include "measurement.h"
 #include "plan/plan.h"
@@ -23,18 +24,38 @@ static bool read_number(const char *flag, const char *text, double low, double h
     return true;
 }
 
+static bool choose_conventions(const struct aob_shot_desc *desc, struct aob_scene_choice *scene,
+                               struct aob_error *error)
+{
+    for (int key = 0; key < AOB_CONVENTION_COUNT; key++) {
+        if (!desc->convention[key])
+            continue;
+        if (!scene->capture)
+            return aob_fail(error, "%s is stated of a capture: --scene capture:FILE.exr",
+                            aob_convention_keys[key]);
+        if (!aob_convention_set(&scene->convention, (enum aob_convention_key)key, desc->convention[key],
+                                error))
+            return false;
+    }
+    if (scene->capture && (desc->view || desc->size))
+        return aob_fail(error, "a capture has one view and its own size: leave --view and --size out");
+    return aob_convention_check(&scene->convention, error);
+}
+
 static bool choose_camera(const struct aob_shot_desc *desc, struct aob_scene_choice *scene,
                           struct aob_error *error)
 {
-    scene->fov_deg = 60;
+    scene->fov_deg = scene->capture ? 0 : 60;
     scene->has_camera = desc->eye != NULL;
     scene->ortho = desc->ortho != NULL;
     if (!desc->eye != !desc->target)
         return aob_fail(error, "--eye and --target go together");
     if (desc->eye && desc->view)
         return aob_fail(error, "give --view or --eye, not both");
-    if (!desc->eye && (desc->fov || desc->ortho || desc->shift))
+    if (!scene->capture && !desc->eye && (desc->fov || desc->ortho || desc->shift))
         return aob_fail(error, "--fov, --ortho and --shift need --eye and --target");
+    if (scene->capture && desc->shift)
+        return aob_fail(error, "a capture is read as centred: leave --shift out");
     if (desc->eye && !aob_parse_vec3(desc->eye, scene->eye))
         return aob_fail(error, "--eye: '%s' is not x,y,z", desc->eye);
     if (desc->target && !aob_parse_vec3(desc->target, scene->target))
@@ -87,8 +108,11 @@ static bool make_config(const struct aob_shot_desc *desc, struct aob_config *con
     config->name = aob_strdup("shot");
     config->seconds = 0.5;
     struct aob_scene_choice *scene = AOB_PUSH(config->scenes, config->scene_count, config->scene_capacity);
-    bool listed = aob_scene_find(desc->scene) || !aob_file_exists(desc->scene);
-    *(listed ? &scene->name : &scene->file) = aob_strdup(desc->scene);
+    const char *capture = aob_capture_file(desc->scene);
+    bool listed = capture || aob_scene_find(desc->scene) || !aob_file_exists(desc->scene);
+    *(capture  ? &scene->capture
+      : listed ? &scene->name
+               : &scene->file) = aob_strdup(capture ? capture : desc->scene);
     scene->view = aob_strdup(desc->view);
     if (!listed && desc->view)
         return aob_fail(error, "a mesh file has no named views: use --eye, --target and --fov");
@@ -101,8 +125,8 @@ static bool make_config(const struct aob_shot_desc *desc, struct aob_config *con
     struct aob_technique_choice *technique =
         AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity);
     technique->name.text = aob_strdup(desc->technique);
-    return choose_camera(desc, scene, error) && choose_params(desc, config, error) &&
-           choose_reference(desc, config, error);
+    return choose_conventions(desc, scene, error) && choose_camera(desc, scene, error) &&
+           choose_params(desc, config, error) && choose_reference(desc, config, error);
 }
 
 struct shot {
@@ -166,6 +190,7 @@ enum aob_exit aob_shot(const struct aob_shot_desc *desc, struct aob_error *error
     struct shot shot = {.plan = &plan};
     bool ok = make_config(desc, &config, error) &&
               aob_dispatch_describe(&desc->dispatch, &techniques, error) &&
+              aob_captures_load(&config, &desc->dispatch, error) &&
               aob_plan_create(&plan, &config, &techniques, error);
     if (ok && plan.case_count != 1)
         ok = aob_fail(error, "shot takes one value a parameter");

@@ -228,8 +228,13 @@ static bool do_job(struct aob_worker *worker, struct aob_error *error)
     static const struct {
         const char *name;
         bool (*run)(struct aob_worker *, struct aob_error *);
-    } jobs[] = {{"describe", describe}, {"probe", probe},          {"layout", layout},
-                {"mesh", load_mesh},    {"view", aob_worker_view}, {"block", aob_worker_block}};
+    } jobs[] = {{"describe", describe},
+                {"probe", probe},
+                {"layout", layout},
+                {"mesh", load_mesh},
+                {"view", aob_worker_view},
+                {"block", aob_worker_block},
+                {"capture", aob_worker_capture}};
     const char *name = json_string_value(json_object_get(worker->job, "job"));
     for (size_t i = 0; name && i < AOB_COUNT(jobs); i++)
         if (strcmp(jobs[i].name, name) == 0)

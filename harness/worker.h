@@ -8,6 +8,9 @@
  *            -> {index, status, reason | graph, dot, definition: {radius, uniform, falloff} or null} a line
  *   mesh     {file, out}
  *            -> {low, high, vertices, triangles, warnings: [text]}
+ *   capture  {file, depth, normals, near, far, left_handed, up, depth_channel, normal_channel, fov_deg, ortho_height,
+ *             camera or null, out}
+ *            -> {width, height, camera, surface, derived, warnings: [text]}
  *   view     {scene | mesh, camera, width, height, guard, gbuffer, spp, terms: [{radius, uniform, falloff, out}]}
  *            -> {trace_s, rays} for each trace
  *   block    {modules, scene | mesh, raster, backend, validate, camera, width, height, guard, gbuffer, seconds, time, error,
@@ -39,6 +42,7 @@ bool aob_worker_mesh(const json_t *job, struct aob_mesh *mesh,
                      struct aob_error *error); /* its scene or mesh */
 bool aob_worker_camera(const json_t *object, struct aob_camera *camera, struct aob_error *error);
 
+bool aob_worker_capture(struct aob_worker *worker, struct aob_error *error);
 bool aob_worker_view(struct aob_worker *worker, struct aob_error *error);
 bool aob_worker_block(struct aob_worker *worker, struct aob_error *error);
 #endif

@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "config_capture.h"
 #include "pose.h"
 #include "yaml.h"
 
@@ -151,7 +152,7 @@ struct scene_reader {
     struct aob_scene_choice choice; /* what all views of the entry share; owns its texts */
     char **views;
     size_t view_count, view_capacity;
-    bool eye, target, lens; /* lens: whatever needs eye and target */
+    bool eye, target, lens, convention; /* lens: whatever needs eye and target */
 };
 
 static bool add_view(struct aob_yaml *yaml, yaml_node_t *node, void *user)
@@ -168,13 +169,19 @@ static bool read_scene_entry(struct aob_yaml *yaml, const char *key, yaml_node_t
 {
     struct scene_reader *reader = user;
     struct aob_scene_choice *choice = &reader->choice;
+    enum aob_convention_key convention;
     const char *text;
-    if (strcmp(key, "name") == 0 || strcmp(key, "file") == 0) {
+    if (strcmp(key, "name") == 0 || strcmp(key, "file") == 0 || strcmp(key, "capture") == 0) {
         if (!aob_yaml_text(yaml, node, &text))
             return false;
-        *(key[0] == 'n' ? &choice->name : &choice->file) = aob_strdup(text);
+        *(key[0] == 'n'   ? &choice->name
+          : key[0] == 'f' ? &choice->file
+                          : &choice->capture) = aob_strdup(text);
         return true;
     }
+    if (aob_config_is_convention(key, &convention))
+        return (reader->convention = true) &&
+               aob_config_read_convention(yaml, node, convention, &choice->convention);
     if (strcmp(key, "view") == 0 || strcmp(key, "views") == 0)
         return aob_yaml_sequence(yaml, node, add_view, reader);
     if (strcmp(key, "eye") == 0)
@@ -198,15 +205,25 @@ static void push_scene(struct scene_reader *reader, const char *view)
     *copy = reader->choice;
     copy->name = aob_strdup(reader->choice.name);
     copy->file = aob_strdup(reader->choice.file);
+    copy->capture = aob_strdup(reader->choice.capture);
     copy->view = aob_strdup(view);
 }
 
 static bool judge_scene(struct aob_yaml *yaml, const yaml_node_t *node, struct scene_reader *reader)
 {
-    if (!reader->choice.name == !reader->choice.file)
-        return aob_yaml_fail(yaml, node, "a scene needs either name: SCENE or file: MESH");
+    aob_config_take_capture(&reader->choice);
+    const struct aob_scene_choice *choice = &reader->choice;
+    if (!choice->name + !choice->file + !choice->capture != 2)
+        return aob_yaml_fail(yaml, node,
+                             "a scene needs one of name: SCENE, file: MESH and capture: FILE.exr");
     if (reader->eye != reader->target)
         return aob_yaml_fail(yaml, node, "a camera needs both eye and target");
+    if (choice->capture && reader->view_count)
+        return aob_yaml_fail(yaml, node, "a capture has no named views");
+    if (choice->capture)
+        return aob_config_judge_capture(yaml, node, choice);
+    if (reader->convention)
+        return aob_yaml_fail(yaml, node, "depth, normals and what goes with them are keys of a capture");
     if (!reader->eye && reader->lens)
         return aob_yaml_fail(yaml, node, "fov_deg, ortho_height, shift and previous need eye and target");
     if (reader->choice.file && reader->view_count)
@@ -218,12 +235,16 @@ static bool judge_scene(struct aob_yaml *yaml, const yaml_node_t *node, struct s
 
 static bool read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
 {
-    static const char *const keys[] = {"name",    "file",         "view",  "views",    "eye", "target",
-                                       "fov_deg", "ortho_height", "shift", "previous", NULL};
-    struct scene_reader reader = {.config = user, .choice = {.fov_deg = 60}};
+    static const char *const keys[] = {
+        "name",    "file",    "capture",      "view",          "views",          "eye",
+        "target",  "fov_deg", "ortho_height", "shift", "previous", "depth",         "near",           "far",
+        "normals", "handed",  "up",           "depth_channel", "normal_channel", NULL};
+    struct scene_reader reader = {.config = user};
     bool ok =
         aob_yaml_mapping(yaml, node, keys, read_scene_entry, &reader) && judge_scene(yaml, node, &reader);
     reader.choice.has_camera = reader.eye;
+    if (!(reader.choice.fov_deg > 0) && !reader.choice.capture)
+        reader.choice.fov_deg = 60;
     reader.choice.line = (int)node->start_mark.line + 1;
     reader.choice.column = (int)node->start_mark.column + 1;
     for (size_t i = 0; ok && i < reader.view_count; i++)
@@ -235,6 +256,7 @@ static bool read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
     free(reader.views);
     free(reader.choice.name);
     free(reader.choice.file);
+    free(reader.choice.capture);
     return ok;
 }
 
@@ -320,12 +342,15 @@ static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_
 
 static bool judge_config(const struct aob_config *config, struct aob_error *error)
 {
-    const char *missing = !config->name              ? "name"
-                          : !config->scene_count     ? "scenes"
-                          : !config->size_count      ? "resolutions"
-                          : !config->backend_count   ? "backends"
-                          : !config->technique_count ? "techniques"
-                                                     : NULL;
+    bool sized = true; /* a capture has its own size */
+    for (size_t i = 0; i < config->scene_count; i++)
+        sized = sized && config->scenes[i].capture;
+    const char *missing = !config->name                   ? "name"
+                          : !config->scene_count          ? "scenes"
+                          : !config->size_count && !sized ? "resolutions"
+                          : !config->backend_count        ? "backends"
+                          : !config->technique_count      ? "techniques"
+                                                          : NULL;
     return !missing || aob_fail(error, "%s: '%s' is missing or empty", config->path, missing);
 }
 
@@ -352,38 +377,4 @@ bool aob_config_read(struct aob_config *config, const char *path, struct aob_err
     if (!ok)
         aob_config_finish(config);
     return ok;
-}
-
-static void free_axes(struct aob_axis *axes, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        for (size_t v = 0; v < axes[i].count; v++)
-            free(axes[i].values[v].text);
-        free(axes[i].values);
-        free(axes[i].name);
-    }
-    free(axes);
-}
-
-void aob_config_finish(struct aob_config *config)
-{
-    for (size_t i = 0; i < config->scene_count; i++) {
-        free(config->scenes[i].name);
-        free(config->scenes[i].file);
-        free(config->scenes[i].view);
-    }
-    for (size_t i = 0; i < config->backend_count; i++)
-        free(config->backends[i].text);
-    for (size_t i = 0; i < config->technique_count; i++) {
-        free(config->techniques[i].name.text);
-        free_axes(config->techniques[i].axes, config->techniques[i].axis_count);
-    }
-    free_axes(config->options, config->option_count);
-    free(config->scenes);
-    free(config->sizes);
-    free(config->backends);
-    free(config->techniques);
-    free(config->name);
-    free(config->path);
-    *config = (struct aob_config){0};
 }

@@ -7,6 +7,7 @@
  *     - {name: bunny, view: front}
  *     - {file: my.ply, eye: [0, 1, 4], target: [0, 1, 0], fov_deg: 60, shift: [0.5, 0],
  *        previous: {eye: [0.1, 1, 4], target: [0, 1, 0]}}    # a frame earlier; default: a still camera
+ *     - {capture: frame.exr, fov_deg: 60, depth: device_reversed, near: 0.1, far: inf}   # or name: capture:frame.exr
  *   resolutions: [480x270]
  *   backends: [vulkan, gl-egl]
  *   options: {guard_band: 64, fetch: [sampled, storage]}   # a list is an axis of the sweep
@@ -25,6 +26,7 @@
 #include <stddef.h>
 #include "base/error.h"
 #include "base/hash.h"
+#include "convention.h"
 
 struct aob_value { /* one scalar of the file */
     char *text;
@@ -40,14 +42,18 @@ struct aob_pose {
     double eye[3], target[3]; /* scene units */
 };
 struct aob_scene_choice {
-    char *name, *file; /* one of the two */
-    char *view;        /* listed view, or NULL */
+    char *name, *file, *capture; /* one of the three */
+    char *view;                  /* listed view, or NULL */
     bool has_camera, ortho;
     double eye[3], target[3];
-    double fov_deg, ortho_height;
+    double fov_deg, ortho_height; /* of a capture 0 until stated */
     double shift[2]; /* of the image, in its heights: x right, y up */
     bool moves;
     struct aob_pose previous; /* if it moves: a frame earlier */
+    struct aob_convention convention; /* of a capture */
+    int width, height;         /* of a capture once it is loaded (captures.h), before the plan is made; */
+    char *gbuffer;             /* likewise its file in the cache, */
+    char digest[AOB_KEY_SIZE]; /* and what it was made of */
     int line, column;
 };
 struct aob_technique_choice {

@@ -74,7 +74,7 @@ double aob_plan_estimate_s(const struct aob_plan *plan)
         for (size_t j = 0; j < i && first_of_view; j++)
             first_of_view = plan->cases[j].scene != c->scene || plan->cases[j].width != c->width ||
                             plan->cases[j].height != c->height;
-        if (first_of_view && plan->config->measure_error)
+        if (first_of_view && plan->config->measure_error && !c->scene->gbuffer)
             seconds += (double)c->width * c->height * plan->config->spp / 4e6;
         seconds += 1 + (plan->config->measure_time ? plan->config->seconds : 0);
     }

@@ -101,9 +101,29 @@ static bool find_scene(struct aob_plan_scene *scene, const struct aob_scene_choi
     return ok;
 }
 
+/* A frame of another renderer, of the size and seen by the camera that it was loaded with. */
+static bool choose_capture(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                           struct aob_error *error)
+{
+    struct aob_text name = {0};
+    aob_text_add(&name, "capture:%s", choice->capture);
+    scene->name = name.data;
+    scene->gbuffer = choice->gbuffer;
+    scene->width = choice->width;
+    scene->height = choice->height;
+    scene->metres_per_unit = 1;
+    memcpy(scene->digest, choice->digest, sizeof scene->digest);
+    bool ok = choose_camera(scene, choice, error);
+    free(scene->view);
+    scene->view = aob_strdup("capture");
+    return ok;
+}
+
 static bool choose_scene(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
                          struct aob_error *error)
 {
+    if (choice->capture)
+        return choose_capture(scene, choice, error);
     if (!find_scene(scene, choice, error))
         return false;
     if (!aob_source_digest(scene->info, scene->file, scene->digest, error))
@@ -235,6 +255,9 @@ static bool key_is_new(const struct aob_plan *plan, const char *key)
 static bool judge_pixels(const struct aob_case *c, struct aob_error *error)
 {
     double guard = aob_case_options(c).guard_band;
+    if (c->scene->gbuffer && guard > 0)
+        return aob_fail(error, "%s: a capture ends at its edge: guard_band must be 0, not %g", c->scene->name,
+                        guard);
     return (c->width + 2 * guard) * (c->height + 2 * guard) <= 4e7 ||
            aob_fail(error, "%dx%d with a guard band of %g is more than 40 million pixels", c->width,
                     c->height, guard);
@@ -298,8 +321,10 @@ static bool expand(struct aob_plan *plan, const struct aob_technique_list *techn
                    struct aob_error *error)
 {
     const struct aob_config *config = plan->config;
-    for (size_t s = 0; s < plan->scene_count; s++)
-        for (size_t r = 0; r < config->size_count; r++)
+    for (size_t s = 0; s < plan->scene_count; s++) {
+        const struct aob_size own = {plan->scenes[s].width, plan->scenes[s].height};
+        const struct aob_size *sizes = plan->scenes[s].gbuffer ? &own : config->sizes;
+        for (size_t r = 0; r < (sizes == &own ? 1 : config->size_count); r++)
             for (size_t b = 0; b < config->backend_count; b++) {
                 const struct aob_gpu_fns *backend = aob_gpu_find(config->backends[b].text);
                 if (!backend) {
@@ -308,12 +333,13 @@ static bool expand(struct aob_plan *plan, const struct aob_technique_list *techn
                     return fail_value(config, &config->backends[b], error);
                 }
                 struct aob_case base = {.scene = &plan->scenes[s],
-                                        .width = config->sizes[r].width,
-                                        .height = config->sizes[r].height,
+                                        .width = sizes[r].width,
+                                        .height = sizes[r].height,
                                         .backend = backend->name};
                 if (!expand_techniques(plan, base, techniques, error))
                     return false;
             }
+    }
     return true;
 }
 

@@ -14,7 +14,9 @@ struct aob_plan_scene {                /* one view of one scene */
     const struct aob_scene_info *info; /* NULL: a mesh file of the user's */
     char *name;                        /* "corner", one of the user's folder, or the file's path */
     char *file;                        /* mesh file to load, or NULL for a procedural scene */
-    char *view;               /* "front", "camera" or "framed" (from the mesh's box, once it is loaded) */
+    const char *gbuffer;               /* of a capture: its G-buffer in the cache, of this size; else NULL */
+    int width, height;
+    char *view; /* "front", "camera", "capture" or "framed" (from the mesh's box, once it is loaded) */
     struct aob_camera camera; /* unset while framed */
     bool framed;
     bool loaded; /* by this run: its warnings are printed, its framing is known */
@@ -41,7 +43,7 @@ struct aob_plan {
 
 enum { AOB_PLAN_MAX_CASES = 20000 };
 
-/* False: one line, FILE:LINE:COLUMN where the config has a position. */
+/* Captures must be loaded (captures.h). False: one line, FILE:LINE:COLUMN where the config has a position. */
 bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
                      const struct aob_technique_list *techniques, struct aob_error *error);
 void aob_plan_finish(struct aob_plan *plan);

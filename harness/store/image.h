@@ -38,4 +38,14 @@ bool aob_image_write(const struct aob_image *image, const char *path, struct aob
  * 2^28 pixels x channels, deep or damaged files, with one line. Attributes of one or three numbers and
  * strings are read. Of a file with several parts the first is read. */
 bool aob_image_read(struct aob_image *image, const char *path, struct aob_error *error);
+
+/* Some channels of another program's file, of any of its parts. `choose` marks what it wants among all names, or fails
+ * with a line; in a file with several parts a name is PART.CHANNEL unless it begins with its part's already. The image
+ * is the display window of the first part, NAN where a channel has no pixels; attributes are the first part's. Refuses
+ * what aob_image_read refuses of the chosen channels, pixels that are not square, and sizes beyond these. */
+enum { AOB_LAYERS_MAX_SIDE = 16384, AOB_LAYERS_MAX_PIXELS = 40000000 };
+typedef bool aob_image_choose(void *user, const char *const *names, size_t count, bool *wanted,
+                              struct aob_error *error);
+bool aob_image_read_layers(struct aob_image *image, const char *path, aob_image_choose *choose, void *user,
+                           struct aob_error *error);
 #endif

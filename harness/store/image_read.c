@@ -1,24 +1,11 @@
-#include "image.h"
+#include "image_reader.h"
 #include "base/memory.h"
-#include <OpenEXR/openexr.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 static const size_t VALUE_LIMIT = (size_t)1 << 28; /* pixels x channels */
-
-struct reader {
-    const char *path;
-    struct aob_image *image;
-    struct aob_error *error;
-    exr_context_t file;
-    exr_decode_pipeline_t pipeline;
-    bool decoding;           /* the pipeline is initialised */
-    exr_attr_box2i_t window; /* of the pixels; its corner need not be 0, 0 */
-    exr_storage_t storage;
-    float **planes; /* one for each channel of the file, in the file's order */
-};
 
 static void ignore_message(exr_const_context_t context, exr_result_t code, const char *message)
 {
@@ -27,16 +14,16 @@ static void ignore_message(exr_const_context_t context, exr_result_t code, const
     (void)message;
 }
 
-static bool check(struct reader *r, exr_result_t rc, const char *what)
+bool aob_image_reader_check(struct aob_image_reader *r, exr_result_t rc, const char *what)
 {
     if (rc == EXR_ERR_SUCCESS)
         return true;
     return aob_fail(r->error, "%s: cannot read the %s: %s", r->path, what, exr_get_default_error_message(rc));
 }
 
-static bool read_window(struct reader *r)
+static bool read_window(struct aob_image_reader *r)
 {
-    if (!check(r, exr_get_data_window(r->file, 0, &r->window), "image size"))
+    if (!aob_image_reader_check(r, exr_get_data_window(r->file, r->part, &r->window), "image size"))
         return false;
     int64_t width = (int64_t)r->window.max.x - r->window.min.x + 1;
     int64_t height = (int64_t)r->window.max.y - r->window.min.y + 1;
@@ -49,25 +36,30 @@ static bool read_window(struct reader *r)
     return true;
 }
 
-static bool read_storage(struct reader *r)
+static bool read_storage(struct aob_image_reader *r)
 {
-    if (!check(r, exr_get_storage(r->file, 0, &r->storage), "storage"))
+    if (!aob_image_reader_check(r, exr_get_storage(r->file, r->part, &r->storage), "storage"))
         return false;
     return r->storage == EXR_STORAGE_SCANLINE || r->storage == EXR_STORAGE_TILED ||
            aob_fail(r->error, "%s: refused: deep images are not supported, flatten it first", r->path);
 }
 
-static bool add_channels(struct reader *r)
+static bool add_channels(struct aob_image_reader *r)
 {
     const exr_attr_chlist_t *list = NULL;
-    if (!check(r, exr_get_channels(r->file, 0, &list), "channels"))
+    if (!aob_image_reader_check(r, exr_get_channels(r->file, r->part, &list), "channels"))
         return false;
     size_t count = list && list->num_channels > 0 ? (size_t)list->num_channels : 0;
     size_t pixels = (size_t)r->image->width * (size_t)r->image->height;
-    if (count == 0 || count > VALUE_LIMIT / pixels)
-        return aob_fail(r->error, "%s: refused: %zu channels of %zu pixels", r->path, count, pixels);
+    size_t wanted = count;
+    for (size_t i = 0; r->wanted && i < count; i++)
+        wanted -= !r->wanted[i];
+    if (wanted == 0 || wanted > VALUE_LIMIT / pixels)
+        return aob_fail(r->error, "%s: refused: %zu channels of %zu pixels", r->path, wanted, pixels);
     r->planes = AOB_NEW_ARRAY(float *, count);
     for (size_t i = 0; i < count; i++) {
+        if (r->wanted && !r->wanted[i])
+            continue;
         const exr_attr_chlist_entry_t *entry = &list->entries[i];
         const char *name = entry->name.str;
         if (entry->x_sampling != 1 || entry->y_sampling != 1)
@@ -118,15 +110,15 @@ static bool is_structural(const char *name)
     return false;
 }
 
-static bool read_attributes(struct reader *r)
+bool aob_image_reader_attributes(struct aob_image_reader *r)
 {
     int32_t count = 0;
-    if (!check(r, exr_get_attribute_count(r->file, 0, &count), "attributes"))
+    if (!aob_image_reader_check(r, exr_get_attribute_count(r->file, r->part, &count), "attributes"))
         return false;
     for (int32_t i = 0; i < count; i++) {
         const exr_attribute_t *a = NULL;
-        exr_result_t rc = exr_get_attribute_by_index(r->file, 0, EXR_ATTR_LIST_FILE_ORDER, i, &a);
-        if (!check(r, rc, "attributes"))
+        exr_result_t rc = exr_get_attribute_by_index(r->file, r->part, EXR_ATTR_LIST_FILE_ORDER, i, &a);
+        if (!aob_image_reader_check(r, rc, "attributes"))
             return false;
         if (strlen(a->name) < sizeof r->image->attributes->name && !is_structural(a->name))
             add_attribute(r->image, a);
@@ -135,19 +127,21 @@ static bool read_attributes(struct reader *r)
 }
 
 /* The chunk must lie within the image, whatever a damaged file says. */
-static bool chunk_fits(const struct reader *r, const exr_chunk_info_t *chunk, int x, int y)
+static bool chunk_fits(const struct aob_image_reader *r, const exr_chunk_info_t *chunk, int x, int y)
 {
     return chunk->width >= 1 && chunk->height >= 1 && x >= 0 && y >= 0 &&
            (int64_t)x + chunk->width <= r->image->width && (int64_t)y + chunk->height <= r->image->height;
 }
 
 /* Half becomes float in the library; whole numbers it hands over only as they are. */
-static void point_channels_at(struct reader *r, int x, int y)
+static void point_channels_at(struct aob_image_reader *r, int x, int y)
 {
     size_t width = (size_t)r->image->width;
     for (int c = 0; c < r->pipeline.channel_count; c++) {
         exr_coding_channel_info_t *channel = &r->pipeline.channels[c];
         bool whole = channel->data_type == EXR_PIXEL_UINT;
+        if (!r->planes[c])
+            continue; /* the library skips what has nowhere to go */
         channel->decode_to_ptr = (uint8_t *)(r->planes[c] + (size_t)y * width + (size_t)x);
         channel->user_pixel_stride = sizeof(float);
         channel->user_line_stride = (int32_t)(sizeof(float) * width);
@@ -156,10 +150,10 @@ static void point_channels_at(struct reader *r, int x, int y)
     }
 }
 
-static void convert_whole_numbers(struct reader *r, const exr_chunk_info_t *chunk, int x, int y)
+static void convert_whole_numbers(struct aob_image_reader *r, const exr_chunk_info_t *chunk, int x, int y)
 {
     for (int c = 0; c < r->pipeline.channel_count; c++) {
-        if (r->pipeline.channels[c].data_type != EXR_PIXEL_UINT)
+        if (!r->planes[c] || r->pipeline.channels[c].data_type != EXR_PIXEL_UINT)
             continue;
         for (int j = 0; j < chunk->height; j++) {
             float *row = r->planes[c] + (size_t)(y + j) * (size_t)r->image->width + (size_t)x;
@@ -173,79 +167,97 @@ static void convert_whole_numbers(struct reader *r, const exr_chunk_info_t *chun
 }
 
 /* x, y: where the chunk belongs in the image. */
-static bool read_chunk(struct reader *r, const exr_chunk_info_t *chunk, int x, int y)
+static bool read_chunk(struct aob_image_reader *r, const exr_chunk_info_t *chunk, int x, int y)
 {
     if (!chunk_fits(r, chunk, x, y))
         return aob_fail(r->error, "%s: damaged: a block lies outside of the image", r->path);
-    exr_result_t rc = r->decoding ? exr_decoding_update(r->file, 0, chunk, &r->pipeline)
-                                  : exr_decoding_initialize(r->file, 0, chunk, &r->pipeline);
+    exr_result_t rc = r->decoding ? exr_decoding_update(r->file, r->part, chunk, &r->pipeline)
+                                  : exr_decoding_initialize(r->file, r->part, chunk, &r->pipeline);
     if (rc == EXR_ERR_SUCCESS) {
         r->decoding = true;
         point_channels_at(r, x, y);
-        rc = exr_decoding_choose_default_routines(r->file, 0, &r->pipeline);
+        rc = exr_decoding_choose_default_routines(r->file, r->part, &r->pipeline);
     }
     if (rc == EXR_ERR_SUCCESS)
-        rc = exr_decoding_run(r->file, 0, &r->pipeline);
-    if (!check(r, rc, "pixels"))
+        rc = exr_decoding_run(r->file, r->part, &r->pipeline);
+    if (!aob_image_reader_check(r, rc, "pixels"))
         return false;
     convert_whole_numbers(r, chunk, x, y);
     return true;
 }
 
-static bool read_scanlines(struct reader *r)
+static bool read_scanlines(struct aob_image_reader *r)
 {
     int32_t lines = 0;
-    if (!check(r, exr_get_scanlines_per_chunk(r->file, 0, &lines), "pixels"))
+    if (!aob_image_reader_check(r, exr_get_scanlines_per_chunk(r->file, r->part, &lines), "pixels"))
         return false;
     if (lines < 1)
         return aob_fail(r->error, "%s: damaged: blocks without lines", r->path);
     for (int y = 0; y < r->image->height; y += lines) {
         exr_chunk_info_t chunk;
-        if (!check(r, exr_read_scanline_chunk_info(r->file, 0, r->window.min.y + y, &chunk), "pixels") ||
+        if (!aob_image_reader_check(
+                r, exr_read_scanline_chunk_info(r->file, r->part, r->window.min.y + y, &chunk), "pixels") ||
             !read_chunk(r, &chunk, 0, y))
             return false;
     }
     return true;
 }
 
-static bool read_tiles(struct reader *r)
+static bool read_tiles(struct aob_image_reader *r)
 {
     int32_t tile_width = 0, tile_height = 0;
-    if (!check(r, exr_get_tile_sizes(r->file, 0, 0, 0, &tile_width, &tile_height), "tiles"))
+    if (!aob_image_reader_check(r, exr_get_tile_sizes(r->file, r->part, 0, 0, &tile_width, &tile_height),
+                                "tiles"))
         return false;
     if (tile_width < 1 || tile_height < 1)
         return aob_fail(r->error, "%s: damaged: tiles without pixels", r->path);
     for (int64_t y = 0; y < r->image->height; y += tile_height)
         for (int64_t x = 0; x < r->image->width; x += tile_width) {
             exr_chunk_info_t chunk;
-            exr_result_t rc = exr_read_tile_chunk_info(r->file, 0, (int)(x / tile_width),
+            exr_result_t rc = exr_read_tile_chunk_info(r->file, r->part, (int)(x / tile_width),
                                                        (int)(y / tile_height), 0, 0, &chunk);
-            if (!check(r, rc, "tiles") || !read_chunk(r, &chunk, (int)x, (int)y))
+            if (!aob_image_reader_check(r, rc, "tiles") || !read_chunk(r, &chunk, (int)x, (int)y))
                 return false;
         }
     return true;
 }
 
-static bool read_pixels(struct reader *r)
+static bool read_pixels(struct aob_image_reader *r)
 {
     return r->storage == EXR_STORAGE_TILED ? read_tiles(r) : read_scanlines(r);
+}
+
+bool aob_image_reader_open(struct aob_image_reader *r)
+{
+    exr_context_initializer_t init = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    init.error_handler_fn = ignore_message;
+    exr_result_t rc = exr_start_read(&r->file, r->path, &init);
+    return rc == EXR_ERR_SUCCESS ||
+           aob_fail(r->error, "%s: cannot read the image: %s", r->path, exr_get_default_error_message(rc));
+}
+
+/* The wanted channels of one part, and its attributes. */
+bool aob_image_reader_part(struct aob_image_reader *r)
+{
+    bool ok = read_window(r) && read_storage(r) && add_channels(r) && aob_image_reader_attributes(r) &&
+              read_pixels(r);
+    if (r->decoding)
+        exr_decoding_destroy(r->file, &r->pipeline);
+    free(r->planes);
+    r->decoding = false;
+    r->planes = NULL;
+    r->pipeline = (exr_decode_pipeline_t){0};
+    return ok;
 }
 
 bool aob_image_read(struct aob_image *image, const char *path, struct aob_error *error)
 {
     *image = (struct aob_image){0};
-    struct reader r = {.path = path, .image = image, .error = error};
-    exr_context_initializer_t init = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    init.error_handler_fn = ignore_message;
-    exr_result_t rc = exr_start_read(&r.file, path, &init);
-    if (rc != EXR_ERR_SUCCESS)
-        return aob_fail(error, "%s: cannot read the image: %s", path, exr_get_default_error_message(rc));
-    bool ok =
-        read_window(&r) && read_storage(&r) && add_channels(&r) && read_attributes(&r) && read_pixels(&r);
-    if (r.decoding)
-        exr_decoding_destroy(r.file, &r.pipeline);
+    struct aob_image_reader r = {.path = path, .image = image, .error = error};
+    if (!aob_image_reader_open(&r))
+        return false;
+    bool ok = aob_image_reader_part(&r);
     exr_finish(&r.file);
-    free(r.planes);
     if (!ok)
         aob_image_finish(image);
     return ok;

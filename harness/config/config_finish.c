@@ -1,0 +1,38 @@
+#include <stdlib.h>
+#include "config.h"
+
+static void free_axes(struct aob_axis *axes, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        for (size_t v = 0; v < axes[i].count; v++)
+            free(axes[i].values[v].text);
+        free(axes[i].values);
+        free(axes[i].name);
+    }
+    free(axes);
+}
+
+void aob_config_finish(struct aob_config *config)
+{
+    for (size_t i = 0; i < config->scene_count; i++) {
+        free(config->scenes[i].name);
+        free(config->scenes[i].file);
+        free(config->scenes[i].view);
+        free(config->scenes[i].capture);
+        free(config->scenes[i].gbuffer);
+    }
+    for (size_t i = 0; i < config->backend_count; i++)
+        free(config->backends[i].text);
+    for (size_t i = 0; i < config->technique_count; i++) {
+        free(config->techniques[i].name.text);
+        free_axes(config->techniques[i].axes, config->techniques[i].axis_count);
+    }
+    free_axes(config->options, config->option_count);
+    free(config->scenes);
+    free(config->sizes);
+    free(config->backends);
+    free(config->techniques);
+    free(config->name);
+    free(config->path);
+    *config = (struct aob_config){0};
+}
