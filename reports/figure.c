@@ -48,15 +48,16 @@ static const float *channel(const struct aob_image *image, const json_t *figure,
 static bool take_map(const json_t *figure, const struct aob_image *image, struct aob_viz_map *map,
                      struct aob_error *error)
 {
+    bool alone = json_is_true(json_object_get(figure, "alone"));
     *map = (struct aob_viz_map){
         .title = text_of(figure, "title", ""),
         .subtitle = text_of(figure, "subtitle", ""),
         .width = image->width,
         .height = image->height,
-        .error = channel(image, figure, "error", "error.AO", error),
+        .error = alone ? NULL : channel(image, figure, "error", "error.AO", error),
         .limit = json_number_value(json_object_get(figure, "limit")),
     };
-    return map->error != NULL;
+    return alone || map->error;
 }
 
 typedef int map_drawer(const struct aob_viz_map *, const char *, char *);
@@ -94,8 +95,9 @@ static bool draw_triptych(const json_t *figure, struct aob_figure_cache *cache, 
     if (!image || !take_map(figure, image, &t.map, error))
         return false;
     t.technique = channel(image, figure, "technique", "technique.AO", error);
-    t.reference = t.technique ? channel(image, figure, "reference", "reference.AO", error) : NULL;
-    if (!t.reference)
+    bool alone = json_is_true(json_object_get(figure, "alone"));
+    t.reference = t.technique && !alone ? channel(image, figure, "reference", "reference.AO", error) : NULL;
+    if (!t.technique || (!alone && !t.reference))
         return false;
     return aob_viz_triptych_png(&t, out, why) == 0 || aob_fail(error, "%s", why);
 }
@@ -106,15 +108,19 @@ static bool draw_vti(const json_t *figure, struct aob_figure_cache *cache, const
     const struct aob_image *image = load(cache, figure, error);
     if (!image)
         return false;
-    struct aob_viz_field fields[3] = {
-        {"AO", channel(image, figure, "technique", "technique.AO", error)},
-        {"reference", channel(image, figure, "reference", "reference.AO", error)},
-        {"error", channel(image, figure, "error", "error.AO", error)},
-    };
+    static const char *const roles[3][3] = {{"AO", "technique", "technique.AO"},
+                                            {"reference", "reference", "reference.AO"},
+                                            {"error", "error", "error.AO"}};
+    size_t count = json_is_true(json_object_get(figure, "alone")) ? 1 : AOB_COUNT(roles);
+    struct aob_viz_field fields[3];
     char why[AOB_VIZ_ERROR_SIZE] = "";
-    if (!fields[0].pixels || !fields[1].pixels || !fields[2].pixels)
-        return false;
-    return aob_viz_vti(image->width, image->height, fields, AOB_COUNT(fields), out, why) == 0 ||
+    for (size_t i = 0; i < count; i++) {
+        fields[i] =
+            (struct aob_viz_field){roles[i][0], channel(image, figure, roles[i][1], roles[i][2], error)};
+        if (!fields[i].pixels)
+            return false;
+    }
+    return aob_viz_vti(image->width, image->height, fields, count, out, why) == 0 ||
            aob_fail(error, "%s", why);
 }
 

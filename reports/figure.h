@@ -8,6 +8,7 @@
  *   limit                 where the colours end, or
  *   limit_group           a name: figures of one name share one limit, a round number near the median of their
  *                         images' 99.5th percentiles of |error|. map, triptych, height
+ *   alone                 true: the technique without reference and error, where there are none. triptych, vti
  *   technique_name, reference_name
  *                         headings of a triptych
  *   x, y                  {"label": TEXT, "log": BOOL}: chart

@@ -119,6 +119,12 @@ static char *facts_of(const struct aob_row *row)
     return text.data;
 }
 
+/* A capture's case, or one of a run without a reference. */
+static bool has_score(const struct aob_row *row)
+{
+    return json_is_object(json_object_get(row->json, "error"));
+}
+
 static void add_image_figure(struct aob_gallery *g, enum aob_figure_kind kind, size_t section,
                              const struct aob_row *row)
 {
@@ -134,6 +140,10 @@ static void add_image_figure(struct aob_gallery *g, enum aob_figure_kind kind, s
     json_t *job = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s}", "title", title.data, "subtitle", facts, "image",
                             path.data, "limit_group", group, "technique_name", heading.data, "reference_name",
                             "Reference: ray-traced");
+    if (job && !has_score(row)) {
+        json_object_set_new(job, "alone", json_true());
+        json_object_del(job, "limit_group");
+    }
     aob_gallery_add(g, kind, section, row->technique, ends[kind], job)->row = row;
     aob_text_finish(&path);
     aob_text_finish(&title);
@@ -149,9 +159,10 @@ static void add_section(struct aob_gallery *g, size_t section)
         if (!row)
             continue;
         add_image_figure(g, AOB_FIGURE_TRIPTYCH, section, row);
-        add_image_figure(g, AOB_FIGURE_MAP, section, row);
+        if (has_score(row))
+            add_image_figure(g, AOB_FIGURE_MAP, section, row);
         add_image_figure(g, AOB_FIGURE_VTI, section, row);
-        if (!top || score(row) < score(top))
+        if (has_score(row) && (!top || score(row) < score(top)))
             top = row;
     }
     if (top)

@@ -101,7 +101,9 @@ static void add_pictures(struct aob_text *page, const struct aob_gallery *g, siz
         if (figure->kind != AOB_FIGURE_TRIPTYCH || figure->section != section)
             continue;
         if (!any)
-            aob_text_add(page, "<h3>Each technique's most accurate case</h3>\n");
+            aob_text_add(page, json_object_get(figure->job, "alone")
+                                   ? "<h3>Each technique's image: there is no reference</h3>\n"
+                                   : "<h3>Each technique's most accurate case</h3>\n");
         any = true;
         add_triptych(page, g, figure);
     }

@@ -41,7 +41,9 @@ int aob_viz_height_png(const struct aob_viz_map *map, const char *path, char err
  * factor, small ones drawn as squares of whole pixels. */
 struct aob_viz_triptych {
     struct aob_viz_map map;
-    const float *technique, *reference; /* visibility: 0 black, 1 white */
+    const float *technique; /* visibility: 0 black, 1 white */
+    const float
+        *reference; /* NULL: the technique is drawn alone, and the map's error and limit are not read */
     const char *technique_name, *reference_name;
 };
 int aob_viz_triptych_png(const struct aob_viz_triptych *figure, const char *path,

@@ -178,12 +178,26 @@ scale panel_scale(int width, int height)
     return {down > 1 ? 1 : up, down};
 }
 
+void draw_alone(const aob_viz_triptych &figure, const std::string &path)
+{
+    const aob_viz_map &map = figure.map;
+    scale size = panel_scale(map.width, map.height);
+    int width = size.of(map.width), top = 126;
+    canvas sheet(std::max(2 * MARGIN + width, 720), top + size.of(map.height) + 32);
+    draw_titles(sheet, map, 20);
+    sheet.text(MARGIN, top - 10, fit_text(figure.technique_name, HEADING, width), HEADING);
+    draw_panel(sheet, {figure.technique, map.width, map.height, size, 0}, MARGIN, top);
+    save_png(sheet.Image, path);
+}
+
 void draw_triptych(const aob_viz_triptych &figure, const std::string &path)
 {
     const aob_viz_map &map = figure.map;
+    if (!figure.technique || map.width < 1 || map.height < 1)
+        throw std::runtime_error("the image of the technique is missing");
+    if (!figure.reference)
+        return draw_alone(figure, path);
     check_map(map);
-    if (!figure.technique || !figure.reference)
-        throw std::runtime_error("the image of the technique or of the reference is missing");
     scale size = panel_scale(map.width, map.height);
     int width = size.of(map.width), height = size.of(map.height), step = std::max(width, 200) + 20;
     int top = 126, bar = std::max(height, 60), end = MARGIN + 2 * step + width;
