@@ -12,6 +12,9 @@ _aobudget() {
     case $previous in
       --technique) words=$(_aobudget_names techniques) ;;
       --scene) words=$(_aobudget_names scenes) ;;
+      --depth) words="planar distance device device_reversed" ;;
+      --normals) words="view world derived" ;;
+      --handed) words="right left" ;;
       --backend) words=$(_aobudget_names backends) ;;
       list) words="techniques scenes backends" ;;
       *)
