@@ -63,7 +63,7 @@ bool aob_worker_capture(struct aob_worker *worker, struct aob_error *error)
         return aob_fail(error, "a capture job needs out");
     if (!get_desc(worker->job, &desc, error) || !aob_capture_read(&capture, &desc, error))
         return false;
-    bool ok = aob_gbuffer_store(&capture.hits, out, error);
+    bool ok = aob_gbuffer_store(&capture.hits, &(struct aob_mesh){0}, out, error);
     if (ok)
         aob_worker_reply(worker, describe(&capture));
     aob_capture_finish(&capture);

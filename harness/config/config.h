@@ -47,9 +47,9 @@ struct aob_scene_choice {
     bool has_camera, ortho;
     double eye[3], target[3];
     double fov_deg, ortho_height; /* of a capture 0 until stated */
-    double shift[2]; /* of the image, in its heights: x right, y up */
+    double shift[2];              /* of the image, in its heights: x right, y up */
     bool moves;
-    struct aob_pose previous; /* if it moves: a frame earlier */
+    struct aob_pose previous;         /* if it moves: a frame earlier */
     struct aob_convention convention; /* of a capture */
     int width, height;         /* of a capture once it is loaded (captures.h), before the plan is made; */
     char *gbuffer;             /* likewise its file in the cache, */

@@ -45,6 +45,7 @@ bool aob_config_judge_capture(struct aob_yaml *yaml, const yaml_node_t *node,
 {
     struct aob_error error = {{0}};
     if (choice->moves || choice->shift[0] != 0 || choice->shift[1] != 0)
-        return aob_yaml_fail(yaml, node, "a capture is read as centred and still: leave shift and previous out");
+        return aob_yaml_fail(yaml, node,
+                             "a capture is read as centred and still: leave shift and previous out");
     return aob_convention_check(&choice->convention, &error) || aob_yaml_fail(yaml, node, "%s", error.text);
 }

@@ -27,7 +27,7 @@ struct aob_gbuffer {
 void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,
                       const struct aob_projection *projection, int guard);
 
-/* Into a file, with the materials of the mesh that was cast / from such a file; that allocates too. */
+/* Into a file, with the materials of the mesh that was cast (an empty one of a capture) / from such a file; that allocates too. */
 bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh, const char *path,
                        struct aob_error *error);
 bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,
