@@ -89,6 +89,7 @@ bool aob_score(const struct aob_score_desc *desc, struct aob_score *score, struc
                                 .max = sums.count ? aob_quantile(errors, sums.count, 1) : NAN,
                                 .band_rmse = sqrt(mean(sums.band, sums.band_count)),
                                 .border_rmse = sqrt(mean(sums.border, sums.border_count)),
+                                .border_share = sums.square > 0 ? sums.border / sums.square : 0,
                                 .reference_se = sqrt(mean(sums.se, sums.count)),
                                 .pixels = sums.count,
                                 .band_pixels = sums.band_count};

@@ -20,6 +20,7 @@ struct aob_score {              /* NAN where no pixel is in the class */
     double p95, max;            /* of the absolute error */
     double band_rmse;           /* pixels whose truth is below AOB_BAND_LIMIT */
     double border_rmse;         /* pixels closer to the image's edge than the radius's projection */
+    double border_share;        /* of the squared error, in those pixels; 0 where there is no error */
     double reference_se;        /* truth_se pooled as an RMS; 0 without one */
     size_t pixels, band_pixels; /* scored */
 };

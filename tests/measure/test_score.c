@@ -56,6 +56,7 @@ static void test_border(void **state)
         2; /* one pixel: the outermost ring; of it row 3 has errors 0...08 and rows 1, 2 only x = 0 */
     assert_true(aob_score(&desc, &s, NULL));
     assert_near(s.border_rmse, sqrt(204e-4 / 20), 1e-7);
+    assert_near(s.border_share, 1 / 3.0, 1e-6);
     desc.radius = INFINITY;
     assert_true(aob_score(&desc, &s, NULL));
     assert_near(s.border_rmse, s.rmse, 1e-12);
