@@ -26,12 +26,12 @@ void aob_surface_at(const struct aob_tracer *tracer, const struct aob_frame_axes
                     const struct aob_hits *hits, size_t pixel, struct aob_surface *surface)
 {
     struct aob_vec3 c[3];
-    struct aob_vec3 n = aob_vec_normalize(aob_tracer_corners(tracer, hits->primitive[pixel], c));
+    aob_tracer_corners(tracer, hits->primitive[pixel], c);
     const float *seen = hits->normal[pixel];
-    if (aob_vec_dot(n, axes->right) * seen[0] + aob_vec_dot(n, axes->up) * seen[1] +
-            aob_vec_dot(n, axes->back) * seen[2] <
-        0)
-        n = aob_vec_scale(n, -1);
+    struct aob_vec3 n = aob_vec_add(aob_vec_scale(axes->right, seen[0]),
+                                    aob_vec_add(aob_vec_scale(axes->up, seen[1]),
+                                                aob_vec_scale(axes->back, seen[2])));
+    n = aob_vec_normalize(n);
     double u = hits->u[pixel], v = hits->v[pixel], s = tracer->to_unit;
     struct aob_vec3 p = aob_vec_add(aob_vec_scale(c[0], s * (1 - u - v)),
                                     aob_vec_add(aob_vec_scale(c[1], s * u), aob_vec_scale(c[2], s * v)));
@@ -40,6 +40,16 @@ void aob_surface_at(const struct aob_tracer *tracer, const struct aob_frame_axes
     surface->origin[1] = (float)p.y;
     surface->origin[2] = (float)p.z;
     build_basis(n, &surface->basis);
+}
+
+uint64_t aob_gather_seed(const struct aob_hits *hits, size_t pixel, int half, uint32_t seed)
+{
+    /* Counted from the middle, so that neither a guard band nor a part changes a pixel's rays. */
+    size_t width = (size_t)hits->width;
+    uint32_t across = (uint32_t)(pixel % width) - (uint32_t)(hits->width / 2);
+    uint32_t down = (uint32_t)(pixel / width) - (uint32_t)(hits->height / 2);
+    uint64_t place = (uint64_t)down << 32 | across;
+    return aob_sampler_mix(place * 2 + (uint64_t)half, seed);
 }
 
 /* A ray that leaves the plane of the triangle that it is said to hit. */

@@ -15,6 +15,9 @@ struct aob_surface {
 void aob_surface_at(const struct aob_tracer *tracer, const struct aob_frame_axes *axes,
                     const struct aob_hits *hits, size_t pixel, struct aob_surface *surface);
 
+/* The scramble of one half (0 or 1) of a pixel's directions; `seed` is the trace's. */
+uint64_t aob_gather_seed(const struct aob_hits *hits, size_t pixel, int half, uint32_t seed);
+
 /* Closest hits of all directions from `origin` within `reach` (unit space): distance[i] < reach of a hit, and
  * `reach` itself of a miss. `count` directions; the arrays are padded as the sampler's. */
 void aob_gather_distances(const struct aob_tracer *tracer, const float origin[3],

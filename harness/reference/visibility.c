@@ -111,7 +111,7 @@ static double occlusion(const struct job *job, const struct term *term, const st
 static void trace_half(const struct job *job, const struct aob_surface *surface, size_t pixel, int half,
                        const struct scratch *scratch)
 {
-    uint64_t seed = aob_sampler_mix(pixel * 2 + (size_t)half, job->seed);
+    uint64_t seed = aob_gather_seed(job->hits, pixel, half, job->seed);
     aob_sampler_directions(&job->sampler, &surface->basis, seed, &scratch->directions);
     aob_gather_distances(job->tracer, surface->origin, &scratch->directions, job->sampler.count, job->reach,
                          scratch->distance);
@@ -121,10 +121,6 @@ static void do_pixel(const struct job *job, int x, int y, const struct scratch *
 {
     size_t out = (size_t)y * (size_t)job->width + (size_t)x;
     size_t pixel = (size_t)(y + job->y0) * (size_t)job->hits->width + (size_t)(x + job->x0);
-    /* Counted from the middle, so that neither a guard band nor a part changes a pixel's rays. */
-    uint32_t across = (uint32_t)(x + job->x0 - job->hits->width / 2);
-    uint32_t down = (uint32_t)(y + job->y0 - job->hits->height / 2);
-    size_t seed = (size_t)down << 32 | across;
     if (job->hits->primitive[pixel] == AOB_NO_PRIMITIVE) {
         for (size_t k = 0; k < job->term_count; k++)
             job->result[k].ao[out] = 1;
@@ -132,10 +128,10 @@ static void do_pixel(const struct job *job, int x, int y, const struct scratch *
     }
     struct aob_surface surface;
     aob_surface_at(job->tracer, &job->axes, job->hits, pixel, &surface);
-    trace_half(job, &surface, seed, 0, scratch);
+    trace_half(job, &surface, pixel, 0, scratch);
     for (size_t k = 0; k < job->term_count; k++)
         scratch->half[k] = occlusion(job, &job->terms[k], scratch);
-    trace_half(job, &surface, seed, 1, scratch);
+    trace_half(job, &surface, pixel, 1, scratch);
     for (size_t k = 0; k < job->term_count; k++) {
         double a = scratch->half[k], b = occlusion(job, &job->terms[k], scratch);
         job->result[k].ao[out] = (float)(1 - (a + b) / 2);
