@@ -6,6 +6,10 @@
  * most 0.5) and of a curved surface's corners asks for. */
 #define LIFT FLT_EPSILON
 
+/* And how far towards the camera. It sees the point, so this is in front of every surface that meets there: a
+ * start in a crease would else lie behind the other side as often as not. */
+#define PULL (2 * FLT_EPSILON)
+
 /* Embree's triangle test errs by an ulp of the distance to the triangle's corners, so a triangle as large as
  * the scene can seem to lie above a start on its own plane. Such a false hit is nearer than error / least
  * cosine; hits nearer than this are looked at again in double precision. */
@@ -22,20 +26,37 @@ static void build_basis(struct aob_vec3 n, struct aob_basis *basis)
     };
 }
 
-void aob_surface_at(const struct aob_tracer *tracer, const struct aob_frame_axes *axes,
-                    const struct aob_hits *hits, size_t pixel, struct aob_surface *surface)
+/* Towards the camera, from a point in local space. */
+static struct aob_vec3 sight(const struct aob_tracer *tracer, const struct aob_camera *camera,
+                             const struct aob_frame_axes *axes, struct aob_vec3 local)
+{
+    if (camera->ortho_height > 0)
+        return axes->back;
+    return aob_vec_normalize(aob_vec_sub(aob_vec_sub(camera->eye, tracer->centre), local));
+}
+
+static struct aob_vec3 hit_point(const struct aob_tracer *tracer, const struct aob_hits *hits, size_t pixel)
 {
     struct aob_vec3 c[3];
     aob_tracer_corners(tracer, hits->primitive[pixel], c);
+    double u = hits->u[pixel], v = hits->v[pixel];
+    return aob_vec_add(aob_vec_scale(c[0], 1 - u - v),
+                       aob_vec_add(aob_vec_scale(c[1], u), aob_vec_scale(c[2], v)));
+}
+
+void aob_surface_at(const struct aob_tracer *tracer, const struct aob_camera *camera,
+                    const struct aob_hits *hits, size_t pixel, struct aob_surface *surface)
+{
+    struct aob_frame_axes axes = aob_camera_axes(camera);
     const float *seen = hits->normal[pixel];
-    struct aob_vec3 n = aob_vec_add(aob_vec_scale(axes->right, seen[0]),
-                                    aob_vec_add(aob_vec_scale(axes->up, seen[1]),
-                                                aob_vec_scale(axes->back, seen[2])));
+    struct aob_vec3 n = aob_vec_add(
+        aob_vec_scale(axes.right, seen[0]),
+        aob_vec_add(aob_vec_scale(axes.up, seen[1]), aob_vec_scale(axes.back, seen[2])));
     n = aob_vec_normalize(n);
-    double u = hits->u[pixel], v = hits->v[pixel], s = tracer->to_unit;
-    struct aob_vec3 p = aob_vec_add(aob_vec_scale(c[0], s * (1 - u - v)),
-                                    aob_vec_add(aob_vec_scale(c[1], s * u), aob_vec_scale(c[2], s * v)));
-    p = aob_vec_add(p, aob_vec_scale(n, LIFT));
+    struct aob_vec3 local = hit_point(tracer, hits, pixel);
+    struct aob_vec3 lift = aob_vec_add(aob_vec_scale(n, LIFT),
+                                       aob_vec_scale(sight(tracer, camera, &axes, local), PULL));
+    struct aob_vec3 p = aob_vec_add(aob_vec_scale(local, tracer->to_unit), lift);
     surface->origin[0] = (float)p.x;
     surface->origin[1] = (float)p.y;
     surface->origin[2] = (float)p.z;

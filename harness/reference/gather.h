@@ -11,8 +11,8 @@ struct aob_surface {
     struct aob_basis basis;
 };
 
-/* `axes` of the camera that cast the hits; the pixel must not be sky. */
-void aob_surface_at(const struct aob_tracer *tracer, const struct aob_frame_axes *axes,
+/* `camera` is the one that cast the hits; the pixel must not be sky. */
+void aob_surface_at(const struct aob_tracer *tracer, const struct aob_camera *camera,
                     const struct aob_hits *hits, size_t pixel, struct aob_surface *surface);
 
 /* The scramble of one half (0 or 1) of a pixel's directions; `seed` is the trace's. */

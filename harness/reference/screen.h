@@ -4,7 +4,7 @@
  * the depth). What separates it from the ray-traced truth is information that no screen-space technique has.
  *
  * The rebuilt surface. A *cell* lies between four neighbouring pixel centres. Two neighbours a and b are
- * *joined* if max(|d.n_a|, |d.n_b|) <= 1.5 w, with d the vector between their points and w a pixel's width at
+ * *joined* if max(|d.n_a|, |d.n_b|) <= 2 w, with d the vector between their points and w a pixel's width at
  * the nearer one: each lies in the other's tangent plane, nearly. Lengths only enter as ratios.
  *   whole cell (all four sides joined): two triangles between the four points, split along the diagonal
  *     whose middle is farther away.

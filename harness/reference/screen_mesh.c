@@ -6,7 +6,7 @@ static const int corner_x[CORNERS] = {0, 1, 1, 0}, corner_y[CORNERS] = {0, 0, 1,
 
 /* Pixel widths by which joined neighbours may leave each other's tangent plane. Less tears the surface at its
  * creases, more joins what lies behind an edge to what lies before it. */
-static const double join_limit = 1.5;
+static const double join_limit = 2;
 
 /* Where walls against the sky end, in farthest depths. */
 static const double end_ratio = 4;

@@ -18,7 +18,7 @@ struct term {
 struct job {
     const struct aob_tracer *tracer;
     const struct aob_hits *hits;
-    struct aob_frame_axes axes;
+    const struct aob_camera *camera;
     struct aob_sampler sampler;
     struct term *terms;
     size_t term_count;
@@ -127,7 +127,7 @@ static void do_pixel(const struct job *job, int x, int y, const struct scratch *
         return;
     }
     struct aob_surface surface;
-    aob_surface_at(job->tracer, &job->axes, job->hits, pixel, &surface);
+    aob_surface_at(job->tracer, job->camera, job->hits, pixel, &surface);
     trace_half(job, &surface, pixel, 0, scratch);
     for (size_t k = 0; k < job->term_count; k++)
         scratch->half[k] = occlusion(job, &job->terms[k], scratch);
@@ -213,7 +213,7 @@ static void job_init(struct job *job, const struct aob_tracer *tracer, const str
     bool all = desc->width == 0 || desc->height == 0, uniform = false;
     *job = (struct job){.tracer = tracer,
                         .hits = hits,
-                        .axes = aob_camera_axes(camera),
+                        .camera = camera,
                         .terms = aob_alloc(desc->term_count, sizeof *job->terms),
                         .term_count = desc->term_count,
                         .x0 = all ? 0 : desc->x0,

@@ -30,7 +30,6 @@ static void prepare_rays(struct bench *bench)
 {
     struct aob_sampler sampler;
     aob_sampler_init(&sampler, SPP / 2, false);
-    struct aob_frame_axes axes = aob_camera_axes(&bench->camera);
     float *cosine = AOB_NEW_ARRAY(float, sampler.padded);
     bench->pixels = AOB_NEW_ARRAY(size_t, WIDTH * HEIGHT);
     bench->rays = AOB_NEW_ARRAY(float, WIDTH *HEIGHT *ray_floats());
@@ -39,13 +38,13 @@ static void prepare_rays(struct bench *bench)
             continue;
         float *at = bench->rays + bench->count * ray_floats();
         struct aob_surface surface;
-        aob_surface_at(bench->tracer, &axes, &bench->hits, i, &surface);
+        aob_surface_at(bench->tracer, &bench->camera, &bench->hits, i, &surface);
         for (int k = 0; k < 3; k++)
             at[k] = surface.origin[k];
         for (size_t half = 0; half < 2; half++) {
             float *d = at + 3 + half * 3 * (SPP / 2);
             struct aob_directions directions = {d, d + SPP / 2, d + 2 * (SPP / 2), cosine};
-            aob_sampler_directions(&sampler, &surface.basis, aob_sampler_mix(i * 2 + half, 0), &directions);
+            aob_sampler_directions(&sampler, &surface.basis, aob_gather_seed(&bench->hits, i, (int)half, 0), &directions);
         }
         bench->pixels[bench->count++] = i;
     }

@@ -1,80 +1,312 @@
-/* The screen-space bound. */
+/* The screen-space bound: a closed form, a walk over the depth buffer, and what must hold on every scene. */
 #include "shot.h"
+#include <string.h>
+#include "reference/gather.h"
+#include "reference/oracle.h"
 #include "reference/screen.h"
-#include <stdio.h>
-#include <stdlib.h>
 
 enum { INFINITE, SLAB, THIN, KINDS };
+static const char *const kind_names[KINDS] = {"infinite", "slab", "thin"};
 
 static void bound_shot(const struct shot *shot, const struct aob_screen_desc *desc,
-                       const struct aob_visibility_term *term, int spp, struct aob_visibility *result)
+                       const struct aob_visibility_term *terms, size_t count, int spp,
+                       struct aob_visibility *result)
 {
     struct aob_error error = {""};
     struct aob_screen *screen = aob_screen_create(&shot->camera, &shot->projection, &shot->hits, desc, &error);
     assert_string_equal(error.text, "");
-    struct aob_visibility_desc trace = {.terms = term, .term_count = 1, .spp = spp, .seed = 7};
+    struct aob_visibility_desc trace = {.terms = terms, .term_count = count, .spp = spp, .seed = 7};
     assert_true(aob_screen_visibility(screen, &trace, result, &error));
     aob_screen_destroy(screen);
 }
 
-static double view_radius(const struct shot *shot)
+static void bound_kinds(const struct shot *shot, double thickness, const struct aob_visibility_term *term,
+                        int spp, struct aob_visibility bound[KINDS])
 {
-    double sum = 0, seen = 0;
-    for (size_t i = 0; i < pixel_count(shot); i++) {
-        sum += shot->hits.depth[i];
-        seen += shot->hits.depth[i] > 0;
-    }
-    return 0.1 * sum / seen;
+    const struct aob_screen_desc descs[KINDS] = {
+        {0}, {.kind = AOB_SCREEN_SLAB, .thickness = thickness}, {.kind = AOB_SCREEN_THIN}};
+    for (int k = 0; k < KINDS; k++)
+        bound_shot(shot, &descs[k], term, 1, spp, &bound[k]);
 }
 
-static void check_scene(const struct aob_scene_info *scene, const struct aob_view *view)
+static void finish_kinds(struct aob_visibility bound[KINDS])
 {
-    struct aob_mesh mesh = {0};
-    scene->build(&mesh);
-    struct shot shot;
-    cast_shot(&shot, &mesh, view->camera, 96, 54);
-    const struct aob_visibility_term term = {.radius = view_radius(&shot)};
-    trace_shot(&shot, &term, 1, 64);
-    struct aob_visibility bound[KINDS];
-    const struct aob_screen_desc descs[KINDS] = {
-        {0}, {.kind = AOB_SCREEN_SLAB, .thickness = term.radius / 4}, {.kind = AOB_SCREEN_THIN}};
-    for (int k = 0; k < KINDS; k++)
-        bound_shot(&shot, &descs[k], &term, 64, &bound[k]);
-    double mean[KINDS + 1] = {0}, square[KINDS] = {0}, darker = 0, n = 0, unnested = 0, slab_un = 0;
-    for (size_t i = 0; i < pixel_count(&shot); i++) {
-        if (shot.hits.primitive[i] == AOB_NO_PRIMITIVE)
-            continue;
-        double truth = shot.visibility[0].ao[i];
-        n++;
-        mean[KINDS] += truth;
-        for (int k = 0; k < KINDS; k++) {
-            mean[k] += bound[k].ao[i];
-            square[k] += pow(bound[k].ao[i] - truth, 2);
-        }
-        darker += bound[THIN].ao[i] < truth - 0.05;
-        unnested += bound[INFINITE].ao[i] > bound[THIN].ao[i];
-        slab_un += bound[INFINITE].ao[i] > bound[SLAB].ao[i] || bound[SLAB].ao[i] > bound[THIN].ao[i];
-    }
-    print_message("%-8s %-8s r %6.3f  truth %.4f  inf %.4f (%.4f)  slab %.4f (%.4f)  thin %.4f (%.4f)  darker %.2f %%  "
-                  "unnested %g, slab %g\n",
-                  scene->name, view->name, term.radius, mean[KINDS] / n, mean[0] / n, sqrt(square[0] / n),
-                  mean[1] / n, sqrt(square[1] / n), mean[2] / n, sqrt(square[2] / n), 100 * darker / n, unnested,
-                  slab_un);
     for (int k = 0; k < KINDS; k++)
         aob_visibility_finish(&bound[k]);
+}
+
+static void scene_shot(struct shot *shot, const char *scene, struct aob_camera camera, int width, int height)
+{
+    struct aob_mesh mesh = {0};
+    aob_scene_find(scene)->build(&mesh);
+    cast_shot(shot, &mesh, camera, width, height);
+}
+
+/* --- Closed form: half a sheet above a floor, from straight above. Solid below, it is a wall on the floor. ---
+ */
+
+enum { SHEET_WIDTH = 48, SHEET_HEIGHT = 48 };
+static const double sheet_height = 1.5, sheet_view = 3;
+
+/* The edge, x = 0, lies between the pixel columns 23 and 24. */
+static void sheet_shot(struct shot *shot)
+{
+    struct aob_mesh mesh = {0};
+    aob_mesh_add_quad(&mesh, aob_vec(-40, 0, -40), aob_vec(0, 0, 80), aob_vec(80, 0, 0));
+    aob_mesh_add_quad(&mesh, aob_vec(-40, sheet_height, -40), aob_vec(0, 0, 80), aob_vec(40, 0, 0));
+    struct aob_camera camera = {.eye = {0, 3, 0}, .ortho_height = sheet_view};
+    cast_shot(shot, &mesh, camera, SHEET_WIDTH, SHEET_HEIGHT);
+}
+
+/* In the middle row, where the wall is longer than the radius on both sides; on the floor only. */
+static void check_wall(const struct shot *shot, const struct aob_visibility *visibility, double r)
+{
+    double square = 0, se = 0, closed = 0, n = 0;
+    for (size_t x = SHEET_WIDTH / 2; x < SHEET_WIDTH; x++) {
+        size_t i = SHEET_HEIGHT / 2 * SHEET_WIDTH + x;
+        double d = pixel_point(shot, i).x, e = visibility->ao[i] - aob_oracle_corner(d, r);
+        square += e * e;
+        se += (double)visibility->se[i] * visibility->se[i];
+        closed += 1 - visibility->ao[i];
+        n++;
+    }
+    print_message("           r %g: rmse %.5f, se %.5f over %g pixels\n", r, sqrt(square / n), sqrt(se / n), n);
+    assert_true(closed > 0.5 && sqrt(square / n) <= 0.003);
+}
+
+static void check_open(const struct shot *shot, const struct aob_visibility *visibility)
+{
+    for (size_t i = 0; i < pixel_count(shot); i++)
+        assert_true(fabsf(visibility->ao[i] - 1) <= 1e-4f);
+}
+
+static void a_sheet_from_above_is_a_wall(void **state)
+{
+    (void)state;
+    const struct aob_visibility_term terms[] = {{.radius = 0.5}, {.radius = 1}};
+    struct aob_visibility bound[2];
+    struct shot shot;
+    sheet_shot(&shot);
+    trace_shot(&shot, terms, 2, 64);
+    check_open(&shot, &shot.visibility[1]); /* the sheet hangs farther away than the radius */
+    const struct aob_screen_desc solid[] = {
+        {0}, {.kind = AOB_SCREEN_SLAB, .thickness = 1.6}, {.kind = AOB_SCREEN_SLAB, .thickness = 1e9}};
+    for (size_t k = 0; k < AOB_COUNT(solid); k++) {
+        bound_shot(&shot, &solid[k], terms, 2, 1024, bound);
+        check_wall(&shot, &bound[0], 0.5);
+        check_wall(&shot, &bound[1], 1);
+        aob_visibility_finish(&bound[0]);
+        aob_visibility_finish(&bound[1]);
+    }
+    const struct aob_screen_desc open[] = {{.kind = AOB_SCREEN_THIN},
+                                           {.kind = AOB_SCREEN_SLAB, .thickness = 0.45}};
+    for (size_t k = 0; k < AOB_COUNT(open); k++) {
+        bound_shot(&shot, &open[k], terms, 2, 64, bound);
+        check_open(&shot, &bound[0]);
+        check_open(&shot, &bound[1]);
+        aob_visibility_finish(&bound[0]);
+        aob_visibility_finish(&bound[1]);
+    }
     finish_shot(&shot);
 }
 
-static void every_scene(void **state)
+/* --- The walk: small steps along a ray, each compared with the depth buffer. --- */
+
+struct walk {
+    const struct shot *shot;
+    struct aob_frame_axes axes;
+    double radius, thickness;
+};
+
+static struct aob_vec3 view_at(const struct walk *walk, double qx, double qy, double depth)
+{
+    const struct aob_projection *p = &walk->shot->projection;
+    double s = p->perspective ? depth : 1;
+    return aob_vec((qx - p->cx) * p->sx * s, -(qy - p->cy) * p->sy * s, -depth);
+}
+
+static double pixel_width(const struct walk *walk, double depth)
+{
+    const struct aob_projection *p = &walk->shot->projection;
+    return p->sx * (p->perspective ? depth : 1);
+}
+
+struct sample {
+    struct aob_vec3 point, normal; /* view space */
+    double depth;                  /* 0: sky */
+};
+
+static struct sample sample_at(const struct walk *walk, int x, int y)
+{
+    const struct aob_hits *hits = &walk->shot->hits;
+    size_t i = (size_t)y * (size_t)hits->width + (size_t)x;
+    const float *n = hits->normal[i];
+    return (struct sample){view_at(walk, x + 0.5, y + 0.5, hits->depth[i]), aob_vec(n[0], n[1], n[2]),
+                           hits->depth[i]};
+}
+
+static bool explains(const struct walk *walk, const struct sample *a, const struct sample *b)
+{
+    double off = fabs(aob_vec_dot(a->normal, aob_vec_sub(b->point, a->point)));
+    return a->depth > 0 && b->depth > 0 && off <= 2 * pixel_width(walk, fmin(a->depth, b->depth));
+}
+
+/* Where the view ray through (qx, qy) meets a plane. */
+static double meet(const struct walk *walk, double qx, double qy, struct aob_vec3 point, struct aob_vec3 normal)
+{
+    struct aob_vec3 near = view_at(walk, qx, qy, 1), far = view_at(walk, qx, qy, 2);
+    double a = aob_vec_dot(normal, aob_vec_sub(near, point)), b = aob_vec_dot(normal, aob_vec_sub(far, point));
+    return 1 + a / (a - b);
+}
+
+/* s: top left, top right, bottom left, bottom right. Both ways to fold the four points; the farther fold. */
+static double folded_depth(const struct walk *walk, double qx, double qy, double fx, double fy,
+                           const struct sample s[4])
+{
+    const struct aob_projection *p = &walk->shot->projection;
+    double w[4];
+    for (int k = 0; k < 4; k++)
+        w[k] = p->perspective ? -1 / s[k].depth : s[k].depth; /* grows with depth, linear on planes */
+    int third = fx > fy ? 1 : 2;
+    if (w[1] + w[2] > w[0] + w[3]) {
+        third = fx + fy < 1 ? 0 : 3;
+        return meet(walk, qx, qy, s[1].point,
+                    aob_vec_cross(aob_vec_sub(s[2].point, s[1].point), aob_vec_sub(s[third].point, s[1].point)));
+    }
+    return meet(walk, qx, qy, s[0].point,
+                aob_vec_cross(aob_vec_sub(s[3].point, s[0].point), aob_vec_sub(s[third].point, s[0].point)));
+}
+
+/* The nearest pixel's plane, not beyond the depths around it. */
+static double nearest_depth(const struct walk *walk, double qx, double qy, double fx, double fy,
+                            const struct sample s[4])
+{
+    const struct sample *own = &s[(fx > 0.5) + 2 * (fy > 0.5)];
+    double low = INFINITY, high = 0, sky = 1;
+    if (!(own->depth > 0))
+        return INFINITY;
+    for (int k = 0; k < 4; k++) {
+        sky = s[k].depth > 0 ? sky : 2;
+        low = s[k].depth > 0 ? fmin(low, s[k].depth) : low;
+        high = fmax(high, s[k].depth);
+    }
+    double depth = meet(walk, qx, qy, own->point, own->normal);
+    return depth > 0 ? fmin(fmax(depth, low / sky), high * sky) : high * sky;
+}
+
+/* Depth of the surface at an image position, infinite where nothing is; whether it is whole there. */
+static double surface_depth(const struct walk *walk, double qx, double qy, bool *whole)
+{
+    int x = (int)floor(qx - 0.5), y = (int)floor(qy - 0.5);
+    *whole = false;
+    if (x < 0 || y < 0 || x + 1 >= walk->shot->hits.width || y + 1 >= walk->shot->hits.height)
+        return INFINITY;
+    const struct sample s[4] = {sample_at(walk, x, y), sample_at(walk, x + 1, y), sample_at(walk, x, y + 1),
+                                sample_at(walk, x + 1, y + 1)};
+    static const int sides[4][2] = {{0, 1}, {1, 3}, {3, 2}, {2, 0}};
+    *whole = true;
+    for (int k = 0; k < 4; k++) {
+        const struct sample *a = &s[sides[k][0]], *b = &s[sides[k][1]];
+        *whole &= explains(walk, a, b) && explains(walk, b, a);
+    }
+    double fx = qx - 0.5 - x, fy = qy - 0.5 - y;
+    return *whole ? folded_depth(walk, qx, qy, fx, fy, s) : nearest_depth(walk, qx, qy, fx, fy, s);
+}
+
+/* Sixteen steps a pixel, so a step errs by a sixteenth of one at most. */
+static void walk_ray(const struct walk *walk, struct aob_vec3 from, struct aob_vec3 direction, bool hit[KINDS])
+{
+    const struct aob_projection *p = &walk->shot->projection;
+    double width = pixel_width(walk, -from.z), before = 0, scale = p->perspective ? -from.z : 1;
+    bool was_whole = true;
+    from = view_at(walk, p->cx + from.x / (p->sx * scale), p->cy - from.y / (p->sy * scale),
+                   -from.z - 1e-4 * width); /* towards the camera, beyond rounding */
+    for (double t = 0; t < walk->radius; t += width / 16) {
+        struct aob_vec3 at = aob_vec_add(from, aob_vec_scale(direction, t));
+        double s = p->perspective ? -at.z : 1;
+        bool whole;
+        if (at.z >= 0)
+            return;
+        double surface = surface_depth(walk, p->cx + at.x / (p->sx * s), p->cy - at.y / (p->sy * s), &whole);
+        double behind = -at.z - surface;
+        hit[INFINITE] |= behind > 0;
+        hit[SLAB] |= behind > 0 && behind < walk->thickness;
+        hit[THIN] |= whole && was_whole && (behind > 0) != (before > 0);
+        before = behind;
+        was_whole = whole;
+    }
+}
+
+static void walk_pixel(const struct walk *walk, size_t pixel, int spp, const struct aob_sampler *sampler,
+                       const struct aob_directions *d, double open[KINDS])
+{
+    const struct shot *shot = walk->shot;
+    int width = shot->hits.width;
+    struct sample start = sample_at(walk, (int)pixel % width, (int)pixel / width);
+    struct aob_surface surface;
+    aob_surface_at(shot->tracer, &shot->camera, &shot->hits, pixel, &surface);
+    for (int half = 0; half < 2; half++) {
+        aob_sampler_directions(sampler, &surface.basis, aob_gather_seed(&shot->hits, pixel, half, 7), d);
+        for (int i = 0; i < spp / 2; i++) {
+            struct aob_vec3 world = aob_vec(d->x[i], d->y[i], d->z[i]);
+            bool hit[KINDS] = {false};
+            walk_ray(walk, start.point,
+                     aob_vec(aob_vec_dot(world, walk->axes.right), aob_vec_dot(world, walk->axes.up),
+                             aob_vec_dot(world, walk->axes.back)),
+                     hit);
+            for (int k = 0; k < KINDS; k++)
+                open[k] += (double)!hit[k] / spp;
+        }
+    }
+}
+
+static void check_walk(const char *name, struct aob_camera camera, double radius)
+{
+    enum { SPP = 64 };
+    struct shot shot;
+    scene_shot(&shot, name, camera, 64, 36);
+    struct walk walk = {&shot, aob_camera_axes(&camera), radius, radius / 4};
+    struct aob_visibility bound[KINDS];
+    bound_kinds(&shot, walk.thickness, &(struct aob_visibility_term){.radius = radius}, SPP, bound);
+    struct aob_sampler sampler;
+    aob_sampler_init(&sampler, SPP / 2, false);
+    float block[4][SPP];
+    struct aob_directions directions = {block[0], block[1], block[2], block[3]};
+    double square[KINDS] = {0}, mean[KINDS] = {0}, n = 0;
+    for (size_t i = 0; i < pixel_count(&shot); i++) {
+        double open[KINDS] = {0};
+        if (shot.hits.primitive[i] == AOB_NO_PRIMITIVE)
+            continue;
+        walk_pixel(&walk, i, SPP, &sampler, &directions, open);
+        for (int k = 0; k < KINDS; k++) {
+            square[k] += pow(open[k] - bound[k].ao[i], 2);
+            mean[k] += open[k];
+        }
+        n++;
+    }
+    for (int k = 0; k < KINDS; k++)
+        print_message("           %-8s %-8s mean %.4f, walk and mesh differ by %.4f RMSE\n", name, kind_names[k],
+                      mean[k] / n, sqrt(square[k] / n));
+    for (int k = 0; k < KINDS; k++)
+        assert_true(sqrt(square[k] / n) <= 0.01 && mean[k] / n < 0.999);
+    aob_sampler_finish(&sampler);
+    finish_kinds(bound);
+    finish_shot(&shot);
+}
+
+static void the_walk_agrees(void **state)
 {
     (void)state;
-    for (const struct aob_scene_info *const *scene = aob_scenes; *scene; scene++)
-        for (size_t v = 0; (*scene)->build && v < (*scene)->view_count; v++)
-            check_scene(*scene, &(*scene)->views[v]);
+    check_walk("corner", aob_scene_find("corner")->views[0].camera, 1);
+    check_walk("cornell", aob_scene_view(aob_scene_find("cornell"), "blocks")->camera, 0.5);
+    check_walk("spheres", aob_scene_view(aob_scene_find("spheres"), "close")->camera, 0.5);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_scene)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_sheet_from_above_is_a_wall),
+        cmocka_unit_test(the_walk_agrees),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
