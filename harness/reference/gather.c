@@ -6,9 +6,10 @@
  * most 0.5) and of a curved surface's corners asks for. */
 #define LIFT FLT_EPSILON
 
-/* And how far towards the camera. It sees the point, so this is in front of every surface that meets there: a
- * start in a crease would else lie behind the other side as often as not. */
-#define PULL (2 * FLT_EPSILON)
+/* Rays start so high by a step towards the camera. It sees the point, so this is in front of every surface that
+ * meets there, where a step along the normal may lead behind the other side of a crease. At most 1024 times
+ * the lift; the rest along the normal. */
+static const double least_cosine = 1 / 1024.0;
 
 /* Embree's triangle test errs by an ulp of the distance to the triangle's corners, so a triangle as large as
  * the scene can seem to lie above a start on its own plane. Such a false hit is nearer than error / least
@@ -54,8 +55,10 @@ void aob_surface_at(const struct aob_tracer *tracer, const struct aob_camera *ca
         aob_vec_add(aob_vec_scale(axes.up, seen[1]), aob_vec_scale(axes.back, seen[2])));
     n = aob_vec_normalize(n);
     struct aob_vec3 local = hit_point(tracer, hits, pixel);
-    struct aob_vec3 lift = aob_vec_add(aob_vec_scale(n, LIFT),
-                                       aob_vec_scale(sight(tracer, camera, &axes, local), PULL));
+    struct aob_vec3 back = sight(tracer, camera, &axes, local);
+    double cosine = aob_vec_dot(n, back), pull = LIFT / fmax(cosine, least_cosine);
+    struct aob_vec3 lift =
+        aob_vec_add(aob_vec_scale(back, pull), aob_vec_scale(n, LIFT - pull * cosine));
     struct aob_vec3 p = aob_vec_add(aob_vec_scale(local, tracer->to_unit), lift);
     surface->origin[0] = (float)p.x;
     surface->origin[1] = (float)p.y;

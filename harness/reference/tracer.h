@@ -70,9 +70,9 @@ struct aob_visibility { /* width * height floats each, scene part only; sky pixe
  * is `uniform`, all are drawn from the density (cos + 1/2) / (2 pi), half of each kind, and weighted: cos /
  * (cos + 1/2) or 1 / (cos + 1/2), over the sum of the weights, which is the balance heuristic (Veach
  * 1997, 9.2) in one stratified set. So a cosine term traced beside a uniform one has another (equally good)
- * noise than alone: a cache key has to say which it was. Rays start at the barycentric hit point, lifted by
- * 2^-23 of the mesh's longest side along the normal and twice that towards the camera (Waechter and Binder's
- * offset, Ray Tracing Gems ch. 6, is up to 128 * 2^-23); hits so near that rounding could have made them are checked again in double
+ * noise than alone: a cache key has to say which it was. Rays start at the barycentric hit point, moved
+ * towards the camera until 2^-23 of the mesh's longest side above the surface (Waechter and Binder's offset,
+ * Ray Tracing Gems ch. 6, is up to 128 times that, along the normal); hits so near that rounding could have made them are checked again in double
  * precision, so that a plane and a convex solid are open exactly. */
 bool aob_tracer_visibility(const struct aob_tracer *tracer, const struct aob_camera *camera,
                            const struct aob_hits *hits, const struct aob_visibility_desc *desc,
