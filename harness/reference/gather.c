@@ -50,15 +50,14 @@ void aob_surface_at(const struct aob_tracer *tracer, const struct aob_camera *ca
 {
     struct aob_frame_axes axes = aob_camera_axes(camera);
     const float *seen = hits->normal[pixel];
-    struct aob_vec3 n = aob_vec_add(
-        aob_vec_scale(axes.right, seen[0]),
-        aob_vec_add(aob_vec_scale(axes.up, seen[1]), aob_vec_scale(axes.back, seen[2])));
+    struct aob_vec3 n =
+        aob_vec_add(aob_vec_scale(axes.right, seen[0]),
+                    aob_vec_add(aob_vec_scale(axes.up, seen[1]), aob_vec_scale(axes.back, seen[2])));
     n = aob_vec_normalize(n);
     struct aob_vec3 local = hit_point(tracer, hits, pixel);
     struct aob_vec3 back = sight(tracer, camera, &axes, local);
     double cosine = aob_vec_dot(n, back), pull = LIFT / fmax(cosine, least_cosine);
-    struct aob_vec3 lift =
-        aob_vec_add(aob_vec_scale(back, pull), aob_vec_scale(n, LIFT - pull * cosine));
+    struct aob_vec3 lift = aob_vec_add(aob_vec_scale(back, pull), aob_vec_scale(n, LIFT - pull * cosine));
     struct aob_vec3 p = aob_vec_add(aob_vec_scale(local, tracer->to_unit), lift);
     surface->origin[0] = (float)p.x;
     surface->origin[1] = (float)p.y;

@@ -94,8 +94,7 @@ static bool are_joined(const struct rebuild *r, const struct cell *cell, int a, 
 {
     if (!is_seen(cell, a) || !is_seen(cell, b))
         return false;
-    struct aob_vec3 d =
-        aob_vec_sub(view_point(r, cell->corner[b]), view_point(r, cell->corner[a]));
+    struct aob_vec3 d = aob_vec_sub(view_point(r, cell->corner[b]), view_point(r, cell->corner[a]));
     double nearer = fmin(cell->corner[a].depth, cell->corner[b].depth);
     double width = r->projection->sx * (r->projection->perspective ? nearer : 1);
     double off = fmax(fabs(aob_vec_dot(d, view_normal(r, cell->pixel[a]))),

@@ -44,7 +44,8 @@ static void prepare_rays(struct bench *bench)
         for (size_t half = 0; half < 2; half++) {
             float *d = at + 3 + half * 3 * (SPP / 2);
             struct aob_directions directions = {d, d + SPP / 2, d + 2 * (SPP / 2), cosine};
-            aob_sampler_directions(&sampler, &surface.basis, aob_gather_seed(&bench->hits, i, (int)half, 0), &directions);
+            aob_sampler_directions(&sampler, &surface.basis, aob_gather_seed(&bench->hits, i, (int)half, 0),
+                                   &directions);
         }
         bench->pixels[bench->count++] = i;
     }

@@ -13,7 +13,8 @@ static void bound_shot(const struct shot *shot, const struct aob_screen_desc *de
                        struct aob_visibility *result)
 {
     struct aob_error error = {""};
-    struct aob_screen *screen = aob_screen_create(&shot->camera, &shot->projection, &shot->hits, desc, &error);
+    struct aob_screen *screen =
+        aob_screen_create(&shot->camera, &shot->projection, &shot->hits, desc, &error);
     assert_string_equal(error.text, "");
     struct aob_visibility_desc trace = {.terms = terms, .term_count = count, .spp = spp, .seed = 7};
     assert_true(aob_screen_visibility(screen, &trace, result, &error));
@@ -70,7 +71,8 @@ static void check_wall(const struct shot *shot, const struct aob_visibility *vis
         closed += 1 - visibility->ao[i];
         n++;
     }
-    print_message("           r %g: rmse %.5f, se %.5f over %g pixels\n", r, sqrt(square / n), sqrt(se / n), n);
+    print_message("           r %g: rmse %.5f, se %.5f over %g pixels\n", r, sqrt(square / n), sqrt(se / n),
+                  n);
     assert_true(closed > 0.5 && sqrt(square / n) <= 0.003);
 }
 
@@ -152,10 +154,12 @@ static bool explains(const struct walk *walk, const struct sample *a, const stru
 }
 
 /* Where the view ray through (qx, qy) meets a plane. */
-static double meet(const struct walk *walk, double qx, double qy, struct aob_vec3 point, struct aob_vec3 normal)
+static double meet(const struct walk *walk, double qx, double qy, struct aob_vec3 point,
+                   struct aob_vec3 normal)
 {
     struct aob_vec3 near = view_at(walk, qx, qy, 1), far = view_at(walk, qx, qy, 2);
-    double a = aob_vec_dot(normal, aob_vec_sub(near, point)), b = aob_vec_dot(normal, aob_vec_sub(far, point));
+    double a = aob_vec_dot(normal, aob_vec_sub(near, point)),
+           b = aob_vec_dot(normal, aob_vec_sub(far, point));
     return 1 + a / (a - b);
 }
 
@@ -170,28 +174,73 @@ static double folded_depth(const struct walk *walk, double qx, double qy, double
     int third = fx > fy ? 1 : 2;
     if (w[1] + w[2] > w[0] + w[3]) {
         third = fx + fy < 1 ? 0 : 3;
-        return meet(walk, qx, qy, s[1].point,
-                    aob_vec_cross(aob_vec_sub(s[2].point, s[1].point), aob_vec_sub(s[third].point, s[1].point)));
+        return meet(
+            walk, qx, qy, s[1].point,
+            aob_vec_cross(aob_vec_sub(s[2].point, s[1].point), aob_vec_sub(s[third].point, s[1].point)));
     }
     return meet(walk, qx, qy, s[0].point,
                 aob_vec_cross(aob_vec_sub(s[3].point, s[0].point), aob_vec_sub(s[third].point, s[0].point)));
 }
 
-/* The nearest pixel's plane, not beyond the depths around it. */
-static double nearest_depth(const struct walk *walk, double qx, double qy, double fx, double fy,
-                            const struct sample s[4])
+static double bounded(double depth, double low, double high)
 {
-    const struct sample *own = &s[(fx > 0.5) + 2 * (fy > 0.5)];
-    double low = INFINITY, high = 0, sky = 1;
-    if (!(own->depth > 0))
-        return INFINITY;
+    return depth > 0 ? fmin(fmax(depth, low), high) : high;
+}
+
+/* Half-way from `own` to `other`: shared if they are joined. */
+static double side_depth(const struct walk *walk, double qx, double qy, const struct sample *own,
+                         const struct sample *other)
+{
+    double z = own->depth;
+    if (explains(walk, own, other) && explains(walk, other, own))
+        return meet(
+            walk, qx, qy, own->point,
+            aob_vec_cross(aob_vec_sub(other->point, own->point), aob_vec_cross(own->point, other->point)));
+    double plane = meet(walk, qx, qy, own->point, own->normal);
+    return other->depth > 0 ? bounded(plane, fmin(z, other->depth), fmax(z, other->depth))
+                            : bounded(plane, z / 2, 2 * z);
+}
+
+/* Of the pixels that are joined to `own`, directly or round the cell: the mean of what their planes say. */
+static double middle_depth(const struct walk *walk, double qx, double qy, const struct sample s[4], int own)
+{
+    static const int ring[4] = {0, 1, 3, 2};
+    double low = INFINITY, high = 0, sky = 1, sum = 0, count = 0;
+    bool member[4] = {false};
     for (int k = 0; k < 4; k++) {
         sky = s[k].depth > 0 ? sky : 2;
         low = s[k].depth > 0 ? fmin(low, s[k].depth) : low;
         high = fmax(high, s[k].depth);
     }
-    double depth = meet(walk, qx, qy, own->point, own->normal);
-    return depth > 0 ? fmin(fmax(depth, low / sky), high * sky) : high * sky;
+    member[own] = true;
+    for (int k = 0; k < 12; k++) {
+        int a = ring[k % 4], b = ring[(k + 1) % 4];
+        if (explains(walk, &s[a], &s[b]) && explains(walk, &s[b], &s[a]))
+            member[a] = member[b] = member[a] || member[b];
+    }
+    for (int k = 0; k < 4; k++)
+        if (member[k]) {
+            sum += bounded(meet(walk, qx, qy, s[k].point, s[k].normal), low / sky, high * sky);
+            count++;
+        }
+    return sum / count;
+}
+
+/* In a torn cell: the quarter of the nearest pixel. */
+static double quarter_depth(const struct walk *walk, double qx, double qy, double fx, double fy,
+                            const struct sample s[4])
+{
+    int right = fx > 0.5, down = fy > 0.5, own = right + 2 * down;
+    if (!(s[own].depth > 0))
+        return INFINITY;
+    double x0 = qx - fx, y0 = qy - fy, cx = x0 + 0.5, cy = y0 + 0.5;
+    bool along = fabs(fx - right) > fabs(fy - down);
+    double sx = along ? cx : x0 + right, sy = along ? y0 + down : cy;
+    const struct sample *other = &s[along ? own ^ 1 : own ^ 2];
+    struct aob_vec3 side = view_at(walk, sx, sy, side_depth(walk, sx, sy, &s[own], other));
+    struct aob_vec3 middle = view_at(walk, cx, cy, middle_depth(walk, cx, cy, s, own));
+    return meet(walk, qx, qy, s[own].point,
+                aob_vec_cross(aob_vec_sub(side, s[own].point), aob_vec_sub(middle, s[own].point)));
 }
 
 /* Depth of the surface at an image position, infinite where nothing is; whether it is whole there. */
@@ -210,11 +259,12 @@ static double surface_depth(const struct walk *walk, double qx, double qy, bool 
         *whole &= explains(walk, a, b) && explains(walk, b, a);
     }
     double fx = qx - 0.5 - x, fy = qy - 0.5 - y;
-    return *whole ? folded_depth(walk, qx, qy, fx, fy, s) : nearest_depth(walk, qx, qy, fx, fy, s);
+    return *whole ? folded_depth(walk, qx, qy, fx, fy, s) : quarter_depth(walk, qx, qy, fx, fy, s);
 }
 
 /* Sixteen steps a pixel, so a step errs by a sixteenth of one at most. */
-static void walk_ray(const struct walk *walk, struct aob_vec3 from, struct aob_vec3 direction, bool hit[KINDS])
+static void walk_ray(const struct walk *walk, struct aob_vec3 from, struct aob_vec3 direction,
+                     bool hit[KINDS])
 {
     const struct aob_projection *p = &walk->shot->projection;
     double width = pixel_width(walk, -from.z), before = 0, scale = p->perspective ? -from.z : 1;
@@ -285,8 +335,8 @@ static void check_walk(const char *name, struct aob_camera camera, double radius
         n++;
     }
     for (int k = 0; k < KINDS; k++)
-        print_message("           %-8s %-8s mean %.4f, walk and mesh differ by %.4f RMSE\n", name, kind_names[k],
-                      mean[k] / n, sqrt(square[k] / n));
+        print_message("           %-8s %-8s mean %.4f, walk and mesh differ by %.4f RMSE\n", name,
+                      kind_names[k], mean[k] / n, sqrt(square[k] / n));
     for (int k = 0; k < KINDS; k++)
         assert_true(sqrt(square[k] / n) <= 0.01 && mean[k] / n < 0.999);
     aob_sampler_finish(&sampler);
@@ -302,9 +352,132 @@ static void the_walk_agrees(void **state)
     check_walk("spheres", aob_scene_view(aob_scene_find("spheres"), "close")->camera, 0.5);
 }
 
+/* --- What must hold on every scene. --- */
+
+struct sums {
+    double pixels, mean[KINDS], truth, square[KINDS], darker, slab_out;
+};
+
+static void add_up(const struct shot *shot, const struct aob_visibility bound[KINDS], struct sums *sums)
+{
+    for (size_t i = 0; i < pixel_count(shot); i++) {
+        if (shot->hits.primitive[i] == AOB_NO_PRIMITIVE)
+            continue;
+        double truth = shot->visibility[0].ao[i];
+        float infinite = bound[INFINITE].ao[i], slab = bound[SLAB].ao[i], thin = bound[THIN].ao[i];
+        assert_true(infinite <= thin);
+        sums->pixels++;
+        sums->truth += truth;
+        for (int k = 0; k < KINDS; k++) {
+            sums->mean[k] += bound[k].ao[i];
+            sums->square[k] += pow(bound[k].ao[i] - truth, 2);
+        }
+        sums->darker += thin < truth - 0.05;
+        sums->slab_out += slab < infinite || slab > thin;
+    }
+}
+
+static double radius_for(const struct shot *shot)
+{
+    double sum = 0, seen = 0;
+    for (size_t i = 0; i < pixel_count(shot); i++) {
+        sum += shot->hits.depth[i];
+        seen += shot->hits.depth[i] > 0;
+    }
+    return 0.1 * sum / seen;
+}
+
+static void check_view(const char *scene, const struct aob_view *view)
+{
+    struct shot shot;
+    scene_shot(&shot, scene, view->camera, 96, 54);
+    const struct aob_visibility_term term = {.radius = radius_for(&shot)};
+    trace_shot(&shot, &term, 1, 64);
+    struct aob_visibility bound[KINDS];
+    bound_kinds(&shot, term.radius / 4, &term, 64, bound);
+    struct sums s = {0};
+    add_up(&shot, bound, &s);
+    double n = s.pixels;
+    print_message("%-8s%-8s r %5.3f truth %.4f", scene, view->name, term.radius, s.truth / n);
+    for (int k = 0; k < KINDS; k++)
+        print_message(", %s %.4f (rmse %.4f)", kind_names[k], s.mean[k] / n, sqrt(s.square[k] / n));
+    print_message(", darker %.2f %%, slab out %.2f %%\n", 100 * s.darker / n, 100 * s.slab_out / n);
+    assert_true(s.mean[THIN] / n >= s.truth / n - 0.001);
+    assert_true(s.darker <= 0.005 * n);
+    assert_true(s.slab_out <= 0.005 * n);
+    finish_kinds(bound);
+    finish_shot(&shot);
+}
+
+static void bounds_hold_on_every_scene(void **state)
+{
+    (void)state;
+    for (const struct aob_scene_info *const *scene = aob_scenes; *scene; scene++)
+        for (size_t v = 0; (*scene)->build && v < (*scene)->view_count; v++)
+            check_view((*scene)->name, &(*scene)->views[v]);
+}
+
+static void a_plane_is_open(void **state)
+{
+    (void)state;
+    const struct aob_visibility_term term = {.radius = INFINITY};
+    struct aob_camera cameras[] = {aob_scene_find("plane")->views[0].camera,
+                                   aob_scene_view(aob_scene_find("plane"), "low")->camera,
+                                   {.eye = {2, 3, 9}, .target = {0, 0, 0}, .ortho_height = 6}};
+    for (size_t c = 0; c < AOB_COUNT(cameras); c++) {
+        struct shot shot;
+        scene_shot(&shot, "plane", cameras[c], 64, 36);
+        struct aob_visibility bound[KINDS];
+        bound_kinds(&shot, 0.3, &term, 256, bound);
+        for (int k = 0; k < KINDS; k++)
+            check_open(&shot, &bound[k]);
+        finish_kinds(bound);
+        finish_shot(&shot);
+    }
+}
+
+/* In the room seen along its axis pixel centres lie on the edges between its walls. */
+static void a_point_in_a_crease_sees_half(void **state)
+{
+    (void)state;
+    const struct aob_visibility_term term = {.radius = 0.1};
+    struct shot shot;
+    size_t found = 0;
+    scene_shot(&shot, "cornell", aob_scene_find("cornell")->views[0].camera, 96, 54);
+    trace_shot(&shot, &term, 1, 1024);
+    for (size_t i = 0; i < pixel_count(&shot); i++) {
+        struct aob_vec3 p = pixel_point(&shot, i);
+        if (fabs(fabs(p.x) - 1) > 1e-6 || fabs(fabs(p.y - 1) - 1) > 1e-6 || fabs(p.z) > 0.85)
+            continue;
+        assert_true(fabs(shot.visibility[0].ao[i] - 0.5) < 0.01);
+        found++;
+    }
+    assert_true(found >= 20);
+    finish_shot(&shot);
+}
+
+static void bad_input_is_refused(void **state)
+{
+    (void)state;
+    struct shot shot;
+    struct aob_error error = {""};
+    scene_shot(&shot, "plane", aob_scene_find("plane")->views[0].camera, 8, 8);
+    const struct aob_screen_desc slab = {.kind = AOB_SCREEN_SLAB}, infinite = {0};
+    assert_null(aob_screen_create(&shot.camera, &shot.projection, &shot.hits, &slab, &error));
+    assert_non_null(strstr(error.text, "thickness"));
+    memset(shot.hits.depth, 0, pixel_count(&shot) * sizeof *shot.hits.depth);
+    assert_null(aob_screen_create(&shot.camera, &shot.projection, &shot.hits, &infinite, &error));
+    assert_non_null(strstr(error.text, "sky"));
+    finish_shot(&shot);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_plane_is_open),
+        cmocka_unit_test(a_point_in_a_crease_sees_half),
+        cmocka_unit_test(bounds_hold_on_every_scene),
+        cmocka_unit_test(bad_input_is_refused),
         cmocka_unit_test(a_sheet_from_above_is_a_wall),
         cmocka_unit_test(the_walk_agrees),
     };
