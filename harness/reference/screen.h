@@ -18,7 +18,8 @@
  *   thin: the whole cells alone, without thickness: what is known to be there. A feature one pixel wide has
  *     no whole cell, and is in the other two only.
  * So thin, slab and infinite each contain the one before: with the same rays each is no brighter than the one
- * before; of a slab to rounding, which lets single rays through. Outside the rectangle of the outermost pixel centres, and in the sky, there is nothing. */
+ * before; of a slab to rounding, which lets single rays through. Outside the rectangle of the outermost pixel
+ * centres, and in the sky, there is nothing. */
 #ifndef AOB_REFERENCE_SCREEN_H
 #define AOB_REFERENCE_SCREEN_H
 #include "tracer.h"
