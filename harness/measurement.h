@@ -50,6 +50,9 @@ struct aob_view_files {
     char *gbuffer;
     char *mesh;                     /* of a loaded scene; NULL where it is procedural */
     char **reference, **definition; /* one a case of the block; definition NULL where there is none */
+    char *
+        *screen; /* the definition within the screen-space bound; likewise NULL, and for a capture, whose only
+                      reference is that bound */
     size_t count;
 };
 bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t count,

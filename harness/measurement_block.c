@@ -59,7 +59,7 @@ json_t *aob_record_create(const struct aob_measurement *m, size_t index, const c
 {
     json_t *record = identity(&m->plan->cases[index]), *value;
     const char *name;
-    bool measured = m->plan->config->measure_error && !m->plan->cases[index].scene->gbuffer;
+    bool measured = m->plan->config->measure_error;
     json_object_set_new(record, "spp", json_integer(measured ? m->plan->config->spp : 0));
     if (m->states && *m->states[index].graph)
         json_object_set_new(record, "graph", json_string(m->states[index].graph));
@@ -131,11 +131,12 @@ static void take_answer(void *user, json_t *answer)
 static json_t *case_job(const struct block *block, size_t i, const struct aob_view_files *files)
 {
     const struct aob_case *c = &block->m->plan->cases[block->indices[i]];
-    json_t *job = json_pack("{s:s, s:o, s:o, s:o, s:s?, s:s?}", "technique", c->technique->name, "params",
-                            aob_json_vector(c->params, c->technique->param_count), "options",
-                            aob_json_vector(c->options, AOB_OPTION_COUNT), "radius",
-                            aob_json_number(c->reference_radius), "reference", files->reference[i],
-                            "definition", files->definition[i]);
+    json_t *job =
+        json_pack("{s:s, s:o, s:o, s:o, s:b, s:s?, s:s?, s:s?}", "technique", c->technique->name, "params",
+                  aob_json_vector(c->params, c->technique->param_count), "options",
+                  aob_json_vector(c->options, AOB_OPTION_COUNT), "radius",
+                  aob_json_number(c->reference_radius), "captured", c->scene->gbuffer != NULL, "reference",
+                  files->reference[i], "definition", files->definition[i], "screen", files->screen[i]);
     if (block->m->image)
         json_object_set_new(job, "image", json_string(block->m->image));
     else if (block->m->folder && block->m->plan->config->images) {

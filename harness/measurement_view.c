@@ -7,6 +7,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "measurement.h"
+#include "reference/screen.h"
 #include "reference/tracer.h"
 
 static json_t *pose_to_json(struct aob_vec3 eye, struct aob_vec3 target)
@@ -93,22 +94,45 @@ static char *term_path(const struct aob_measurement *m, const struct aob_case *c
 {
     struct aob_text text = {0};
     char *line = aob_json_line(term, 17);
-    describe_view(c, 0, false, &text); /* neither guard band nor motion changes the truth */
-    aob_text_add(&text, " %d %s", m->plan->config->spp, line);
+    bool screen = json_object_get(term, "screen");
+    /* Neither guard band nor motion changes the truth; the screen-space bound ends with the guard band. */
+    describe_view(c, screen ? aob_case_options(c).guard_band : 0, false, &text);
+    aob_text_add(&text, " %d %s %s", m->plan->config->spp, screen ? aob_screen_version : "", line);
     char *path = cache_path(m, "visibility", text.data, ".exr");
     free(line);
     aob_text_finish(&text);
     return path;
 }
 
-static json_t *truth_term(double radius)
+/* What a case is compared with: the truth, its definition, and the definition within the screen-space bound. A capture
+ * has no geometry, so its truth and definition are those of the bound. NULL: the case has no such term. */
+enum term_kind { TERM_TRUTH, TERM_DEFINITION, TERM_SCREEN, TERM_COUNT };
+
+static json_t *make_term(const struct aob_measurement *m, size_t index, enum term_kind kind)
 {
-    return json_pack("{s:o, s:b, s:n}", "radius", aob_json_number(radius), "uniform", 0, "falloff");
+    const struct aob_case *c = &m->plan->cases[index];
+    const json_t *definition = m->states[index].definition;
+    bool captured = c->scene->gbuffer != NULL;
+    if ((kind != TERM_TRUTH && !definition) || (kind == TERM_SCREEN && captured))
+        return NULL;
+    json_t *term = kind == TERM_TRUTH
+                       ? json_pack("{s:o, s:b, s:n}", "radius", aob_json_number(c->reference_radius),
+                                   "uniform", 0, "falloff")
+                       : json_deep_copy(definition);
+    if (kind == TERM_SCREEN || captured)
+        json_object_set_new(term, "screen",
+                            m->plan->config->thickness < 0 ? json_incref(json_object_get(term, "radius"))
+                                                           : aob_json_number(m->plan->config->thickness));
+    return term;
 }
 
 /* Adds the term to the view's job unless its file is there already; returns that file. */
-static char *want_term(struct aob_measurement *m, const struct aob_case *c, json_t *term, json_t *missing)
+static char *want_term(struct aob_measurement *m, size_t index, enum term_kind kind, json_t *missing)
 {
+    const struct aob_case *c = &m->plan->cases[index];
+    json_t *term = make_term(m, index, kind);
+    if (!term)
+        return NULL;
     char *path = term_path(m, c, term);
     bool wanted = aob_file_exists(path);
     for (size_t i = 0; i < json_array_size(missing) && !wanted; i++)
@@ -131,11 +155,11 @@ static bool trace_view(struct aob_measurement *m, const struct aob_case *c, cons
 {
     int guard = aob_case_options(c).guard_band;
     double rays = (double)c->width * c->height * m->plan->config->spp;
-    json_t *job =
-        json_pack("{s:s, s:s, s:o, s:i, s:i, s:i, s:i, s:s, s:O}", "job", "view", mesh ? "mesh" : "scene",
-                  mesh ? mesh : c->scene->name, "camera", aob_camera_to_json(&c->scene->camera), "width",
-                  c->width, "height", c->height, "guard", guard, "spp", m->plan->config->spp, "gbuffer",
-                  gbuffer, "terms", missing);
+    json_t *job = json_pack("{s:s, s:s, s:b, s:o, s:i, s:i, s:i, s:i, s:s, s:O}", "job", "view",
+                            mesh ? "mesh" : "scene", mesh ? mesh : c->scene->name, "captured",
+                            c->scene->gbuffer != NULL, "camera", aob_camera_to_json(&c->scene->camera),
+                            "width", c->width, "height", c->height, "guard", guard, "spp",
+                            m->plan->config->spp, "gbuffer", gbuffer, "terms", missing);
     struct aob_job_desc desc = {.job = job, .timeout_s = 300 + rays / 1e5};
     return aob_dispatch_job(m->dispatch, &desc, error) || aob_fail_in(error, "scene '%s'", c->scene->name);
 }
@@ -147,18 +171,9 @@ static void want_whole_view(struct aob_measurement *m, const struct aob_case *c,
         const struct aob_case *other = &m->plan->cases[i];
         if (m->states[i].stage != AOB_PENDING || !same_view(c, other))
             continue;
-        free(want_term(m, other, truth_term(other->reference_radius), missing));
-        if (m->states[i].definition)
-            free(want_term(m, other, json_deep_copy(m->states[i].definition), missing));
+        for (int kind = 0; kind < TERM_COUNT; kind++)
+            free(want_term(m, i, (enum term_kind)kind, missing));
     }
-}
-
-/* It has no geometry, so there is nothing to trace. */
-static void prepare_capture(const struct aob_plan_scene *scene, size_t count, struct aob_view_files *files)
-{
-    *files = (struct aob_view_files){.gbuffer = aob_strdup(scene->gbuffer), .count = count};
-    files->reference = AOB_NEW_ARRAY(char *, count);
-    files->definition = AOB_NEW_ARRAY(char *, count);
 }
 
 bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t count,
@@ -166,10 +181,6 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
 {
     const struct aob_case *c = &m->plan->cases[indices[0]];
     struct aob_plan_scene *scene = &m->plan->scenes[c->scene - m->plan->scenes];
-    if (scene->gbuffer) {
-        prepare_capture(scene, count, files);
-        return true;
-    }
     int64_t start = aob_clock_wall_ns();
     char *mesh = scene->file ? load_mesh(m, scene, error) : NULL;
     if (scene->file && !mesh)
@@ -179,13 +190,14 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
     *files = (struct aob_view_files){.count = count, .mesh = mesh};
     files->reference = AOB_NEW_ARRAY(char *, count);
     files->definition = AOB_NEW_ARRAY(char *, count);
+    files->screen = AOB_NEW_ARRAY(char *, count);
     describe_view(c, aob_case_options(c).guard_band, true, &text);
-    files->gbuffer = cache_path(m, "gbuffer", text.data, ".exr");
+    files->gbuffer =
+        scene->gbuffer ? aob_strdup(scene->gbuffer) : cache_path(m, "gbuffer", text.data, ".exr");
     for (size_t i = 0; i < count && m->plan->config->measure_error; i++) {
-        files->reference[i] =
-            want_term(m, c, truth_term(m->plan->cases[indices[i]].reference_radius), missing);
-        json_t *definition = m->states[indices[i]].definition;
-        files->definition[i] = definition ? want_term(m, c, json_deep_copy(definition), missing) : NULL;
+        files->reference[i] = want_term(m, indices[i], TERM_TRUTH, missing);
+        files->definition[i] = want_term(m, indices[i], TERM_DEFINITION, missing);
+        files->screen[i] = want_term(m, indices[i], TERM_SCREEN, missing);
     }
     bool ok = true;
     if (json_array_size(missing))
@@ -205,9 +217,11 @@ void aob_view_files_finish(struct aob_view_files *files)
     for (size_t i = 0; i < files->count; i++) {
         free(files->reference[i]);
         free(files->definition[i]);
+        free(files->screen[i]);
     }
     free(files->reference);
     free(files->definition);
+    free(files->screen);
     free(files->gbuffer);
     free(files->mesh);
     *files = (struct aob_view_files){0};

@@ -11,10 +11,11 @@
  *   capture  {file, depth, normals, near, far, left_handed, up, depth_channel, normal_channel, fov_deg, ortho_height,
  *             camera or null, out}
  *            -> {width, height, camera, surface, derived, warnings: [text]}
- *   view     {scene | mesh, camera, width, height, guard, gbuffer, spp, terms: [{radius, uniform, falloff, out}]}
+ *   view     {scene | mesh, captured, camera, width, height, guard, gbuffer, spp,
+ *             terms: [{radius, uniform, falloff, screen (the bound's thickness; absent: the scene's), out}]}
  *            -> {trace_s, rays} for each trace
  *   block    {modules, scene | mesh, raster, backend, validate, camera, width, height, guard, gbuffer, seconds, time, error,
- *             cases: [{technique, params, options, radius, reference, definition, image}]}
+ *             cases: [{technique, params, options, radius, captured, reference, definition, screen, image}]}
  *            -> {index, status, reason, time, error, memory_bytes, fingerprint, gbuffer (where raster)} a line,
  *               then {shares}
  * A job that cannot be done says so in one line on standard error and exits with 2. */

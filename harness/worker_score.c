@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "measure/flip.h"
 #include "measure/score.h"
+#include "measure/split.h"
 #include "measure/ssim.h"
 #include "store/image.h"
 
@@ -34,9 +35,9 @@ static bool load_channel(const char *path, const char *name, const struct aob_bl
     return ok || aob_fail(error, "%s: not a reference of %dx%d", path, block->width, block->height);
 }
 
-/* What one case is compared with, cropped to the view. */
+/* What one case is compared with, cropped to the view; screen: the definition within the screen-space bound. */
 struct truth {
-    float *depth, *ao, *se, *definition;
+    float *depth, *ao, *se, *definition, *screen;
 };
 
 static void crop(const struct aob_block *block, const float *from, int stride, float *into)
@@ -49,19 +50,32 @@ static void crop(const struct aob_block *block, const float *from, int stride, f
                      (size_t)stride];
 }
 
+/* A capture's definition is the bound's, so nothing of it is missing. */
+static void copy_bound(const json_t *c, struct truth *truth, size_t count)
+{
+    if (json_is_true(json_object_get(c, "captured")) && truth->definition) {
+        truth->screen = AOB_NEW_ARRAY(float, count);
+        memcpy(truth->screen, truth->definition, count * sizeof(float));
+    }
+}
+
 static bool load_truth(const struct aob_block *block, const json_t *c, struct truth *truth,
                        struct aob_error *error)
 {
     const char *reference = json_string_value(json_object_get(c, "reference"));
     const char *definition = json_string_value(json_object_get(c, "definition"));
+    const char *screen = json_string_value(json_object_get(c, "screen"));
     size_t count = (size_t)block->width * (size_t)block->height;
     truth->depth = AOB_NEW_ARRAY(float, count);
     crop(block, block->gbuffer.depth, 1, truth->depth);
     if (!reference || !block->error)
         return true;
-    return load_channel(reference, "AO", block, &truth->ao, error) &&
-           load_channel(reference, "SE", block, &truth->se, error) &&
-           (!definition || load_channel(definition, "AO", block, &truth->definition, error));
+    bool ok = load_channel(reference, "AO", block, &truth->ao, error) &&
+              load_channel(reference, "SE", block, &truth->se, error) &&
+              (!definition || load_channel(definition, "AO", block, &truth->definition, error)) &&
+              (!screen || load_channel(screen, "AO", block, &truth->screen, error));
+    copy_bound(c, truth, count);
+    return ok;
 }
 
 static void free_truth(struct truth *truth)
@@ -70,6 +84,7 @@ static void free_truth(struct truth *truth)
     free(truth->ao);
     free(truth->se);
     free(truth->definition);
+    free(truth->screen);
 }
 
 static void map_definition(const struct aob_block *block, const struct aob_frame *frame, const json_t *c,
@@ -80,21 +95,39 @@ static void map_definition(const struct aob_block *block, const struct aob_frame
     if (!truth->definition || !technique->definition.map ||
         !aob_worker_params(technique, json_object_get(c, "params"), values, NULL))
         return;
-    for (size_t i = 0; i < (size_t)block->width * (size_t)block->height; i++)
+    for (size_t i = 0; i < (size_t)block->width * (size_t)block->height; i++) {
         truth->definition[i] = technique->definition.map(values, truth->definition[i]);
+        if (truth->screen)
+            truth->screen[i] = technique->definition.map(values, truth->screen[i]);
+    }
 }
 
-static json_t *score_to_json(const struct aob_score_desc *desc, const struct aob_score *s,
-                             double definition_rmse)
+static json_t *score_to_json(const struct aob_score_desc *desc, const struct aob_score *s)
 {
-    return json_pack("{s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:I, s:I}", "reference",
-                     "ray-traced", "rmse", aob_json_number(s->rmse), "band_rmse",
-                     aob_json_number(s->band_rmse), "border_rmse", aob_json_number(s->border_rmse), "mae",
+    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:I, s:I}", "rmse",
+                     aob_json_number(s->rmse), "band_rmse", aob_json_number(s->band_rmse), "border_rmse",
+                     aob_json_number(s->border_rmse), "border_share", aob_json_number(s->border_share), "mae",
                      aob_json_number(s->mae), "bias", aob_json_number(s->bias), "p95",
                      aob_json_number(s->p95), "max", aob_json_number(s->max), "reference_se",
-                     aob_json_number(s->reference_se), "definition_rmse", aob_json_number(definition_rmse),
-                     "flip", aob_json_number(aob_flip(desc)), "ssim", aob_json_number(aob_ssim(desc)),
-                     "pixels", (json_int_t)s->pixels, "band_pixels", (json_int_t)s->band_pixels);
+                     aob_json_number(s->reference_se), "flip", aob_json_number(aob_flip(desc)), "ssim",
+                     aob_json_number(aob_ssim(desc)), "pixels", (json_int_t)s->pixels, "band_pixels",
+                     (json_int_t)s->band_pixels);
+}
+
+/* Its causes, where the technique claims something. */
+static void add_split(const struct aob_score_desc *desc, const struct truth *truth, json_t *error)
+{
+    struct aob_split s = {NAN, NAN, NAN, NAN, NAN, NAN};
+    if (truth->definition && truth->screen)
+        aob_split(desc, truth->definition, truth->screen, &s);
+    json_object_set_new(error, "definition_rmse", aob_json_number(s.definition_rmse));
+    json_object_set_new(error, "missing_rmse", aob_json_number(s.missing_rmse));
+    json_object_set_new(error, "estimator_rmse", aob_json_number(s.estimator_rmse));
+    json_object_set_new(error, "covariance",
+                        json_pack("{s:o, s:o, s:o}", "definition_missing",
+                                  aob_json_number(s.definition_missing), "definition_estimator",
+                                  aob_json_number(s.definition_estimator), "missing_estimator",
+                                  aob_json_number(s.missing_estimator)));
 }
 
 static bool score_case(const struct aob_block *block, const json_t *c, const float *ao,
@@ -116,9 +149,13 @@ static bool score_case(const struct aob_block *block, const json_t *c, const flo
     bool claims = json_is_string(json_object_get(c, "definition")) && !block->gpu->info.draws_nothing;
     if (!aob_score(&desc, &score, error) || (claims && !aob_score_judge_drawn(&desc, error)))
         return false;
-    double definition = truth->definition ? aob_score_rmse(&desc, truth->definition, truth->ao) : NAN;
-    if (truth->ao)
-        json_object_set_new(answer, "error", score_to_json(&desc, &score, definition));
+    if (truth->ao) {
+        json_t *scored = score_to_json(&desc, &score);
+        bool captured = json_is_true(json_object_get(c, "captured"));
+        json_object_set_new(scored, "reference", json_string(captured ? "screen" : "ray-traced"));
+        add_split(&desc, truth, scored);
+        json_object_set_new(answer, "error", scored);
+    }
     return true;
 }
 
@@ -165,6 +202,7 @@ static bool write_image(const struct aob_block *block, const json_t *c, const ch
     add_plane(&image, "reference.AO", truth->ao);
     add_plane(&image, "reference.SE", truth->se);
     add_plane(&image, "definition.AO", truth->definition);
+    add_plane(&image, "screen.AO", truth->screen);
     add_error(&image, ao, truth);
     add_camera(&image, &block->camera);
     aob_image_set_text(&image, "aobudget.technique", json_string_value(json_object_get(c, "technique")));

@@ -11,8 +11,12 @@
 
 void aob_config_init(struct aob_config *config)
 {
-    *config = (struct aob_config){
-        .measure_time = true, .measure_error = true, .images = true, .seconds = 1.5, .spp = 256};
+    *config = (struct aob_config){.measure_time = true,
+                                  .measure_error = true,
+                                  .images = true,
+                                  .seconds = 1.5,
+                                  .spp = 256,
+                                  .thickness = -1};
 }
 
 void aob_axis_add(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name,
@@ -184,6 +188,8 @@ static bool read_reference_entry(struct aob_yaml *yaml, const char *key, yaml_no
     double spp;
     if (strcmp(key, "radius") == 0)
         return aob_yaml_number(yaml, node, 1e-9, INFINITY, &config->reference_radius);
+    if (strcmp(key, "thickness") == 0)
+        return aob_yaml_number(yaml, node, 0, INFINITY, &config->thickness);
     if (!aob_yaml_number(yaml, node, 2, 65536, &spp))
         return false;
     config->spp = (int)spp;
@@ -206,7 +212,7 @@ static bool read_name(struct aob_yaml *yaml, const yaml_node_t *node, struct aob
 static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
 {
     static const char *const measure_keys[] = {"time", "error", "images", "seconds", NULL};
-    static const char *const reference_keys[] = {"spp", "radius", NULL};
+    static const char *const reference_keys[] = {"spp", "radius", "thickness", NULL};
     struct aob_config *config = user;
     struct axes options = {&config->options, &config->option_count, &config->option_capacity};
     if (strcmp(key, "name") == 0)

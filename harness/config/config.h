@@ -18,7 +18,8 @@
  *         - {param: radius, from: 0.25, to: 2, log2: 1}    # steps of a factor 2^1; or step: 0.25
  *         - {param: slices, values: [1, 3]}
  *   measure: {time: true, error: true, images: true, seconds: 1.5}   # seconds of timing a case, at most
- *   reference: {spp: 256, radius: 1} # radius: of the truth, in place of the techniques' own; inf allowed
+ *   reference: {spp: 256, radius: 1, thickness: inf}   # radius: of the truth, in place of the techniques' own; inf
+ *                                    # allowed. thickness: of the screen-space bound's surfaces; default: the radius
  */
 #ifndef AOB_CONFIG_CONFIG_H
 #define AOB_CONFIG_CONFIG_H
@@ -78,8 +79,10 @@ struct aob_config {
     struct aob_technique_choice *techniques;
     size_t technique_count, technique_capacity;
     bool measure_time, measure_error, images;
-    double seconds;          /* of timing, a case */
-    int spp;                 /* rays a pixel of the reference, even */
+    double seconds;   /* of timing, a case */
+    int spp;          /* rays a pixel of the reference, even */
+    double thickness; /* of what the depth shows, in the screen-space bound, scene units: 0 thin, INFINITY;
+                         negative: each technique's radius */
     double reference_radius; /* scene units; 0: 1 metre in the scene's units */
 };
 

@@ -133,6 +133,21 @@ bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struc
     return true;
 }
 
+void aob_gbuffer_hits(const struct aob_gbuffer *gbuffer, struct aob_hits *hits)
+{
+    size_t count = (size_t)gbuffer->projection.width * (size_t)gbuffer->projection.height;
+    *hits = (struct aob_hits){.width = gbuffer->projection.width, .height = gbuffer->projection.height};
+    hits->primitive = AOB_NEW_ARRAY(uint32_t, count);
+    hits->depth = AOB_NEW_ARRAY(float, count);
+    hits->normal = aob_alloc(count, sizeof *hits->normal);
+    for (size_t i = 0; i < count; i++) {
+        bool sky = gbuffer->depth[i] >= 0.5f * AOB_GBUFFER_SKY;
+        hits->primitive[i] = sky ? AOB_NO_PRIMITIVE : 0;
+        hits->depth[i] = sky ? 0 : gbuffer->depth[i];
+        memcpy(hits->normal[i], &gbuffer->normal[4 * i], sizeof hits->normal[i]);
+    }
+}
+
 void aob_gbuffer_finish(struct aob_gbuffer *gbuffer)
 {
     free(gbuffer->depth);

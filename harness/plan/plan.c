@@ -237,8 +237,8 @@ static void make_key(const struct aob_plan *plan, struct aob_case *c)
     aob_text_add(&text, "\n%s %s %u\n%d ", c->scene->digest, c->technique->digest, c->technique->revision,
                  c->scene->framed);
     aob_camera_print(&c->scene->camera, true, &text);
-    aob_text_add(&text, "\n%.9g %d %d%d%d %.9g", c->reference_radius, config->spp, config->measure_time,
-                 config->measure_error, config->images, config->seconds);
+    aob_text_add(&text, "\n%.9g %d %.9g %d%d%d %.9g", c->reference_radius, config->spp, config->thickness,
+                 config->measure_time, config->measure_error, config->images, config->seconds);
     aob_hash_text(text.data, c->key);
     aob_text_finish(&text);
 }

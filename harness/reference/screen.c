@@ -8,8 +8,8 @@ const char aob_screen_version[] = "1";
 
 struct aob_screen {
     struct aob_camera camera;
-    struct aob_tracer *tracer;
-    struct aob_hits hits; /* the pixels' points as hits of the rebuilt mesh */
+    struct aob_tracer *tracer; /* NULL: nothing could be rebuilt */
+    struct aob_hits hits;      /* the pixels' points as hits of the rebuilt mesh */
 };
 
 static void copy_hits(struct aob_hits *hits, const struct aob_hits *from)
@@ -26,22 +26,6 @@ static void copy_hits(struct aob_hits *hits, const struct aob_hits *from)
         hits->primitive[i] = from->depth[i] > 0 ? (uint32_t)i : AOB_NO_PRIMITIVE;
 }
 
-static struct aob_tracer *create_tracer(const struct aob_camera *camera,
-                                        const struct aob_projection *projection, const struct aob_hits *hits,
-                                        const struct aob_screen_desc *desc, struct aob_error *error)
-{
-    struct aob_mesh mesh = {0};
-    if (!aob_screen_mesh(camera, projection, hits, desc, &mesh)) {
-        aob_fail(error, "screen-space bound: the picture shows sky only: nothing can be rebuilt");
-        return NULL;
-    }
-    struct aob_tracer *tracer = aob_tracer_create(&mesh, error);
-    if (!tracer)
-        aob_fail_in(error, "screen-space bound of %dx%d pixels", hits->width, hits->height);
-    aob_mesh_finish(&mesh);
-    return tracer;
-}
-
 struct aob_screen *aob_screen_create(const struct aob_camera *camera, const struct aob_projection *projection,
                                      const struct aob_hits *hits, const struct aob_screen_desc *desc,
                                      struct aob_error *error)
@@ -50,13 +34,13 @@ struct aob_screen *aob_screen_create(const struct aob_camera *camera, const stru
         aob_fail(error, "screen-space bound: thickness %g: must be more than 0", desc->thickness);
         return NULL;
     }
-    struct aob_tracer *tracer = create_tracer(camera, projection, hits, desc, error);
-    if (!tracer)
-        return NULL;
     struct aob_screen *screen = AOB_NEW(struct aob_screen);
+    struct aob_mesh mesh = {0};
     screen->camera = *camera;
-    screen->tracer = tracer;
     copy_hits(&screen->hits, hits);
+    if (aob_screen_mesh(camera, projection, hits, desc, &mesh))
+        screen->tracer = aob_tracer_create(&mesh, NULL);
+    aob_mesh_finish(&mesh);
     return screen;
 }
 
@@ -69,8 +53,25 @@ void aob_screen_destroy(struct aob_screen *screen)
     free(screen);
 }
 
+/* Nothing could be rebuilt, so nothing occludes. */
+static void fill_open(const struct aob_screen *screen, const struct aob_visibility_desc *desc,
+                      struct aob_visibility *result)
+{
+    bool all = desc->width == 0 || desc->height == 0;
+    size_t count = all ? (size_t)screen->hits.width * (size_t)screen->hits.height
+                       : (size_t)desc->width * (size_t)desc->height;
+    for (size_t t = 0; t < desc->term_count; t++) {
+        result[t] = (struct aob_visibility){AOB_NEW_ARRAY(float, count), AOB_NEW_ARRAY(float, count)};
+        for (size_t i = 0; i < count; i++)
+            result[t].ao[i] = 1;
+    }
+}
+
 bool aob_screen_visibility(const struct aob_screen *screen, const struct aob_visibility_desc *desc,
                            struct aob_visibility *result, struct aob_error *error)
 {
-    return aob_tracer_visibility(screen->tracer, &screen->camera, &screen->hits, desc, result, error);
+    if (screen->tracer)
+        return aob_tracer_visibility(screen->tracer, &screen->camera, &screen->hits, desc, result, error);
+    fill_open(screen, desc, result);
+    return true;
 }
