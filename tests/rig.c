@@ -95,6 +95,40 @@ void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *nam
     free(frame);
 }
 
+void aob_rig_definition(const struct aob_rig *rig, const char *name, const char *params, int spp,
+                        float *pixels)
+{
+    enum { ROWS = 1025 };
+    const struct aob_technique *technique = builtin(name);
+    const struct aob_definition *definition = &technique->definition;
+    const struct aob_param *row = aob_param_find(technique->params, technique->param_count, "radius");
+    unsigned char values[4 * AOB_MAX_PARAM];
+    struct aob_options options;
+    float falloff[ROWS], radius;
+    set_params(technique, params, values, &options);
+    memcpy(&radius, values + row->offset, sizeof radius);
+    for (int i = 0; definition->falloff && i < ROWS; i++)
+        falloff[i] = definition->falloff(values, (float)pow((double)i / (ROWS - 1), 2));
+    struct aob_visibility_term term = {.radius = (double)radius,
+                                       .uniform = definition->weight == AOB_WEIGHT_UNIFORM,
+                                       .falloff = definition->falloff ? falloff : NULL,
+                                       .falloff_count = ROWS};
+    struct aob_visibility_desc desc = {.terms = &term,
+                                       .term_count = 1,
+                                       .x0 = rig->guard,
+                                       .y0 = rig->guard,
+                                       .width = rig->width,
+                                       .height = rig->height,
+                                       .spp = spp};
+    struct aob_visibility traced;
+    struct aob_error error = {{0}};
+    if (!aob_tracer_visibility(rig->tracer, &rig->camera, &rig->hits, &desc, &traced, &error))
+        give_up(name, &error);
+    for (int i = 0; i < rig->width * rig->height; i++)
+        pixels[i] = definition->map ? definition->map(values, traced.ao[i]) : traced.ao[i];
+    aob_visibility_finish(&traced);
+}
+
 struct aob_gpu *aob_rig_gpu(const char *backend)
 {
     struct aob_error error = {{0}};

@@ -26,6 +26,10 @@ void aob_rig_finish(struct aob_rig *rig);
 void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique, const char *params,
                  enum aob_fetch fetch, float *pixels);
 
+/* What that technique claims to compute with those parameters, ray-traced as a run does. pixels: width x height; sky 1. */
+void aob_rig_definition(const struct aob_rig *rig, const char *technique, const char *params, int spp,
+                        float *pixels);
+
 /* A device, or the program ends as skipped (77) where there is none. Vulkan runs under the validation layer.
  */
 struct aob_gpu *aob_rig_gpu(const char *backend);

@@ -24,6 +24,9 @@
         T, field, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_HOST, .min = 1, .max = 4,          \
         .initial = 1,                                                                                        \
         .doc = "Divides the size of the depth that is sampled: 1 full, 2 half, 4 quarter; more is cheaper.")
+#define AOB_PARAM_CROSS5(T, field)                                                                           \
+    AOB_PARAM(T, field, .stage = AOB_HOST, .choices = (const char *const[]){"off", "on", NULL},              \
+              .doc = "A composite's cross of five pixels, weighed by surface: on smooths by a pixel.")
 
 /* For check(): taps are 0 or odd; a divisor is 1, 2 or 4. */
 static inline bool aob_step_blur_check(int32_t taps, const char **why)
@@ -86,5 +89,17 @@ static inline aob_tex aob_step_upsample(struct aob_graph *graph, aob_tex low, in
              .reads = AOB_DEPTH | AOB_NORMAL, .in = {{.name = "low", .tex = low}},
              .out = {{.name = "full", .tex = full}});
     return full;
+}
+
+/* The composite's cross of five pixels over `raw`, of full size: one pass with text "cross5" = common/cross5.glsl.
+ * `raw` itself where it is off. */
+static inline aob_tex aob_step_cross5(struct aob_graph *graph, aob_tex raw, int32_t on)
+{
+    if (!on)
+        return raw;
+    aob_tex crossed = aob_texture(graph, .name = "composite", .format = AOB_R16F);
+    aob_pass(graph, .name = "composite", .shader = "cross5", .reads = AOB_DEPTH | AOB_NORMAL,
+             .in = {{.name = "raw", .tex = raw}}, .out = {{.name = "crossed", .tex = crossed}});
+    return crossed;
 }
 #endif

@@ -1,6 +1,6 @@
 /* Edge-aware upsampling by FACTOR: of the four pixels of `low` around a full pixel, bilinear weights times how far each
- * is of the same surface. Where none is, the one nearest to the tangent plane stands in, so that no value between two
- * depths appears. */
+ * is of the same surface, seen from both: the tangent plane of a rim may meet a floor far behind. Where none is, as on the rim of a curved object, the nearest in space stands in, one that
+ * faces another way counted up to three times as far: no value between two depths appears. */
 #include "common/surface.glsl"
 
 void main()
@@ -13,15 +13,16 @@ void main()
     for (int i = 0; i < 4; i++) {
         ivec2 corner = ivec2(i & 1, i >> 1);
         ivec2 q = min(base + corner, last);
-        vec3 other = aob_position(q * FACTOR);
+        vec3 other = aob_position(q * FACTOR), other_normal = aob_normal(q * FACTOR);
         float bilinear = (corner.x == 1 ? part.x : 1.0 - part.x) * (corner.y == 1 ? part.y : 1.0 - part.y);
-        float w = bilinear * same_surface(position, normal, other, aob_normal(q * FACTOR));
-        float off_plane = abs(dot(other - position, normal));
+        float w = bilinear * min(same_surface(position, normal, other, other_normal),
+                                 same_surface(other, other_normal, position, normal));
+        float away = length(other - position) * (2.0 - dot(other_normal, normal));
         float value = aob_fetch_low(q);
         sum += w * value;
         weights += w;
-        nearest = off_plane < least ? value : nearest;
-        least = min(least, off_plane);
+        nearest = away < least ? value : nearest;
+        least = min(least, away);
     }
     full = weights > 1e-3 ? sum / weights : nearest;
 }

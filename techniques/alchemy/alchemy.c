@@ -1,12 +1,18 @@
 /* Alchemy ambient obscurance: McGuire, Osman, Bukowski, Hennessy, "The Alchemy Screen-Space Ambient
- * Obscurance Algorithm", HPG 2011: equation 10, then a separable cross-bilateral filter. */
+ * Obscurance Algorithm", HPG 2011: equation 10, a separable cross-bilateral filter, the cross of the composite.
+ *
+ * Notes. Equations 4 and 6 lack the 1/pi of equation 3; with it, equation 10 is the mean over directions of
+ * g(t) = sigma t / (t^2 + epsilon), in 1/metres and not bounded by 1. It samples a disc, not directions, and leaves the
+ * difference alone, as the text does. The text draws bands of the sample count (figure 5, table 1) but not where they
+ * change: here after each `band_pixels` of the projected radius, and no samples where it is below half a pixel, since
+ * all of them would be the pixel itself. A guard band is a run option. */
 #include <aobudget/steps.h>
 #include <math.h>
 #include "shaders.h"
 
 struct values {
     float radius, intensity, contrast, bias, epsilon;
-    int32_t samples, blur, seed;
+    int32_t samples, samples_per_band, bands, band_pixels, divisor, blur, composite, seed;
 };
 
 static const struct aob_param params[] = {
@@ -24,8 +30,19 @@ static const struct aob_param params[] = {
         .doc = "The text's epsilon, square scene units: keeps the division finite; more lights up corners."),
     AOB_PARAM(struct values, samples, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT,
               .min = 1, .max = 4096, .initial = 12,
-              .doc = "Points on the disc a pixel (the text's s); more lowers noise."),
+              .doc = "Points on the disc a pixel (the text's s) where bands are off; more lowers noise."),
+    AOB_PARAM(struct values, samples_per_band, .unit = AOB_UNIT_COUNT, .stage = AOB_CONSTANT, .min = 0,
+              .max = 64, .initial = 0,
+              .doc = "Points that each band of the projected radius adds (table 1: 2 to 4); 0: no bands."),
+    AOB_PARAM(struct values, bands, .unit = AOB_UNIT_COUNT, .stage = AOB_CONSTANT, .min = 1, .max = 16,
+              .initial = 3,
+              .doc = "Most bands a pixel gets (table 1: 1 or 3); more spends more on near surfaces."),
+    AOB_PARAM(struct values, band_pixels, .unit = AOB_UNIT_PIXEL, .scale = AOB_LOG2, .stage = AOB_CONSTANT,
+              .min = 1, .max = 1024, .initial = 16,
+              .doc = "Projected radius that a band covers; more takes fewer points at the same distance."),
+    AOB_PARAM_DIVISOR(struct values, divisor),
     AOB_PARAM_BLUR(struct values, blur, 13),
+    AOB_PARAM_CROSS5(struct values, composite),
     AOB_PARAM(struct values, seed, .min = 0, .max = 1e6, .initial = 0,
               .doc = "Seed of the spiral's rotation per pixel."),
 };
@@ -47,19 +64,22 @@ static float map(const void *values, float visibility)
 static bool check(const void *values, const char **why)
 {
     const struct values *v = values;
-    return aob_step_blur_check(v->blur, why);
+    return aob_step_blur_check(v->blur, why) && aob_step_divisor_check(v->divisor, why);
 }
 
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
-    aob_tex raw = aob_texture(graph, .name = "visibility", .format = AOB_R16F);
-    return aob_pass(graph, .name = "obscurance", .shader = "obscurance", .reads = AOB_DEPTH | AOB_NORMAL,
-                    .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}}) &&
-           aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur, 1, 1));
+    aob_tex raw =
+        aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
+    aob_pass(graph, .name = "obscurance", .shader = "obscurance", .reads = AOB_DEPTH | AOB_NORMAL,
+             .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}});
+    raw = aob_step_blur(graph, raw, v->blur, 1, v->divisor);
+    raw = aob_step_upsample(graph, raw, v->divisor);
+    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_cross5(graph, raw, v->composite));
 }
 
-AOB_TECHNIQUE(alchemy, .title = "Alchemy ambient obscurance", .revision = 1, .shaders = aob_shaders_alchemy,
+AOB_TECHNIQUE(alchemy, .title = "Alchemy ambient obscurance", .revision = 2, .shaders = aob_shaders_alchemy,
               .citation = "McGuire, Osman, Bukowski, Hennessy: The Alchemy Screen-Space Ambient Obscurance "
                           "Algorithm, HPG 2011",
               .params = params, .param_count = sizeof params / sizeof *params,

@@ -1,0 +1,100 @@
+/* Volumetric obscurance as McGuire, Osman, Bukowski, Hennessy describe and measure it in "The Alchemy Screen-Space
+ * Ambient Obscurance Algorithm", HPG 2011, sections 1.1 and 3: line samples through a sphere, at two resolutions.
+ *
+ * Notes. That text names the parts; the formula of a line follows from the geometry. With h half of the line's length
+ * in the sphere and z the sampled depth relative to the centre's, positive away from the eye, a line is solid over
+ * clamp(h - z, 0, 2 h). Solid in the whole sphere is sum(solid) / sum(2 h), which is 1/2 on a wall; visibility is twice
+ * the rest. With normals the part above the tangent plane is counted alone. How the two resolutions are mixed is not
+ * said: here evenly. */
+#include <aobudget/steps.h>
+#include <math.h>
+#include "shaders.h"
+
+struct values {
+    float radius, fine_radius;
+    int32_t samples, resolutions, divisor, hemisphere, amplification, blur, seed;
+};
+
+static const char *const resolutions[] = {"one", "two", NULL};
+static const char *const switches[] = {"off", "on", NULL};
+enum { ONE, TWO };
+
+static const struct aob_param params[] = {
+    AOB_PARAM(struct values, radius, .unit = AOB_UNIT_LENGTH, .scale = AOB_LOG2, .min = 1e-6, .max = 1e6,
+              .initial = 0.5, .doc = "Radius of the sphere; more darkens from farther."),
+    AOB_PARAM(struct values, fine_radius, .min = 0.01, .max = 1, .initial = 1,
+              .doc = "Share of the radius that the full-size image of two covers; less shows finer detail."),
+    AOB_PARAM(struct values, samples, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT,
+              .min = 2, .max = 4096, .initial = 6,
+              .doc = "Lines a pixel of each resolution, even, in opposite pairs; more lowers noise."),
+    AOB_PARAM(struct values, resolutions, .stage = AOB_HOST, .choices = resolutions, .initial = TWO,
+              .doc = "One image, divided by divisor, or the mean of it and one of full size."),
+    AOB_PARAM(struct values, divisor, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_HOST, .min = 1,
+              .max = 4, .initial = 2,
+              .doc =
+                  "Divides the size of the (coarser) image and of the depth that it reads; more is cheaper."),
+    AOB_PARAM(struct values, hemisphere, .stage = AOB_CONSTANT, .choices = switches,
+              .doc = "On reads normals and counts the half of the sphere above the tangent plane alone."),
+    AOB_PARAM(struct values, amplification, .stage = AOB_CONSTANT, .choices = switches, .initial = 1,
+              .doc =
+                  "On doubles the empty share of the sphere, so that a wall is open; off leaves it at 0.5."),
+    AOB_PARAM_BLUR(struct values, blur, 13),
+    AOB_PARAM(struct values, seed, .min = 0, .max = 1e6, .initial = 0,
+              .doc = "Seed of the lines' rotation per pixel."),
+};
+
+/* All behind a hit at distance t is solid: of a cone of the unit sphere the share 1 - t^3. */
+static float solid(float t)
+{
+    return t < 1 ? 1 - t * t * t : 0;
+}
+
+static float falloff(const void *values, float t)
+{
+    const struct values *v = values;
+    return v->resolutions == ONE ? solid(t) : 0.5f * (solid(t) + solid(t / v->fine_radius));
+}
+
+static float map(const void *values, float visibility)
+{
+    const struct values *v = values;
+    return v->amplification ? visibility : 0.5f * visibility;
+}
+
+static bool check(const void *values, const char **why)
+{
+    const struct values *v = values;
+    if (!aob_step_blur_check(v->blur, why) || !aob_step_divisor_check(v->divisor, why))
+        return false;
+    *why = "samples: must be even, since lines come in pairs";
+    return v->samples % 2 == 0;
+}
+
+static bool build(struct aob_graph *graph, const void *values)
+{
+    const struct values *v = values;
+    uint32_t reads = v->hemisphere ? AOB_DEPTH | AOB_NORMAL : AOB_DEPTH;
+    aob_tex raw = aob_texture(graph, .name = "coarse", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
+    aob_pass(graph, .name = "coarse", .shader = "lines",
+             .defines = v->resolutions == ONE ? "ROLE=0" : "ROLE=1", .reads = reads,
+             .depth = aob_step_downsample(graph, v->divisor, AOB_DOWNSAMPLE_FIRST), .border = AOB_FAR,
+             .out = {{.name = "visibility", .tex = raw}});
+    raw = aob_step_upsample(graph, raw, v->divisor);
+    if (v->resolutions == TWO) {
+        aob_tex fine = aob_texture(graph, .name = "fine", .format = AOB_R16F);
+        aob_pass(graph, .name = "fine", .shader = "lines", .defines = "ROLE=2", .reads = reads,
+                 .border = AOB_FAR, .in = {{.name = "coarse", .tex = raw}},
+                 .out = {{.name = "visibility", .tex = fine}});
+        raw = fine;
+    }
+    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur, 1, 1));
+}
+
+AOB_TECHNIQUE(
+    volumetric_obscurance, .title = "Volumetric obscurance", .revision = 1,
+    .shaders = aob_shaders_volumetric_obscurance,
+    .citation = "Loos, Sloan: Volumetric Obscurance, I3D 2010, as compared in McGuire et al.: The Alchemy "
+                "Screen-Space Ambient Obscurance Algorithm, HPG 2011",
+    .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
+    .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff, .map = map},
+    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
