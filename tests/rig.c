@@ -36,6 +36,21 @@ void aob_rig_scene(struct aob_rig *rig, const char *scene, const char *view, int
     aob_mesh_finish(&mesh);
 }
 
+void aob_rig_plane(struct aob_rig *rig, double tilt, double azimuth, int width, int height)
+{
+    double t = tilt * M_PI / 180, a = azimuth * M_PI / 180, size = 400;
+    struct aob_vec3 n = aob_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
+    struct aob_vec3 u =
+        aob_vec_normalize(aob_vec_cross(fabs(n.y) < 0.9 ? aob_vec(0, 1, 0) : aob_vec(1, 0, 0), n));
+    struct aob_vec3 v = aob_vec_cross(n, u);
+    struct aob_mesh mesh = {0};
+    struct aob_camera camera = {.eye = {0, 0, 3}, .fov_deg = 60};
+    aob_mesh_add_quad(&mesh, aob_vec_scale(aob_vec_add(u, v), -size / 2), aob_vec_scale(u, size),
+                      aob_vec_scale(v, size));
+    aob_rig_init(rig, &mesh, &camera, width, height, 0);
+    aob_mesh_finish(&mesh);
+}
+
 void aob_rig_finish(struct aob_rig *rig)
 {
     aob_hits_finish(&rig->hits);

@@ -18,6 +18,8 @@ void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct
                   int width, int height, int guard);
 void aob_rig_scene(struct aob_rig *rig, const char *scene, const char *view, int width, int height,
                    int guard);
+/* An open plane 3 units before the eye, its normal `tilt` degrees off the view axis towards `azimuth`; no guard band. */
+void aob_rig_plane(struct aob_rig *rig, double tilt, double azimuth, int width, int height);
 void aob_rig_finish(struct aob_rig *rig);
 
 /* One frame of a built-in technique; params: "radius=1 slices=9", run options among them

@@ -1,6 +1,7 @@
 /* Edge-aware upsampling by FACTOR: of the four pixels of `low` around a full pixel, bilinear weights times how far each
- * is of the same surface, seen from both: the tangent plane of a rim may meet a floor far behind. Where none is, as on the rim of a curved object, the nearest in space stands in, one that
- * faces another way counted up to three times as far: no value between two depths appears. */
+ * is of the same surface, asked of both: the tangent plane of a rim may meet a floor far behind. Where none is, as on
+ * the rim of a curved object, the nearest in space stands in, one that faces another way counted up to three times as
+ * far: no value between two depths appears. */
 #include "common/surface.glsl"
 
 void main()

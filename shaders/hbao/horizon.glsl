@@ -2,35 +2,56 @@
  * sample that raises the horizon, integrated in steps (equations 6.2.8 and 6.2.9). The text's space is left-handed;
  * here a surface nearer to the eye has the larger z. Outside the image there is nothing: the text clamps to the
  * edge, and reports the false occlusion that this makes. */
-#include "common/noise.glsl"
 
-/* Sine of the angle whose tangent is x. */
-float sine_of(float x)
-{
-    return x * inversesqrt(1.0 + x * x);
-}
-
-/* Tangent of the elevation of the surface's own plane along v, raised by the angle bias. */
+/* Sine of the elevation of the surface's own plane along v, raised by the angle bias; 1 from the zenith on. */
 float tangent_along(vec2 v, vec3 normal)
 {
-    float plane = -dot(normal.xy, v) / (max(normal.z, 1e-3) * max(length(v), 1e-20));
-    return tan(min(atan(plane) + param.angle_bias, 0.5 * AOB_PI - 1e-3));
+    vec2 plane = vec2(max(normal.z, 1e-3) * length(v), -dot(normal.xy, v));
+    plane *= inversesqrt(max(dot(plane, plane), 1e-30));
+    vec2 bias = vec2(cos(param.angle_bias), sin(param.angle_bias));
+    return plane.x * bias.x > plane.y * bias.y ? plane.y * bias.x + plane.x * bias.y : 1.0;
+}
+
+/* The integral over the elevations up to the one of this sine, along azimuth v: 0 to 1 from the tangent to the zenith
+ * on average over the azimuths. Uniform weighting as in equation 6.2.5; with the cosine to the normal likewise. */
+float share_below(float sine, vec2 v, vec3 normal)
+{
+#if WEIGHTING == 1
+    return sine;
+#else
+    float lean = dot(normal.xy, v) * inversesqrt(max(dot(v, v), 1e-30));
+    float cosine = sqrt(max(0.0, 1.0 - sine * sine));
+    return lean * (atan(sine, cosine) + sine * cosine) + normal.z * sine * sine;
+#endif
+}
+
+/* View-space point of sample i, 1 to STEPS, of a direction. */
+vec3 sample_of(vec2 start, vec2 step_size, float jitter, int i)
+{
+#if SNAPPING == 1
+    ivec2 first = ivec2(floor(start + step_size * (1.0 + jitter)));
+    return aob_position(first + (i - 1) * ivec2(floor(step_size + 0.5)));
+#else
+    vec2 q = start + step_size * (float(i) + jitter);
+    return SNAPPING == 0 ? aob_position(ivec2(floor(q))) : aob_position_at(q, aob_view_z(ivec2(floor(q))));
+#endif
 }
 
 /* The inner sum of equation 6.2.9 (or 6.2.8) for one direction. */
-float occlusion_along(ivec2 p, vec3 position, vec3 normal, vec2 direction, float pixels, float jitter)
+float occlusion_along(vec2 start, vec3 position, vec3 normal, vec2 step_size, float jitter)
 {
-    float ground = sine_of(tangent_along(vec2(direction.x, -direction.y), normal));
-    float highest = ground, above = 0.0, sum = 0.0;
+    vec2 along = vec2(step_size.x, -step_size.y);
+    float ground = tangent_along(along, normal), highest = ground, above = 0.0, sum = 0.0;
     for (int i = 1; i <= STEPS; i++) {
-        ivec2 q = ivec2(floor(vec2(p) + 0.5 + direction * pixels * (float(i) + jitter)));
-        vec3 v = aob_position(q) - position;
-        float r = length(v) / param.radius;
-        float elevation = sine_of(v.z / max(length(v.xy), 1e-20));
-        float own = TANGENTS == 0 ? sine_of(tangent_along(v.xy, normal)) : ground;
-        bool raises = r <= 1.0 && elevation > highest && q != p;
-        sum += raises ? (1.0 - param.attenuation * r * r) * (elevation - own - above) : 0.0;
-        above = raises ? elevation - own : above;
+        vec3 v = sample_of(start, step_size, jitter, i) - position;
+        float l = length(v), r = l / param.radius, elevation = v.z / max(l, 1e-20);
+        vec2 own = TANGENTS == 0 ? v.xy : along;
+        float tangent = TANGENTS == 0 ? tangent_along(own, normal) : ground;
+        float grown = share_below(elevation, own, normal) - share_below(tangent, own, normal);
+        /* A sample on the point itself has no elevation. */
+        bool raises = r <= 1.0 && elevation > highest && l > -1e-6 * position.z;
+        sum += raises ? (1.0 - param.attenuation * r * r) * (grown - above) : 0.0;
+        above = raises ? grown : above;
         highest = raises ? elevation : highest;
     }
     return sum;
@@ -39,14 +60,15 @@ float occlusion_along(ivec2 p, vec3 position, vec3 normal, vec2 direction, float
 void main()
 {
     ivec2 p = aob_pixel;
-    vec3 position = aob_position(p), normal = aob_normal(p);
-    float pixels = aob_pixel_radius(-position.z, param.radius) / float(STEPS + 1);
-    float sum = 0.0;
+    vec3 position = aob_surface(p), normal = aob_surface_normal(p);
+    vec4 jitter = aob_fetch_jitter(p & 3);
+    float pixels = aob_pixel_radius(-position.z, param.radius) / float(STEPS + 1), sum = 0.0;
     for (int i = 0; i < DIRECTIONS; i++) {
-        float angle = 2.0 * AOB_PI * (float(i) + noise_rotation(p)) / float(DIRECTIONS);
-        sum += occlusion_along(p, position, normal, vec2(cos(angle), sin(angle)), pixels, noise_offset(p));
+        float angle = 2.0 * AOB_PI * float(i) / float(DIRECTIONS);
+        vec2 d = vec2(cos(angle), sin(angle));
+        d = vec2(d.x * jitter.x - d.y * jitter.y, d.x * jitter.y + d.y * jitter.x);
+        sum += occlusion_along(aob_image(p), position, normal, d * pixels, jitter.z);
     }
-    /* Below one texel a step the text leaves the pixel open. */
     float open = 1.0 - param.intensity * sum / float(DIRECTIONS);
-    visibility = aob_is_sky(p) || pixels < 1.0 ? 1.0 : clamp(open, 0.0, 1.0);
+    visibility = aob_surface_is_sky(p) || pixels < param.min_step ? 1.0 : clamp(open, 0.0, 1.0);
 }

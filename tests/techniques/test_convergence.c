@@ -13,8 +13,10 @@ enum { W = 96, H = 54, LEVELS = 6, FIRST = 8, CONVERGED = 4096 };
 /* What is held fixed, where the defaults would be dear or would blur. */
 static const char *fixed_params(const char *technique)
 {
-    static const char *const rows[][2] = {
-        {"gtao", "steps=8 blur=0"}, {"hbao", "steps=8 blur=0"}, {"alchemy", "blur=0"}};
+    static const char *const rows[][2] = {{"gtao", "steps=8 blur=0"},
+                                          {"hbao", "steps=8 blur=0"},
+                                          {"alchemy", "blur=0"},
+                                          {"ray_march", "rays=2 steps=4"}};
     for (size_t i = 0; i < AOB_COUNT(rows); i++)
         if (strcmp(rows[i][0], technique) == 0)
             return rows[i][1];
