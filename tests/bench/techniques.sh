@@ -1,0 +1,77 @@
+# Sourced by bench.sh: what each technique's samples and sizes cost, and where its error comes from.
+techniques() { build/release/aobudget list techniques --json - | jq -r "$1"; }
+
+# entry NAME PARAMS SWEEP: of a config's techniques.
+entry() { echo "  - {name: $1, params: {$2}, sweep: [$3]}"; }
+
+# has NAME PARAM
+has() { techniques ".techniques[] | select(.name == \"$1\") | .params[].name" | grep -qx "$2"; }
+
+config() { # NAME SCENES SIZE MEASURE REFERENCE; techniques on standard input
+  printf 'name: %s\nscenes: [%s]\nresolutions: [%s]\nbackends: [vulkan]\ntechniques:\n' "$1" "$2" "$3"
+  cat
+  printf 'measure: {images: false, %s}\nreference: {%s}\n' "$4" "$5"
+}
+
+if wanted linear; then
+  while read -r name axis; do
+    entry "$name" "blur: 0" "{param: $axis, values: [8, 16, 24, 32]}"
+  done < <(techniques '.techniques[] | select(.sampling) | "\(.name) \(.sampling)"') |
+    config linear '{name: atrium}' 320x180 'error: false, seconds: 2' 'spp: 2' >"$folder/linear.yaml"
+  build/release/aobudget run "$folder/linear.yaml" --out "$folder/linear" --quiet
+  while read -r name axis; do
+    # R² of the straight line through (samples, cost in fixed passes)
+    row "linear: $name by $axis 8..32, R2" "$(jq -r "select(.technique == \"$name\" and .status == \"ok\") |
+      \"\\(.params.$axis) \\(.time.ratio_to_ref)\"" "$folder/linear/journal.jsonl" |
+      awk '{ n++; x += $1; y += $2; xx += $1 * $1; yy += $2 * $2; xy += $1 * $2 }
+           END { c = n * xy - x * y; print (n == 4) ? sprintf("%.4f", c * c / ((n * xx - x * x) * (n * yy - y * y))) : 0 }')" \
+      "" ">=" 0.98
+  done < <(techniques '.techniques[] | select(.sampling) | "\(.name) \(.sampling)"')
+fi
+
+if wanted divided; then
+  for name in $(techniques '.techniques[].name'); do
+    has "$name" divisor && entry "$name" "" "{param: divisor, values: [1, 2]}"
+  done | config divided '{name: atrium}' 480x270 'seconds: 2' 'spp: 128' >"$folder/divided.yaml"
+  build/release/aobudget run "$folder/divided.yaml" --out "$folder/divided" --quiet
+  for name in $(techniques '.techniques[].name'); do
+    has "$name" divisor || continue
+    figure() { jq "select(.technique == \"$name\" and .params.divisor == $1) | $2" "$folder/divided/journal.jsonl"; }
+    row "divided: $name half / full, cost" "$(awk -v a="$(figure 2 .time.ratio_to_ref)" -v b="$(figure 1 .time.ratio_to_ref)" 'BEGIN { printf "%.3f", a / b }')" ratio
+    row "divided: $name RMSE full, half" "$(figure 1 .error.rmse) $(figure 2 .error.rmse)" ""
+  done
+fi
+
+# SCENE-NAME SCENE RADIUS: shares of the mean squared error, and gtao's estimator error by samples.
+split_scene() {
+  {
+    for name in $(techniques '.techniques[] | select(.params[].name == "radius") | .name'); do
+      [ "$name" = gtao ] || entry "$name" "radius: $3" ""
+    done
+    echo "  - {name: gtao, params: {radius: $3, slices: 3, steps: 6}}"
+    echo "  - {name: gtao, params: {radius: $3, slices: 9, steps: 24}}"
+  } | sed 's/, sweep: \[\]//' | config split "$2" 480x270 'time: false' 'spp: 256' >"$folder/split.yaml"
+  sed -i 's/^measure/options: {guard_band: 64}\nmeasure/' "$folder/split.yaml"
+  build/release/aobudget run "$folder/split.yaml" --out "$folder/split-$1" --quiet
+  jq -r 'select(.status == "ok") | "\(.technique)\(if .params.slices then " \(.params.slices)x\(.params.steps)" else "" end):
+    \(.error.rmse) \(.error.definition_rmse) \(.error.missing_rmse) \(.error.estimator_rmse)"' "$folder/split-$1/journal.jsonl" |
+    paste - - | while read -r line; do
+    name=${line%%:*}
+    read -r rmse definition missing estimator <<<"${line#*:}"
+    row "split: $1, $name: definition missing estimator" "$(awk -v r="$rmse" -v d="$definition" -v m="$missing" -v e="$estimator" \
+      'BEGIN { printf "%.2f %.2f %.2f", (d / r) ^ 2, (m / r) ^ 2, (e / r) ^ 2 }')" "of MSE"
+  done
+  estimator() { jq "select(.technique == \"gtao\" and .params.slices == $1) | .error.estimator_rmse" "$folder/split-$2/journal.jsonl"; }
+  row "split: $1, gtao estimator error 9x24 / 3x6" \
+    "$(awk -v a="$(estimator 9 "$1")" -v b="$(estimator 3 "$1")" 'BEGIN { printf "%.3f", a / b }')" ratio "<=" 0.999
+}
+
+if wanted split; then
+  split_scene atrium '{name: atrium}' 0.5
+  hall=$(ls "${AOBUDGET_SCENES:-none}"/sponza-crytek.* 2>/dev/null | head -1)
+  if [ -n "$hall" ]; then # in centimetres
+    split_scene hall '{name: sponza-crytek, eye: [-1100, 220, -40], target: [800, 400, -40], fov_deg: 70}' 100
+  else
+    echo "split: no sponza-crytek in AOBUDGET_SCENES: the hall is skipped"
+  fi
+fi
