@@ -70,10 +70,11 @@ static bool load_truth(const struct aob_block *block, const json_t *c, struct tr
     crop(block, block->gbuffer.depth, 1, truth->depth);
     if (!reference || !block->error)
         return true;
+    /* All are tried, so that one run removes all that are damaged. */
     bool ok = load_channel(reference, "AO", block, &truth->ao, error) &&
-              load_channel(reference, "SE", block, &truth->se, error) &&
-              (!definition || load_channel(definition, "AO", block, &truth->definition, error)) &&
-              (!screen || load_channel(screen, "AO", block, &truth->screen, error));
+              load_channel(reference, "SE", block, &truth->se, error);
+    ok = (!definition || load_channel(definition, "AO", block, &truth->definition, error)) && ok;
+    ok = (!screen || load_channel(screen, "AO", block, &truth->screen, error)) && ok;
     copy_bound(c, truth, count);
     return ok;
 }

@@ -102,7 +102,7 @@ static float walls(int x, int y)
 /* Something without any symmetry. */
 static float noise(int x, int y)
 {
-    unsigned v = (unsigned)(x * 73856093 ^ y * 19349663);
+    unsigned v = (unsigned)x * 73856093u ^ (unsigned)y * 19349663u;
     return (float)((v * 2654435761u) >> 16) / 65536.0f;
 }
 
