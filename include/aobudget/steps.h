@@ -13,6 +13,15 @@
 #define AOB_PARAM_BLUR_PASSES(T, field, passes)                                                              \
     AOB_PARAM(T, field, .unit = AOB_UNIT_COUNT, .stage = AOB_HOST, .min = 1, .max = 4, .initial = passes,    \
               .doc = "How often the blur is applied; more smooths more.")
+#define AOB_PARAM_TILE_BLUR(T, field)                                                                        \
+    AOB_PARAM(                                                                                               \
+        T, field, .unit = AOB_UNIT_COUNT, .stage = AOB_HOST, .min = 0, .max = 5, .initial = 5,               \
+        .doc =                                                                                               \
+            "Taps of each axis of the depth-aware mean over a 4x4 tile: 5, the outer ones half, or 0, off.")
+#define AOB_PARAM_TILE_TOLERANCE(T, field)                                                                   \
+    AOB_PARAM(T, field, .scale = AOB_LOG2, .min = 1e-6, .max = 1, .initial = 0.01,                           \
+              .doc =                                                                                         \
+                  "How far from the centre's tangent plane, as a share of its depth, the tile blur mixes.")
 #define AOB_PARAM_DIVISOR(T, field)                                                                          \
     AOB_PARAM(                                                                                               \
         T, field, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_HOST, .min = 1, .max = 4,          \
@@ -33,6 +42,11 @@ static inline bool aob_step_blur_check(int32_t taps, const char **why)
 {
     *why = "blur: the number of taps must be odd, or 0";
     return taps == 0 || taps % 2 == 1;
+}
+static inline bool aob_step_tile_blur_check(int32_t taps, const char **why)
+{
+    *why = "blur: must be 5, the tile, or 0, off";
+    return taps == 0 || taps == 5;
 }
 static inline bool aob_step_divisor_check(int32_t divisor, const char **why)
 {
@@ -74,6 +88,18 @@ static inline aob_tex aob_step_blur(struct aob_graph *graph, aob_tex raw, int32_
         raw = next;
     }
     return raw;
+}
+
+/* One pass of the mean over a tile of 4x4 pixels: text "blur" = common/tile_blur.glsl, uniform float parameter
+ * blur_tolerance. `raw` itself where taps is 0. */
+static inline aob_tex aob_step_tile_blur(struct aob_graph *graph, aob_tex raw, int32_t taps, int32_t divisor)
+{
+    if (taps == 0)
+        return raw;
+    aob_tex next = aob_texture(graph, .name = "tile_blur", .format = AOB_R16F, .divisor = (uint32_t)divisor);
+    aob_pass(graph, .name = "tile_blur", .shader = "blur", .reads = AOB_DEPTH | AOB_NORMAL,
+             .in = {{.name = "raw", .tex = raw}}, .out = {{.name = "blurred", .tex = next}});
+    return next;
 }
 
 /* Edge-aware upsampling to full size: one pass with text "upsample" = common/upsample.glsl. `low` itself where the

@@ -1,0 +1,1 @@
+#include "common/tile_blur.glsl"
