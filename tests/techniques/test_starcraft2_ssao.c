@@ -221,9 +221,12 @@ static void test_strips(void **state)
     static const struct {
         int first, end, x;
         struct block block;
-    } rows[] = {{0, W / 2, W / 2, {1, 10, 20, 1, 0}},       {0, W / 2, W / 2, {1, 0.5, 1.25, 1, 0}},
-                {0, W / 2, W / 2, {1, 0.5, 1.25, 3, 0}},    {0, W / 2, W / 2, {1, 0.5, 1.25, 1, -8}},
-                {0, W / 2, W / 2, {1, 0.5, 1.25, 1, 8}},    {0, W / 2, W / 2 + 6, {1, 0.1, 1.25, 0.5, -1}},
+    } rows[] = {{0, W / 2, W / 2, {1, 10, 20, 1, 0}},
+                {0, W / 2, W / 2, {1, 0.5, 1.25, 1, 0}},
+                {0, W / 2, W / 2, {1, 0.5, 1.25, 3, 0}},
+                {0, W / 2, W / 2, {1, 0.5, 1.25, 1, -8}},
+                {0, W / 2, W / 2, {1, 0.5, 1.25, 1, 8}},
+                {0, W / 2, W / 2 + 6, {1, 0.1, 1.25, 0.5, -1}},
                 {0, 2, 2, {1, 10, 20, 1, 0}}};
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -333,9 +336,14 @@ static void test_convergence(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_darker_of_two_radii), cmocka_unit_test(test_directions),
-        cmocka_unit_test(test_blocker_table),       cmocka_unit_test(test_against_definition),
-        cmocka_unit_test(test_open_plane),          cmocka_unit_test(test_convergence), cmocka_unit_test(test_strips), cmocka_unit_test(test_near_samples), cmocka_unit_test(test_encodings_and_sizes)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_darker_of_two_radii),
+                                       cmocka_unit_test(test_directions),
+                                       cmocka_unit_test(test_blocker_table),
+                                       cmocka_unit_test(test_against_definition),
+                                       cmocka_unit_test(test_open_plane),
+                                       cmocka_unit_test(test_convergence),
+                                       cmocka_unit_test(test_strips),
+                                       cmocka_unit_test(test_near_samples),
+                                       cmocka_unit_test(test_encodings_and_sizes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
