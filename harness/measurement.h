@@ -12,6 +12,7 @@ struct aob_state { /* of one planned case; same index */
     char status[16], reason[640]; /* where refused: invalid or failed */
     char graph[AOB_KEY_SIZE];     /* digest of its pass graph, once it is laid out */
     json_t *definition;           /* {radius, uniform, falloff} or NULL */
+    bool mapped;                  /* the definition's value is mapped */
 };
 struct aob_shares { /* seconds of wall time */
     double reference, measured, warmup, images, total;

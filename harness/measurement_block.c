@@ -1,3 +1,4 @@
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -54,6 +55,31 @@ static json_t *identity(const struct aob_case *c)
                      c->scene->framed ? json_null() : aob_camera_to_json(&c->scene->camera));
 }
 
+/* At a share t of the radius; the table is over the root of t, NULL is 1 throughout. */
+static double falloff_at(const json_t *table, double t)
+{
+    size_t count = json_array_size(table);
+    if (count < 2)
+        return 1;
+    double place = sqrt(t) * (double)(count - 1);
+    size_t low = place < (double)(count - 2) ? (size_t)place : count - 2;
+    double a = json_number_value(json_array_get(table, low)),
+           b = json_number_value(json_array_get(table, low + 1));
+    return a + (b - a) * (place - (double)low);
+}
+
+/* What the technique claims to compute, short enough for a record. */
+static json_t *definition_to_json(const struct aob_state *state)
+{
+    const json_t *d = state->definition, *table = json_object_get(d, "falloff");
+    json_t *falloff = json_array();
+    for (int i = 0; i <= 4; i++)
+        json_array_append_new(falloff, aob_json_number(falloff_at(table, i / 4.0)));
+    return json_pack("{s:O, s:s, s:o, s:b}", "radius", json_object_get(d, "radius"), "weighting",
+                     json_is_true(json_object_get(d, "uniform")) ? "uniform" : "cosine", "falloff", falloff,
+                     "mapped", state->mapped);
+}
+
 json_t *aob_record_create(const struct aob_measurement *m, size_t index, const char *status,
                           const char *reason, const json_t *answer)
 {
@@ -63,6 +89,8 @@ json_t *aob_record_create(const struct aob_measurement *m, size_t index, const c
     json_object_set_new(record, "spp", json_integer(measured ? m->plan->config->spp : 0));
     if (m->states && *m->states[index].graph)
         json_object_set_new(record, "graph", json_string(m->states[index].graph));
+    if (m->states && m->states[index].definition)
+        json_object_set_new(record, "definition", definition_to_json(&m->states[index]));
     json_object_set_new(record, "status", json_string(status));
     json_object_set_new(record, "reason", json_string(reason ? reason : ""));
     json_object_foreach((json_t *)(uintptr_t)answer, name, value)

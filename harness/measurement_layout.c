@@ -70,8 +70,10 @@ static void take_answer(void *user, json_t *answer)
     keep_graph(layout->m, state, answer);
     if (strcmp(status, "ok") != 0)
         refuse(state, status, reason ? reason : "refused without a reason");
-    else if (json_is_object(json_object_get(answer, "definition")))
+    else if (json_is_object(json_object_get(answer, "definition"))) {
         state->definition = json_incref(json_object_get(answer, "definition"));
+        state->mapped = json_is_true(json_object_get(answer, "mapped"));
+    }
 }
 
 static json_t *layout_job(const struct layout *layout)

@@ -25,7 +25,7 @@ struct run {
     struct aob_run_folder folder;
     struct aob_progress progress;
     json_t *
-        info; /* what run.json says: name, config_hash, build, program, date, cases, keys; seconds at the end */
+        info; /* what run.json says: name, config_hash, build, program, date, cases, keys, techniques; seconds at the end */
     size_t counts[4]; /* by status, in status_names' order, of the cases in this run's plan */
     struct aob_error store_error;
     int64_t start_ns;
@@ -40,6 +40,20 @@ static bool make_plan(struct run *run, struct aob_error *error)
            aob_plan_create(&run->plan, &run->config, &run->techniques, error);
 }
 
+/* Those of the plan, so that a page can say what was measured. */
+static json_t *techniques_to_json(const struct run *run)
+{
+    json_t *array = json_array();
+    for (size_t t = 0; t < run->techniques.count; t++) {
+        bool used = false;
+        for (size_t i = 0; i < run->plan.case_count && !used; i++)
+            used = run->plan.cases[i].technique == &run->techniques.items[t];
+        if (used)
+            json_array_append_new(array, aob_technique_info_to_json(&run->techniques.items[t]));
+    }
+    return array;
+}
+
 /* Of the whole plan, whatever the filter: a page is complete when all of it is measured. */
 static bool make_info(struct run *run, struct aob_error *error)
 {
@@ -50,9 +64,10 @@ static bool make_info(struct run *run, struct aob_error *error)
     for (size_t i = 0; i < run->plan.case_count; i++)
         json_array_append_new(keys, json_string(run->plan.cases[i].key));
     bool ok = aob_hash_file(run->desc->dispatch.program, build, error);
-    run->info = json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:o}", "name", run->config.name, "config_hash",
-                          run->config.hash, "build", ok ? build : "", "program", AOBUDGET_VERSION, "date",
-                          date, "cases", (int)run->plan.case_count, "keys", keys);
+    run->info =
+        json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:o, s:o}", "name", run->config.name, "config_hash",
+                  run->config.hash, "build", ok ? build : "", "program", AOBUDGET_VERSION, "date", date,
+                  "cases", (int)run->plan.case_count, "keys", keys, "techniques", techniques_to_json(run));
     return ok;
 }
 

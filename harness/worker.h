@@ -5,7 +5,8 @@
  *   probe    {backend}
  *            -> {device, driver, software}
  *   layout   {modules, technique, cases: [[number a parameter]]}
- *            -> {index, status, reason | graph, dot, definition: {radius, uniform, falloff} or null} a line
+ *            -> {index, status, reason | graph, dot, definition: {radius, uniform, falloff} or null,
+ *               mapped} a line
  *   mesh     {file, out}
  *            -> {low, high, vertices, triangles, warnings: [text]}
  *   capture  {file, depth, normals, near, far, left_handed, up, depth_channel, normal_channel, fov_deg, ortho_height,

@@ -7,6 +7,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "measure/flip.h"
+#include "measure/oracle_score.h"
 #include "measure/score.h"
 #include "measure/split.h"
 #include "measure/ssim.h"
@@ -131,6 +132,30 @@ static void add_split(const struct aob_score_desc *desc, const struct truth *tru
                                   aob_json_number(s.missing_estimator)));
 }
 
+/* What `truth` itself is off tells what a difference can mean. NULL where no pixel has a closed form. */
+static json_t *oracle_to_json(const struct aob_block *block, double radius, const float *ao,
+                              const float *truth)
+{
+    const char *scene = json_string_value(json_object_get(block->job, "scene"));
+    struct aob_oracle_desc desc = {.oracle = aob_oracle_find(scene),
+                                   .camera = &block->camera,
+                                   .gbuffer = &block->gbuffer,
+                                   .radius = radius};
+    struct aob_oracle_score score, reference;
+    if (!desc.oracle)
+        return NULL;
+    aob_oracle_score(&desc, ao, &score);
+    aob_oracle_score(&desc, truth, &reference);
+    if (!score.pixels)
+        return NULL;
+    return json_pack("{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:I, s:I}", "name", desc.oracle->name, "claim",
+                     desc.oracle->claim, "rmse", aob_json_number(score.rmse), "band_rmse",
+                     aob_json_number(score.band_rmse), "bias", aob_json_number(score.bias), "reference_rmse",
+                     aob_json_number(reference.rmse), "reference_band_rmse",
+                     aob_json_number(reference.band_rmse), "pixels", (json_int_t)score.pixels, "band_pixels",
+                     (json_int_t)score.band_pixels);
+}
+
 static bool score_case(const struct aob_block *block, const json_t *c, const float *ao,
                        const struct truth *truth, json_t *answer, struct aob_error *error)
 {
@@ -155,6 +180,9 @@ static bool score_case(const struct aob_block *block, const json_t *c, const flo
         bool captured = json_is_true(json_object_get(c, "captured"));
         json_object_set_new(scored, "reference", json_string(captured ? "screen" : "ray-traced"));
         add_split(&desc, truth, scored);
+        json_t *oracle = oracle_to_json(block, desc.radius, ao, truth->ao);
+        if (oracle)
+            json_object_set_new(scored, "oracle", oracle);
         json_object_set_new(answer, "error", scored);
     }
     return true;

@@ -47,16 +47,21 @@ static void list_sections(struct aob_gallery *g)
 }
 
 /* Letters, digits and dashes; the rest of a hostile name becomes dashes. */
+static void plain_name(char *name)
+{
+    for (char *c = name; *c; c++)
+        if (!isalnum((unsigned char)*c) && *c != '_')
+            *c = '-';
+}
+
 static char *file_name(const struct aob_gallery *g, size_t section, const char *name, const char *end)
 {
     struct aob_text text = {0};
     const struct aob_section *s = &g->sections[section];
     aob_text_add(&text, "%.40s-%.40s-%.60s", s->scene, s->view, name);
-    for (char *c = text.data; *c; c++)
-        if (!isalnum((unsigned char)*c) && *c != '_')
-            *c = '-';
+    plain_name(text.data);
     struct aob_text file = {0};
-    aob_text_add(&file, "figures/%04zu-%s%s", g->count, text.data, end);
+    aob_text_add(&file, "%s/%04zu-%s%s", g->folder, g->count, text.data, end);
     aob_text_finish(&text);
     return file.data;
 }
@@ -104,14 +109,14 @@ static void add_fact(struct aob_text *text, const char *name, double value)
         aob_text_add(text, " \u00b7 %s %s%.4f", name, value < 0 ? "\u2212" : "", fabs(value));
 }
 
-static char *facts_of(const struct aob_row *row)
+static char *facts_of(const struct aob_row *row, const char *label)
 {
     struct aob_text text = {0};
     aob_text_add(&text, "%s \u00b7 %s", row->scene, row->view);
     if (row->width && row->height)
         aob_text_add(&text, " \u00b7 %d\u00d7%d", row->width, row->height);
-    if (*row->label)
-        aob_text_add(&text, " \u00b7 %s", row->label);
+    if (*label)
+        aob_text_add(&text, " \u00b7 %s", label);
     add_fact(&text, "RMSE", row->rmse);
     add_fact(&text, "RMSE in band", row->band_rmse);
     add_fact(&text, "bias", row->bias);
@@ -125,12 +130,12 @@ static bool has_score(const struct aob_row *row)
     return json_is_object(json_object_get(row->json, "error"));
 }
 
-static void add_image_figure(struct aob_gallery *g, enum aob_figure_kind kind, size_t section,
-                             const struct aob_row *row)
+static struct aob_figure *add_image_figure(struct aob_gallery *g, enum aob_figure_kind kind, size_t section,
+                                           const struct aob_row *row, const char *label)
 {
     static const char *const ends[] = {".png", "-map.png", "-height.png", ".vti"};
     static const char *const titles[] = {"%s", "%s: AO error", "%s: AO error as height", "%s"};
-    char *facts = facts_of(row), group[32];
+    char *facts = facts_of(row, label), group[32];
     struct aob_text path = {0}, title = {0}, heading = {0};
     aob_text_add(&title, titles[kind], row->technique);
     aob_text_add(&heading, "Technique: %s", row->technique);
@@ -144,11 +149,13 @@ static void add_image_figure(struct aob_gallery *g, enum aob_figure_kind kind, s
         json_object_set_new(job, "alone", json_true());
         json_object_del(job, "limit_group");
     }
-    aob_gallery_add(g, kind, section, row->technique, ends[kind], job)->row = row;
+    struct aob_figure *figure = aob_gallery_add(g, kind, section, row->technique, ends[kind], job);
+    figure->row = row;
     aob_text_finish(&path);
     aob_text_finish(&title);
     aob_text_finish(&heading);
     free(facts);
+    return figure;
 }
 
 static void add_section(struct aob_gallery *g, size_t section)
@@ -158,25 +165,64 @@ static void add_section(struct aob_gallery *g, size_t section)
         const struct aob_row *row = best_row(g, section, g->techniques[t]);
         if (!row)
             continue;
-        add_image_figure(g, AOB_FIGURE_TRIPTYCH, section, row);
+        add_image_figure(g, AOB_FIGURE_TRIPTYCH, section, row, row->label);
         if (has_score(row))
-            add_image_figure(g, AOB_FIGURE_MAP, section, row);
-        add_image_figure(g, AOB_FIGURE_VTI, section, row);
+            add_image_figure(g, AOB_FIGURE_MAP, section, row, row->label);
+        add_image_figure(g, AOB_FIGURE_VTI, section, row, row->label);
         if (has_score(row) && (!top || score(row) < score(top)))
             top = row;
     }
     if (top)
-        add_image_figure(g, AOB_FIGURE_HEIGHT, section, top);
+        add_image_figure(g, AOB_FIGURE_HEIGHT, section, top, top->label);
     aob_curves_add_quality(g, section);
     aob_curves_add_timing(g, section);
 }
 
 void aob_gallery_plan(struct aob_gallery *g, const struct aob_rows *rows)
 {
-    *g = (struct aob_gallery){.rows = rows};
+    *g = (struct aob_gallery){.rows = rows, .folder = "figures"};
     list_sections(g);
     for (size_t i = 0; i < g->section_count; i++)
         add_section(g, i);
+}
+
+static bool is_taken(const struct aob_gallery *g, const char *file)
+{
+    for (size_t i = 0; i < g->count; i++)
+        if (strcmp(g->figures[i].file, file) == 0)
+            return true;
+    return false;
+}
+
+/* Names without a number stay when a technique joins, so a folder under version control changes little. */
+static char *lasting_name(const struct aob_gallery *g, const struct aob_row *row)
+{
+    struct aob_text name = {0}, file = {0};
+    aob_text_add(&name, "%.60s-%.40s-%.40s", row->technique, row->scene, row->view);
+    plain_name(name.data);
+    aob_text_add(&file, "%s/%s.png", g->folder, name.data);
+    if (is_taken(g, file.data)) {
+        aob_text_finish(&file);
+        aob_text_add(&file, "%s/%s-%zu.png", g->folder, name.data, g->count);
+    }
+    aob_text_finish(&name);
+    return file.data;
+}
+
+void aob_gallery_plan_triptychs(struct aob_gallery *g, const struct aob_rows *rows,
+                                const struct aob_row *const *which, size_t count, const char *folder)
+{
+    *g = (struct aob_gallery){.rows = rows, .folder = folder};
+    list_sections(g);
+    for (size_t i = 0; i < count; i++) {
+        if (!which[i])
+            continue;
+        char *file = lasting_name(g, which[i]);
+        struct aob_figure *figure =
+            add_image_figure(g, AOB_FIGURE_TRIPTYCH, aob_gallery_section(g, which[i]), which[i], "");
+        free(figure->file);
+        figure->file = file;
+    }
 }
 
 void aob_gallery_finish(struct aob_gallery *g)

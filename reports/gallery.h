@@ -31,6 +31,7 @@ struct aob_section {
 
 struct aob_gallery {
     const struct aob_rows *rows;
+    const char *folder; /* of the figures, below the page's */
     struct aob_section *sections;
     size_t section_count, section_capacity;
     const char **techniques; /* in the order of the journal: the place is the technique's colour */
@@ -45,6 +46,11 @@ struct aob_gallery {
  * best of them; and the charts of curves.h. */
 void aob_gallery_plan(struct aob_gallery *gallery, const struct aob_rows *rows);
 
+/* Instead of that: the triptychs of so many rows (NULLs are passed over), each without its parameters in the subtitle, in
+ * `folder`, named after technique, scene and view: "FOLDER/gtao-corner-front.png". */
+void aob_gallery_plan_triptychs(struct aob_gallery *gallery, const struct aob_rows *rows,
+                                const struct aob_row *const *which, size_t count, const char *folder);
+
 /* Runs `plotter` over all figures, writing below `out`. Every figure that was not drawn gets a failure; so
  * nothing is returned. `plotter` NULL: all fail. */
 void aob_gallery_draw(struct aob_gallery *gallery, const char *plotter, const char *out);
@@ -55,6 +61,9 @@ void aob_gallery_finish(struct aob_gallery *gallery);
  * end. */
 struct aob_figure *aob_gallery_add(struct aob_gallery *gallery, enum aob_figure_kind kind, size_t section,
                                    const char *name, const char *end, json_t *job);
+
+/* Path of aobudget-plot, beside `program`; NULL if that is NULL or there is none. free() it. */
+char *aob_gallery_plotter(const char *program);
 
 /* The place of the row's section or technique in the lists above. */
 size_t aob_gallery_section(const struct aob_gallery *gallery, const struct aob_row *row);

@@ -2,6 +2,7 @@
 #include "base/child.h"
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -92,11 +93,23 @@ static void run_plotter(struct drawing *d, const char *plotter, const char *job)
     }
 }
 
+char *aob_gallery_plotter(const char *program)
+{
+    if (!program)
+        return NULL;
+    const char *slash = strrchr(program, '/');
+    struct aob_text path = {0};
+    aob_text_add(&path, "%.*saobudget-plot", slash ? (int)(slash - program + 1) : 0, program);
+    if (!aob_file_exists(path.data))
+        aob_text_finish(&path);
+    return path.data;
+}
+
 void aob_gallery_draw(struct aob_gallery *g, const char *plotter, const char *out)
 {
     struct drawing d = {.gallery = g, .out = out, .order = AOB_NEW_ARRAY(size_t, g->count)};
     struct aob_error error = {0};
-    char *folder = aob_path_join(out, "figures");
+    char *folder = aob_path_join(out, g->folder);
     if (!plotter)
         fail_all(g, "aobudget-plot is not there (built without VTK?)");
     else if (!aob_folder_create(folder, &error))

@@ -211,19 +211,6 @@ static void summarise(struct aob_page_summary *summary, const struct aob_gallery
         summary->drawn += !gallery->figures[i].failure;
 }
 
-/* Beside the program. */
-static char *plotter_path(const char *program)
-{
-    if (!program)
-        return NULL;
-    const char *slash = strrchr(program, '/');
-    struct aob_text path = {0};
-    aob_text_add(&path, "%.*saobudget-plot", slash ? (int)(slash - program + 1) : 0, program);
-    if (!aob_file_exists(path.data))
-        aob_text_finish(&path);
-    return path.data;
-}
-
 static bool write_page(const struct aob_page_desc *desc, const struct aob_gallery *gallery,
                        struct aob_error *error)
 {
@@ -244,7 +231,7 @@ bool aob_page_write(const struct aob_page_desc *desc, struct aob_error *error)
     if (!aob_rows_read(&rows, desc->folders, folders, error))
         return false;
     aob_gallery_plan(&gallery, &rows);
-    char *plotter = plotter_path(desc->program);
+    char *plotter = aob_gallery_plotter(desc->program);
     bool ok = aob_folder_create(desc->out, error);
     if (ok) {
         aob_gallery_draw(&gallery, plotter, desc->out);

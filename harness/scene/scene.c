@@ -180,9 +180,23 @@ static const struct aob_scene_info cornell_box = {
     .sha256 = "1df799353b985e1862a590c6c37814227990e0338220e2e9a575fcd54031a667",
 };
 
-const struct aob_scene_info *const aob_scenes[] = {
-    &plane,           &corner, &spheres, &cornell, &aob_scene_atrium, &aob_scene_machine,
-    &aob_scene_grass, &bunny,  &horse,   &engine,  &cornell_box,      NULL};
+const struct aob_scene_info *const aob_scenes[] = {&plane,
+                                                   &corner,
+                                                   &spheres,
+                                                   &cornell,
+                                                   &aob_scene_atrium,
+                                                   &aob_scene_machine,
+                                                   &aob_scene_grass,
+                                                   &aob_scene_wall,
+                                                   &aob_scene_sheet,
+                                                   &aob_scene_sphere,
+                                                   &aob_scene_room,
+                                                   &aob_scene_disc,
+                                                   &bunny,
+                                                   &horse,
+                                                   &engine,
+                                                   &cornell_box,
+                                                   NULL};
 
 const struct aob_scene_info *aob_scene_find(const char *name)
 {

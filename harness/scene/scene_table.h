@@ -9,4 +9,6 @@
     }
 
 extern const struct aob_scene_info aob_scene_atrium, aob_scene_machine, aob_scene_grass;
+extern const struct aob_scene_info aob_scene_wall, aob_scene_sheet, aob_scene_sphere, aob_scene_room,
+    aob_scene_disc;
 #endif

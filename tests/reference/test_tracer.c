@@ -159,8 +159,7 @@ static void corner_meets_the_bars(void **state)
 
 static double wall_truth(struct aob_vec3 p, double r, const double *sizes)
 {
-    (void)r;
-    return p.y > 1e-3 ? NAN : aob_oracle_wall(p.z, sizes[0]);
+    return p.y > 1e-3 ? NAN : aob_oracle_wall(p.z, sizes[0], r);
 }
 
 static void finite_wall_meets_the_bars(void **state)
@@ -194,7 +193,8 @@ static void disc_meets_the_bars(void **state)
 {
     (void)state;
     const double sizes[] = {0.7, 0.6};
-    assert_true(fabs(disc_truth(aob_vec(0, 0, 0), 0, sizes) - aob_oracle_disc(sizes[0], sizes[1])) < 1e-12);
+    assert_true(fabs(disc_truth(aob_vec(0, 0, 0), 0, sizes) -
+                     aob_oracle_disc(0, sizes[0], sizes[1], INFINITY)) < 1e-12);
     struct aob_mesh mesh = {0};
     aob_mesh_add_quad(&mesh, aob_vec(-5, 0, -5), aob_vec(0, 0, 10), aob_vec(10, 0, 0));
     aob_mesh_add_disc(&mesh, aob_vec(0, sizes[1], 0), aob_vec(0, 1, 0), sizes[0], 1024);
@@ -216,7 +216,7 @@ static void disc_meets_the_bars(void **state)
 
 static double sheet_truth(struct aob_vec3 p, double r, const double *sizes)
 {
-    return p.y > 1e-3 ? NAN : aob_oracle_sheet_edge(sizes[0], r);
+    return p.y > 1e-3 ? NAN : aob_oracle_sheet(0, sizes[0], r);
 }
 
 /* A picture one pixel wide: every pixel shows a point right under the edge x = 0. */

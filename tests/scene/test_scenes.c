@@ -113,7 +113,7 @@ static void solids_are_closed_and_face_out(void **state)
 static const struct expected {
     const char *name;
     struct aob_vec3 low, high;
-    size_t open_edges;  /* of the floor, the room, and blades of grass, which are no solids */
+    size_t open_edges;  /* of floors, the room of cornell, and what has no thickness: they are no solids */
     size_t front_count; /* of the first so many triangles only fronts are seen; 0: of all */
 } rows[] = {
     {"plane", {-20, 0, -20}, {20, 0, 20}, 4, 0},
@@ -123,6 +123,11 @@ static const struct expected {
     {"atrium", {-10, 0, -21}, {10, 8, 21}, 4, 0},
     {"machine", {-6, 0, -6}, {6, 3.1, 6}, 4, 0},
     {"grass", {-10, -0.273737, -10}, {10, 0.648417, 10}, 4 + 5 * 26013, 95705 - 3 * 26013},
+    {"wall", {-20, 0, 0}, {20, 0.25, 40}, 6, 0},
+    {"sheet", {-20, 0, -20}, {20, 0.2, 20}, 8, 2},
+    {"sphere", {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}, 0, 0},
+    {"room", {-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}, 0, 0},
+    {"disc", {-20, 0, -20}, {20, 0.15, 20}, 4 + 256, 2},
 };
 
 static void titles_and_solids_are_right(void **state)

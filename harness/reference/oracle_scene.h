@@ -1,0 +1,17 @@
+/* Which listed scene has a visibility in closed form, and at which of its points. */
+#ifndef AOB_REFERENCE_ORACLE_SCENE_H
+#define AOB_REFERENCE_ORACLE_SCENE_H
+#include "base/vec.h"
+
+struct aob_oracle {
+    const char *name;  /* "O2" */
+    const char *scene; /* as it is listed */
+    const char *claim; /* what it says, in a phrase with the formula */
+    /* At the surface point p with unit normal n (towards who sees it), rays of length r: the truth, or NAN where no closed
+     * form holds: surfaces that the form is not about, points from which the finite scene's end is within r. */
+    double (*visibility)(struct aob_vec3 p, struct aob_vec3 n, double r);
+};
+
+/* NULL if the scene has none; `scene` may be NULL. */
+const struct aob_oracle *aob_oracle_find(const char *scene);
+#endif
