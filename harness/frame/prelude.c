@@ -106,7 +106,9 @@ static void add_constants(const struct aob_prelude_desc *desc, struct aob_text *
     for (uint32_t i = 0; i < technique->param_count; i++) {
         const struct aob_param *param = &technique->params[i];
         if (strcmp(param->name, "seed") == 0)
-            seed = param->stage == AOB_CONSTANT ? "SEED" : "int(param.seed)";
+            seed = param->stage == AOB_CONSTANT  ? "SEED"
+                   : param->stage == AOB_UNIFORM ? "int(param.seed)"
+                                                 : "0";
         if (param->stage != AOB_CONSTANT)
             continue;
         aob_text_add(text, "#define ");

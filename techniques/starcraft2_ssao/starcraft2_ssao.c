@@ -201,11 +201,18 @@ static bool build(struct aob_graph *graph, const void *values)
     return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, raw, v->divisor));
 }
 
-AOB_TECHNIQUE(starcraft2_ssao, .title = "StarCraft II ambient occlusion", .revision = 1,
-              .shaders = aob_shaders_starcraft2_ssao,
-              .citation = "Filion: Principles and Practice of Screen Space Ambient Occlusion, Game "
-                          "Programming Gems 8 (2010), 1.2",
-              .params = params, .param_count = sizeof params / sizeof *params,
-              .values_size = sizeof(struct values),
-              .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff},
-              .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+AOB_TECHNIQUE(
+    starcraft2_ssao, .title = "StarCraft II ambient occlusion", .revision = 1,
+    .shaders = aob_shaders_starcraft2_ssao,
+    .citation = "Filion: Principles and Practice of Screen Space Ambient Occlusion, Game "
+                "Programming Gems 8 (2010), 1.2",
+    .summary = "How much of the points in the normal's hemisphere lies behind the depth buffer, by a "
+               "blocker function of the depth between; a wide set and a small one, of which the darker "
+               "wins.",
+    .notes = "Reflected offsets keep their lengths (listing 1.2.6 normalises them); the fall is (1 - x)^p "
+             "as in the text; the average is weighted as `distance_weight` says, since text and listing "
+             "differ; what lies in the tangent plane occludes nothing. The definition is that of the wide "
+             "set, along rays that lie in the view: no exact one over distance exists.",
+    .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
+    .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff},
+    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
