@@ -79,15 +79,18 @@ static bool build(struct aob_graph *graph, const void *values)
     return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_cross5(graph, raw, v->composite));
 }
 
-AOB_TECHNIQUE(alchemy, .title = "Alchemy ambient obscurance", .revision = 2, .shaders = aob_shaders_alchemy,
-              .citation = "McGuire, Osman, Bukowski, Hennessy: The Alchemy Screen-Space Ambient Obscurance "
-                          "Algorithm, HPG 2011",
-              .summary = "Obscurance: every visible point of a disc about the surface point counts by its height over the "
-                         "tangent plane over its squared distance (equation 10), subtracted from 1.",
-              .notes = "Equations 4 and 6 lack the 1/pi of equation 3; equation 10 is taken as it stands, so the definition's "
-                       "falloff is intensity t / (t^2 + epsilon) with t in scene units, which no scale leaves alone. It "
-                       "samples the disc, not directions.",
-              .params = params, .param_count = sizeof params / sizeof *params,
-              .values_size = sizeof(struct values),
-              .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .map = map},
-              .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+AOB_TECHNIQUE(
+    alchemy, .title = "Alchemy ambient obscurance", .revision = 2, .shaders = aob_shaders_alchemy,
+    .citation = "McGuire, Osman, Bukowski, Hennessy: The Alchemy Screen-Space Ambient Obscurance "
+                "Algorithm, HPG 2011",
+    .summary =
+        "Obscurance: every visible point of a disc about the surface point counts by its height over the "
+        "tangent plane over its squared distance (equation 10), subtracted from 1.",
+    .notes =
+        "Equations 4 and 6 lack the 1/pi of equation 3; equation 10 is taken as it stands, so the "
+        "definition's "
+        "falloff is intensity t / (t^2 + epsilon) with t in scene units, which no scale leaves alone. It "
+        "samples the disc, not directions.",
+    .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
+    .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .map = map},
+    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);

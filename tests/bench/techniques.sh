@@ -13,15 +13,18 @@ config() { # NAME SCENES SIZE MEASURE REFERENCE; techniques on standard input
   printf 'measure: {images: false, %s}\nreference: {%s}\n' "$4" "$5"
 }
 
+# Points are cheap; a direction or slice is many taps.
+counts() { [ "$1" = samples ] && echo "[16, 32, 64, 128]" || echo "[8, 16, 24, 32]"; }
+
 if wanted linear; then
   while read -r name axis; do
-    entry "$name" "blur: 0" "{param: $axis, values: [8, 16, 24, 32]}"
+    entry "$name" "$(has "$name" blur && echo 'blur: 0')" "{param: $axis, values: $(counts "$axis")}"
   done < <(techniques '.techniques[] | select(.sampling) | "\(.name) \(.sampling)"') |
     config linear '{name: atrium}' 320x180 'error: false, seconds: 2' 'spp: 2' >"$folder/linear.yaml"
   build/release/aobudget run "$folder/linear.yaml" --out "$folder/linear" --quiet
   while read -r name axis; do
     # R² of the straight line through (samples, cost in fixed passes)
-    row "linear: $name by $axis 8..32, R2" "$(jq -r "select(.technique == \"$name\" and .status == \"ok\") |
+    row "linear: $name by $axis $(counts "$axis" | tr -d '[] '), R2" "$(jq -r "select(.technique == \"$name\" and .status == \"ok\") |
       \"\\(.params.$axis) \\(.time.ratio_to_ref)\"" "$folder/linear/journal.jsonl" |
       awk '{ n++; x += $1; y += $2; xx += $1 * $1; yy += $2 * $2; xy += $1 * $2 }
            END { c = n * xy - x * y; print (n == 4) ? sprintf("%.4f", c * c / ((n * xx - x * x) * (n * yy - y * y))) : 0 }')" \
