@@ -164,15 +164,18 @@ static bool trace_view(struct aob_measurement *m, const struct aob_case *c, cons
     return aob_dispatch_job(m->dispatch, &desc, error) || aob_fail_in(error, "scene '%s'", c->scene->name);
 }
 
-/* All terms of the view that the plan still needs are traced at once: one set of rays serves them all. */
+/* All terms of the view that the plan still needs are traced at once: one set of rays serves them all. The bound of
+ * another guard band is rebuilt from another G-buffer than this job's. */
 static void want_whole_view(struct aob_measurement *m, const struct aob_case *c, json_t *missing)
 {
+    int guard = aob_case_options(c).guard_band;
     for (size_t i = 0; i < m->plan->case_count; i++) {
         const struct aob_case *other = &m->plan->cases[i];
         if (m->states[i].stage != AOB_PENDING || !same_view(c, other))
             continue;
         for (int kind = 0; kind < TERM_COUNT; kind++)
-            free(want_term(m, i, (enum term_kind)kind, missing));
+            if (kind != TERM_SCREEN || aob_case_options(other).guard_band == guard)
+                free(want_term(m, i, (enum term_kind)kind, missing));
     }
 }
 

@@ -65,7 +65,8 @@ static bool find_camera(struct aob_capture *capture, const struct aob_capture_de
     const struct aob_attribute *fov = find_attribute(image, "aobudget.fov_deg", 1),
                                *ortho = find_attribute(image, "aobudget.ortho_height", 1),
                                *eye = find_attribute(image, "aobudget.eye", 3),
-                               *target = find_attribute(image, "aobudget.target", 3);
+                               *target = find_attribute(image, "aobudget.target", 3),
+                               *shift = find_attribute(image, "aobudget.shift", 3);
     struct aob_camera *camera = &capture->camera;
     *camera = (struct aob_camera){.target = aob_vec(0, 0, -1)};
     *known = desc->has_camera || (eye && target);
@@ -76,6 +77,9 @@ static bool find_camera(struct aob_capture *capture, const struct aob_capture_de
         camera->eye = aob_vec(eye->values[0], eye->values[1], eye->values[2]);
         camera->target = aob_vec(target->values[0], target->values[1], target->values[2]);
     }
+    if (shift && (shift->values[0] != 0 || shift->values[1] != 0))
+        return aob_fail(error, "%s: its view is off-centre (shift %g, %g): a capture must be centred",
+                        desc->file, shift->values[0], shift->values[1]);
     bool stated = desc->fov_deg > 0 || desc->ortho_height > 0;
     camera->fov_deg = stated ? desc->fov_deg : fov ? fov->values[0] : 0;
     camera->ortho_height = stated ? desc->ortho_height : ortho ? ortho->values[0] : 0;

@@ -258,6 +258,9 @@ static bool judge_pixels(const struct aob_case *c, struct aob_error *error)
     if (c->scene->gbuffer && guard > 0)
         return aob_fail(error, "%s: a capture ends at its edge: guard_band must be 0, not %g", c->scene->name,
                         guard);
+    if (c->scene->gbuffer && aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER)
+        return aob_fail(error, "%s: a capture has no triangles to draw: gbuffer must be canonical",
+                        c->scene->name);
     return (c->width + 2 * guard) * (c->height + 2 * guard) <= 4e7 ||
            aob_fail(error, "%dx%d with a guard band of %g is more than 40 million pixels", c->width,
                     c->height, guard);

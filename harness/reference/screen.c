@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "screen_mesh.h"
 
-const char aob_screen_version[] = "1";
+const char aob_screen_version[] = "2";
 
 struct aob_screen {
     struct aob_camera camera;

@@ -29,6 +29,9 @@ expect 2 "all depths are sky" "${capture[@]}" --far 0.01
 expect 2 "its own size" "${capture[@]}" --size 8x8
 expect 2 "its own size" "${capture[@]}" --view front
 expect 2 "guard_band must be 0" "${capture[@]}" -p guard_band=8
+check "an off-centre frame" "${shot[@]}" --scene corner --reference-spp 2 --eye 0,2,4 --target 0,1,0 --shift 0.5,0 --out S.exr
+expect 2 "S.exr: its view is off-centre (shift 0.5, 0)" "$program" shot --technique none --backend null --scene capture:S.exr
+expect 2 "gbuffer must be canonical" "${capture[@]}" -p gbuffer=raster
 expect 2 "stated of a capture" "${shot[@]}" --scene corner --normals view
 
 config() { # SCENE [REST]

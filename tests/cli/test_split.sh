@@ -44,6 +44,27 @@ for run in out with-0 with-0.25 with-inf; do
 done
 check "none claims nothing" grep -q '"estimator_rmse":null' out/journal.jsonl
 
+# The bound ends with the guard band, so one run's bands must not share it: each says what a run of its own says.
+cat >band.yaml <<END
+name: band
+scenes: [{name: corner}]
+resolutions: [96x54]
+backends: [gl-egl]
+options: {guard_band: [0, 32]}
+techniques: [{name: gtao, params: {radius: 1, blur: 0}}]
+measure: {time: false}
+reference: {spp: 32}
+END
+sed 's/\[0, 32\]/32/' band.yaml >alone.yaml
+check "two bands" env AOBUDGET_CACHE="$folder/cache-both" "$program" run band.yaml --out both --quiet
+check "the wider alone" env AOBUDGET_CACHE="$folder/cache-alone" "$program" run alone.yaml --out alone --quiet
+for part in missing_rmse estimator_rmse; do
+  awk_check "$part of a guard band does not depend on the run's others" \
+    "$(number both/journal.jsonl 2 error.$part) == $(number alone/journal.jsonl 1 error.$part)"
+done
+awk_check "less is missing with a guard band" \
+  "$(number both/journal.jsonl 2 error.missing_rmse) < $(number both/journal.jsonl 1 error.missing_rmse)"
+
 # The same frame as a capture: its only reference is the bound, so its whole error is the frame's estimator error.
 shot=("$program" shot --technique gtao --backend gl-egl --reference-spp 64 -p blur=0)
 check "a frame" "${shot[@]}" --scene atrium --size 160x90 --out F.exr --json frame.json
