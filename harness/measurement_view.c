@@ -160,7 +160,7 @@ static bool trace_view(struct aob_measurement *m, const struct aob_case *c, cons
                             c->scene->gbuffer != NULL, "camera", aob_camera_to_json(&c->scene->camera),
                             "width", c->width, "height", c->height, "guard", guard, "spp",
                             m->plan->config->spp, "gbuffer", gbuffer, "terms", missing);
-    struct aob_job_desc desc = {.job = job, .timeout_s = 300 + rays / 1e5};
+    struct aob_job_desc desc = {.job = job, .timeout_s = 300 + rays / 1e5 * (double)json_array_size(missing)};
     return aob_dispatch_job(m->dispatch, &desc, error) || aob_fail_in(error, "scene '%s'", c->scene->name);
 }
 

@@ -42,6 +42,38 @@ struct aob_options aob_case_options(const struct aob_case *c)
     return options;
 }
 
+/* What no view can be encoded in; planes that follow the view are judged when it is known. */
+static bool judge_encoding(const struct aob_case *c, struct aob_error *error)
+{
+    struct aob_options o = aob_case_options(c);
+    bool infinite =
+        o.depth_encoding == AOB_DEPTH_DEVICE24_INFINITE || o.depth_encoding == AOB_DEPTH_DEVICE32_INFINITE;
+    if (infinite && c->scene->camera.ortho_height > 0)
+        return aob_fail(error,
+                        "%s: an infinite far plane needs a perspective view: choose another depth_encoding",
+                        c->scene->name);
+    return o.depth_encoding < AOB_DEPTH_DEVICE24 || infinite ||
+           !(o.near > 0 && o.far > 0 && o.near >= o.far) ||
+           aob_fail(error, "near %g is not below far %g", (double)o.near, (double)o.far);
+}
+
+/* About 150 bytes of memory a pixel, and one view has to fit. */
+bool aob_case_judge(const struct aob_case *c, struct aob_error *error)
+{
+    double guard = aob_case_options(c).guard_band;
+    if (!judge_encoding(c, error))
+        return false;
+    if (c->scene->gbuffer && guard > 0)
+        return aob_fail(error, "%s: a capture ends at its edge: guard_band must be 0, not %g", c->scene->name,
+                        guard);
+    if (c->scene->gbuffer && aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER)
+        return aob_fail(error, "%s: a capture has no triangles to draw: gbuffer must be canonical",
+                        c->scene->name);
+    return (c->width + 2 * guard) * (c->height + 2 * guard) <= 4e7 ||
+           aob_fail(error, "%dx%d with a guard band of %g is more than 40 million pixels", c->width,
+                    c->height, guard);
+}
+
 bool aob_case_same_block(const struct aob_case *a, const struct aob_case *b)
 {
     struct aob_options oa = aob_case_options(a), ob = aob_case_options(b);
@@ -70,12 +102,17 @@ double aob_plan_estimate_s(const struct aob_plan *plan)
     double seconds = 0;
     for (size_t i = 0; i < plan->case_count; i++) {
         const struct aob_case *c = &plan->cases[i];
-        bool first_of_view = true;
-        for (size_t j = 0; j < i && first_of_view; j++)
-            first_of_view = plan->cases[j].scene != c->scene || plan->cases[j].width != c->width ||
-                            plan->cases[j].height != c->height;
-        if (first_of_view && plan->config->measure_error && !c->scene->gbuffer)
-            seconds += (double)c->width * c->height * plan->config->spp / 4e6;
+        bool first_of_view = true, first_of_radius = true;
+        for (size_t j = 0; j < i && first_of_radius; j++) {
+            const struct aob_case *other = &plan->cases[j];
+            bool same = other->scene == c->scene && other->width == c->width && other->height == c->height;
+            first_of_view = first_of_view && !same;
+            first_of_radius = !same || other->reference_radius != c->reference_radius;
+        }
+        /* The truth of a view once, and a screen-space bound for each radius. */
+        int traces = (first_of_view && !c->scene->gbuffer) + first_of_radius;
+        if (plan->config->measure_error)
+            seconds += traces * ((double)c->width * c->height * plan->config->spp / 4e6);
         seconds += 1 + (plan->config->measure_time ? plan->config->seconds : 0);
     }
     return seconds;

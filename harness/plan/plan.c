@@ -251,21 +251,6 @@ static bool key_is_new(const struct aob_plan *plan, const char *key)
     return true;
 }
 
-/* About 150 bytes of memory a pixel, and one view has to fit. */
-static bool judge_pixels(const struct aob_case *c, struct aob_error *error)
-{
-    double guard = aob_case_options(c).guard_band;
-    if (c->scene->gbuffer && guard > 0)
-        return aob_fail(error, "%s: a capture ends at its edge: guard_band must be 0, not %g", c->scene->name,
-                        guard);
-    if (c->scene->gbuffer && aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER)
-        return aob_fail(error, "%s: a capture has no triangles to draw: gbuffer must be canonical",
-                        c->scene->name);
-    return (c->width + 2 * guard) * (c->height + 2 * guard) <= 4e7 ||
-           aob_fail(error, "%dx%d with a guard band of %g is more than 40 million pixels", c->width,
-                    c->height, guard);
-}
-
 static bool add_cases(struct aob_plan *plan, struct aob_case *base, struct axes *params, struct axes *options,
                       struct aob_error *error)
 {
@@ -276,7 +261,7 @@ static bool add_cases(struct aob_plan *plan, struct aob_case *base, struct axes 
         set_row(params, values);
         do {
             set_row(options, base->options);
-            if (!judge_pixels(base, error))
+            if (!aob_case_judge(base, error))
                 return false;
             base->reference_radius = reference_radius(plan, base);
             make_key(plan, base);

@@ -58,6 +58,9 @@ void aob_case_describe(const struct aob_case *c, struct aob_text *text);
 /* All parameters and all options, without scene and view: a part of the key. */
 void aob_case_settings(const struct aob_case *c, struct aob_text *text);
 
+/* What options, size and scene cannot be together; one line then. */
+bool aob_case_judge(const struct aob_case *c, struct aob_error *error);
+
 /* Whether two cases may be timed in one block: same view, size, guard band, G-buffer, backend and threads. */
 bool aob_case_same_block(const struct aob_case *a, const struct aob_case *b);
 

@@ -26,6 +26,20 @@ static void copy_hits(struct aob_hits *hits, const struct aob_hits *from)
         hits->primitive[i] = from->depth[i] > 0 ? (uint32_t)i : AOB_NO_PRIMITIVE;
 }
 
+/* Thin surfaces may have no whole cell: then only points are known, and nothing occludes. */
+static bool has_area(const struct aob_mesh *mesh)
+{
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        const uint32_t *t = mesh->triangles[i];
+        struct aob_vec3 a = mesh->positions[t[0]];
+        struct aob_vec3 n =
+            aob_vec_cross(aob_vec_sub(mesh->positions[t[1]], a), aob_vec_sub(mesh->positions[t[2]], a));
+        if (aob_vec_length(n) > 0)
+            return true;
+    }
+    return false;
+}
+
 struct aob_screen *aob_screen_create(const struct aob_camera *camera, const struct aob_projection *projection,
                                      const struct aob_hits *hits, const struct aob_screen_desc *desc,
                                      struct aob_error *error)
@@ -38,10 +52,15 @@ struct aob_screen *aob_screen_create(const struct aob_camera *camera, const stru
     struct aob_mesh mesh = {0};
     screen->camera = *camera;
     copy_hits(&screen->hits, hits);
-    if (aob_screen_mesh(camera, projection, hits, desc, &mesh))
-        screen->tracer = aob_tracer_create(&mesh, NULL);
+    bool solid = aob_screen_mesh(camera, projection, hits, desc, &mesh) && has_area(&mesh);
+    if (solid)
+        screen->tracer = aob_tracer_create(&mesh, error);
     aob_mesh_finish(&mesh);
-    return screen;
+    if (!solid || screen->tracer)
+        return screen;
+    aob_fail_in(error, "screen-space bound of %dx%d pixels", hits->width, hits->height);
+    aob_screen_destroy(screen);
+    return NULL;
 }
 
 void aob_screen_destroy(struct aob_screen *screen)

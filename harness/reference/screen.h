@@ -34,7 +34,7 @@ struct aob_screen_desc {
 struct aob_screen;
 
 /* Reads `depth` (0: sky) and `normal` of the hits, and keeps nothing of them. NULL after one line: a thickness that is
- * not positive. A picture of nothing but sky, or of nothing that can be joined, is open everywhere. Threads: as a
+ * not positive, or what aob_tracer_create says. A picture of nothing but sky, or of nothing that can be joined, is open everywhere. Threads: as a
  * tracer. */
 struct aob_screen *aob_screen_create(const struct aob_camera *camera, const struct aob_projection *projection,
                                      const struct aob_hits *hits, const struct aob_screen_desc *desc,

@@ -124,4 +124,6 @@ VK_ICD_FILENAMES=/nonexistent.json VK_DRIVER_FILES=/nonexistent.json \
   expect 2 "mesa-vulkan-drivers" "$program" shot --technique none --scene plane --size 8x8 --reference-spp 0
 
 check "no part file is left over" test -z "$(find . -name '*.part')"
+expect 2 "near 3 is not below far 2" "$program" shot --technique gtao --scene corner --backend null -p depth_encoding=device24 -p near=3 -p far=2
+expect 2 "needs a perspective view" "$program" shot --technique gtao --scene corner --backend null -p depth_encoding=device32_infinite --eye=0,2,4 --target=0,1,0 --ortho 3
 finish

@@ -66,6 +66,8 @@ static void check_file(const char *bytes, size_t size, const char *ending, int v
     int loaded = 0;
     snprintf(file, sizeof file, "/tmp/aobudget-corrupt-%ld%s", (long)getpid(), ending);
     snprintf(out, sizeof out, "/tmp/aobudget-corrupt-%ld.mesh", (long)getpid());
+    assert_true(aob_file_write(file, bytes, size, NULL));
+    assert_int_equal(load(&dispatch, file, out), 1); /* undamaged */
     for (int v = 0; v < variants; v++) {
         memcpy(copy, bytes, size);
         size_t left = damage(copy, size, v);
