@@ -4,7 +4,6 @@
 #include "half.h"
 #include "plane.h"
 #include "rig.h"
-#include "technique/registry.h"
 
 enum { W = 160, H = 90 };
 #define NAME "starcraft2_ssao"
@@ -117,40 +116,26 @@ static void test_blocker_table(void **state)
 static void test_against_definition(void **state)
 {
     (void)state;
-    enum { TABLE = 256 };
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
     struct aob_rig rig;
-    struct aob_error error;
-    float ao[W * H], falloff[TABLE];
-    struct {
-        float lengths[14];
-        int32_t counts[11];
-    } values = {.lengths = {0.5f, 0.1f, 0.5f, 1, 0.125f, 0.1f, 0.125f, 1, 0.01f, -1, 0, 2, 0.1f, 0.9f}};
-    const struct aob_technique *technique = NULL;
-    for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
-        technique = strcmp((*t)->name, NAME) == 0 ? *t : technique;
-    for (int i = 0; i < TABLE; i++)
-        falloff[i] = technique->definition.falloff(&values, (float)(i * i) / ((TABLE - 1) * (TABLE - 1)));
-    struct aob_visibility_term term = {0.5, true, falloff, TABLE};
-    struct aob_visibility_desc desc = {.terms = &term, .term_count = 1, .spp = 128};
-    struct aob_visibility traced;
-    aob_rig_scene(&rig, "corner", "front", W, H, 0);
-    assert_true(aob_tracer_visibility(rig.tracer, &rig.camera, &rig.hits, &desc, &traced, &error));
-    run(&rig, gpu, "blur=0 samples=1024 radii=one", ao);
+    float ao[W * H], traced[W * H];
     double sum = 0, bias = 0;
     size_t count = 0;
+    aob_rig_scene(&rig, "corner", "front", W, H, 0);
+    aob_rig_definition(&rig, NAME, "radii=one", 128, traced);
+    run(&rig, gpu, "blur=0 samples=1024 radii=one", ao);
     for (int i = 0; i < W * H; i++)
-        if (traced.ao[i] < 0.995f) {
-            double e = (double)ao[i] - (double)traced.ao[i];
+        if (traced[i] < 0.995f) {
+            double e = (double)ao[i] - (double)traced[i];
             sum += e * e;
             bias += e;
             count++;
         }
-    printf("corner against its definition: in-band RMSE %.4f, bias %+.4f over %zu pixels\n",
-           sqrt(sum / (double)count), bias / (double)count, count);
+    double off = sqrt(sum / (double)count);
+    printf("corner against its definition: in-band RMSE %.4f, bias %+.4f over %zu pixels\n", off,
+           bias / (double)count, count);
     assert_true(count > 500);
-    assert_true(sqrt(sum / (double)count) <= 1);
-    aob_visibility_finish(&traced);
+    assert_true(off <= 0.041); /* measured 0.037: the depth along the view is no function of the ray's */
     aob_rig_finish(&rig);
     aob_gpu_close(gpu);
 }
@@ -276,9 +261,9 @@ static void test_encodings_and_sizes(void **state)
     static const struct {
         const char *params;
         double bar;
-    } rows[] = {{"blur=0 normal_encoding=packed8 depth_encoding=packed16", 1},
-                {"blur=0 depth_divisor=4", 1},
-                {"blur=0 divisor=2", 1}};
+    } rows[] = {{"blur=0 normal_encoding=packed8 depth_encoding=packed16", 0.001},
+                {"blur=0 depth_divisor=4", 0.012},
+                {"blur=0 divisor=2", 0.011}};
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
     struct aob_rig rig;
     float exact[W * H], other[W * H];
@@ -323,6 +308,8 @@ static void test_convergence(void **state)
     double slope = (6 * sxy - sx * sy) / (6 * sxx - sx * sx);
     printf(", slope %.2f\n", slope);
     assert_true(slope <= -0.45);
+    run(&rig, gpu, "blur=0 samples=16", image);
+    double unblurred = rmse(image, converged);
     run(&rig, gpu, "samples=16 blur_passes=4", image);
     double blurred = rmse(image, converged);
     run(&rig, gpu, "samples=32 blur_passes=2", image);
@@ -330,6 +317,7 @@ static void test_convergence(void **state)
     run(&rig, gpu, "samples=16 blur_passes=2", image);
     printf("16 samples, 2 passes: %.4f; 2 more passes: %.4f; 32 samples instead: %.4f\n",
            rmse(image, converged), blurred, sampled);
+    assert_true(rmse(image, converged) < 0.5 * unblurred);
     aob_rig_finish(&rig);
     aob_gpu_close(gpu);
 }
