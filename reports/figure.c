@@ -1,5 +1,6 @@
 #include "figure.h"
 #include "base/memory.h"
+#include "figure_parts.h"
 #include "viz.h"
 #include <math.h>
 #include <stdlib.h>
@@ -102,26 +103,65 @@ static bool draw_triptych(const json_t *figure, struct aob_figure_cache *cache, 
     return aob_viz_triptych_png(&t, out, why) == 0 || aob_fail(error, "%s", why);
 }
 
+static bool draw_split(const json_t *figure, struct aob_figure_cache *cache, const char *out,
+                       struct aob_error *error)
+{
+    const struct aob_image *image = load(cache, figure, error);
+    const json_t *headings = json_object_get(figure, "parts");
+    struct aob_viz_split split = {0};
+    struct aob_parts parts;
+    char why[AOB_VIZ_ERROR_SIZE] = "";
+    if (!image || !take_map(figure, image, &split.map, error))
+        return false;
+    if (!aob_parts_init(&parts, image, error))
+        return aob_fail_in(error, "%s", text_of(figure, "image", "?"));
+    for (size_t i = 0; i < AOB_PARTS; i++) {
+        split.parts[i] = parts.maps[i];
+        split.names[i] = json_string_value(json_array_get(headings, i));
+    }
+    int rc = aob_viz_split_png(&split, out, why);
+    aob_parts_finish(&parts);
+    return rc == 0 || aob_fail(error, "%s", why);
+}
+
+/* The fields' names, and for each the role and channel, or NULL: the next part of the error. */
+static const char *const vti_fields[][3] = {
+    {"AO", "technique", "technique.AO"}, {"reference", "reference", "reference.AO"},
+    {"error_definition", NULL, NULL},    {"error_missing", NULL, NULL},
+    {"error_estimator", NULL, NULL},     {"error", "error", "error.AO"},
+};
+
+static bool write_vti(const json_t *figure, const struct aob_image *image, const struct aob_parts *parts,
+                      const char *out, struct aob_error *error)
+{
+    struct aob_viz_field fields[AOB_COUNT(vti_fields)];
+    size_t count = 0, part = 0, end = json_is_true(json_object_get(figure, "alone")) ? 1 : AOB_COUNT(fields);
+    char why[AOB_VIZ_ERROR_SIZE] = "";
+    for (size_t i = 0; i < end; i++) {
+        const char *const *field = vti_fields[i];
+        const float *pixels =
+            field[1] ? channel(image, figure, field[1], field[2], error) : parts->maps[part++];
+        if (field[1] && !pixels)
+            return false;
+        if (pixels)
+            fields[count++] = (struct aob_viz_field){field[0], pixels};
+    }
+    return aob_viz_vti(image->width, image->height, fields, count, out, why) == 0 ||
+           aob_fail(error, "%s", why);
+}
+
 static bool draw_vti(const json_t *figure, struct aob_figure_cache *cache, const char *out,
                      struct aob_error *error)
 {
     const struct aob_image *image = load(cache, figure, error);
+    struct aob_parts parts = {0};
     if (!image)
         return false;
-    static const char *const roles[3][3] = {{"AO", "technique", "technique.AO"},
-                                            {"reference", "reference", "reference.AO"},
-                                            {"error", "error", "error.AO"}};
-    size_t count = json_is_true(json_object_get(figure, "alone")) ? 1 : AOB_COUNT(roles);
-    struct aob_viz_field fields[3];
-    char why[AOB_VIZ_ERROR_SIZE] = "";
-    for (size_t i = 0; i < count; i++) {
-        fields[i] =
-            (struct aob_viz_field){roles[i][0], channel(image, figure, roles[i][1], roles[i][2], error)};
-        if (!fields[i].pixels)
-            return false;
-    }
-    return aob_viz_vti(image->width, image->height, fields, count, out, why) == 0 ||
-           aob_fail(error, "%s", why);
+    if (aob_parts_exist(image) && !aob_parts_init(&parts, image, error))
+        return aob_fail_in(error, "%s", text_of(figure, "image", "?"));
+    bool ok = write_vti(figure, image, &parts, out, error);
+    aob_parts_finish(&parts);
+    return ok;
 }
 
 /* An absent or short list, or null within it, is NaN. */
@@ -211,7 +251,7 @@ static const struct {
     const char *name;
     bool (*draw)(const json_t *, struct aob_figure_cache *, const char *out, struct aob_error *);
 } kinds[] = {
-    {"map", draw_map},     {"triptych", draw_triptych}, {"height", draw_height},
+    {"map", draw_map},     {"triptych", draw_triptych}, {"split", draw_split}, {"height", draw_height},
     {"chart", draw_chart}, {"vti", draw_vti},           {NULL, NULL},
 };
 
@@ -223,5 +263,6 @@ bool aob_figure_draw(const json_t *figure, struct aob_figure_cache *cache, struc
     for (size_t i = 0; kinds[i].name; i++)
         if (strcmp(kinds[i].name, kind) == 0)
             return kinds[i].draw(figure, cache, out, error);
-    return aob_fail(error, "unknown kind of figure \"%s\"; use map, triptych, height, chart or vti", kind);
+    return aob_fail(error, "unknown kind of figure \"%s\"; use map, triptych, split, height, chart or vti",
+                    kind);
 }

@@ -1,5 +1,5 @@
 /* Figures as JSON objects, drawn by the viz library. A job for aobudget-plot is {"figures": [FIGURE...]}; each has
- *   kind                  "map" | "triptych" | "height" | "chart" | "vti"
+ *   kind                  "map" | "triptych" | "split" | "height" | "chart" | "vti"
  *   out                   path of the file to write; a chart's must end in .svg or .png
  *   title, subtitle       all but vti; may be left out
  *   image                 path of an EXR file: all but chart
@@ -7,13 +7,15 @@
  *                         names of its channels; default technique.AO, reference.AO, error.AO
  *   limit                 where the colours end, or
  *   limit_group           a name: figures of one name share one limit, a round number near the median of their
- *                         images' 99.5th percentiles of |error|. map, triptych, height
+ *                         images' 99.5th percentiles of |error|. map, triptych, split, height
+ *   parts                 three headings of a split
  *   alone                 true: the technique without reference and error, where there are none. triptych, vti
  *   technique_name, reference_name
  *                         headings of a triptych
  *   x, y                  {"label": TEXT, "log": BOOL}: chart
  *   series                [{"name": TEXT, "style": "curve" | "points" | "front", "colour": NUMBER, "x": [...],
- *                         "y": [...], "low": [...], "high": [...]}]: chart; null leaves a point out */
+ *                         "y": [...], "low": [...], "high": [...]}]: chart; null leaves a point out
+ * A split needs definition.AO and screen.AO in the image; a .vti has the parts where they are there. */
 #ifndef AOB_REPORTS_FIGURE_H
 #define AOB_REPORTS_FIGURE_H
 #include <jansson.h>

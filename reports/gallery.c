@@ -69,7 +69,7 @@ static char *file_name(const struct aob_gallery *g, size_t section, const char *
 struct aob_figure *aob_gallery_add(struct aob_gallery *g, enum aob_figure_kind kind, size_t section,
                                    const char *name, const char *end, json_t *job)
 {
-    static const char *const kinds[] = {"triptych", "map", "height", "vti", "chart"};
+    static const char *const kinds[] = {"triptych", "map", "split", "height", "vti", "chart"};
     char *file = file_name(g, section, name, end);
     struct aob_figure *figure = AOB_PUSH(g->figures, g->count, g->capacity);
     if (!job) /* a path that is no UTF-8; the figure will say that it has no image */
@@ -130,11 +130,22 @@ static bool has_score(const struct aob_row *row)
     return json_is_object(json_object_get(row->json, "error"));
 }
 
+static json_t *headings_of(const struct aob_row *row)
+{
+    static const char *const names[] = {"Definition", "Missing information", "Estimator"};
+    const double values[] = {row->definition_rmse, row->missing_rmse, row->estimator_rmse};
+    json_t *headings = json_array();
+    for (size_t i = 0; i < AOB_COUNT(names); i++)
+        json_array_append_new(headings, json_sprintf("%s: RMS %.4f", names[i], values[i]));
+    return headings;
+}
+
 static struct aob_figure *add_image_figure(struct aob_gallery *g, enum aob_figure_kind kind, size_t section,
                                            const struct aob_row *row, const char *label)
 {
-    static const char *const ends[] = {".png", "-map.png", "-height.png", ".vti"};
-    static const char *const titles[] = {"%s", "%s: AO error", "%s: AO error as height", "%s"};
+    static const char *const ends[] = {".png", "-map.png", "-split.png", "-height.png", ".vti"};
+    static const char *const titles[] = {"%s", "%s: AO error", "%s: where the error comes from",
+                                          "%s: AO error as height", "%s"};
     char *facts = facts_of(row, label), group[32];
     struct aob_text path = {0}, title = {0}, heading = {0};
     aob_text_add(&title, titles[kind], row->technique);
@@ -142,13 +153,16 @@ static struct aob_figure *add_image_figure(struct aob_gallery *g, enum aob_figur
     aob_text_add(&path, "%s/%s", g->rows->runs[row->run].folder, row->image);
     /* One scale to compare techniques by; the landscape has its own, or the best one would be flat. */
     snprintf(group, sizeof group, "%s %zu", kind == AOB_FIGURE_HEIGHT ? "height" : "section", section);
-    json_t *job = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s}", "title", title.data, "subtitle", facts, "image",
-                            path.data, "limit_group", group, "technique_name", heading.data, "reference_name",
-                            "Reference: ray-traced");
+    json_t *job =
+        json_pack("{s:s, s:s, s:s, s:s, s:s, s:s}", "title", title.data, "subtitle", facts, "image",
+                  path.data, "limit_group", group, "technique_name", heading.data, "reference_name",
+                  aob_row_is_captured(row) ? "Reference: screen-space bound" : "Reference: ray-traced");
     if (job && !has_score(row)) {
         json_object_set_new(job, "alone", json_true());
         json_object_del(job, "limit_group");
     }
+    if (job && kind == AOB_FIGURE_SPLIT)
+        json_object_set_new(job, "parts", headings_of(row));
     struct aob_figure *figure = aob_gallery_add(g, kind, section, row->technique, ends[kind], job);
     figure->row = row;
     aob_text_finish(&path);
@@ -168,6 +182,8 @@ static void add_section(struct aob_gallery *g, size_t section)
         add_image_figure(g, AOB_FIGURE_TRIPTYCH, section, row, row->label);
         if (has_score(row))
             add_image_figure(g, AOB_FIGURE_MAP, section, row, row->label);
+        if (aob_row_is_split(row))
+            add_image_figure(g, AOB_FIGURE_SPLIT, section, row, row->label);
         add_image_figure(g, AOB_FIGURE_VTI, section, row, row->label);
         if (has_score(row) && (!top || score(row) < score(top)))
             top = row;

@@ -6,6 +6,7 @@
 enum aob_figure_kind {
     AOB_FIGURE_TRIPTYCH,
     AOB_FIGURE_MAP,
+    AOB_FIGURE_SPLIT,
     AOB_FIGURE_HEIGHT,
     AOB_FIGURE_VTI,
     AOB_FIGURE_CHART
@@ -41,9 +42,9 @@ struct aob_gallery {
 };
 
 /* Decides everything; draws nothing. The rows must outlive the gallery.
- * A section gets, for each technique, the triptych, map and .vti of the case with the lowest band RMSE among
- * those with an image on the first backend (backends differ by less than can be seen); the landscape of the
- * best of them; and the charts of curves.h. */
+ * A section gets, for each technique, the triptych, map, split and .vti of the case with the lowest band RMSE
+ * among those with an image on the first backend (backends differ by less than can be seen); the landscape of
+ * the best of them; and the charts of curves.h. What has no score has no map, what is not split no split. */
 void aob_gallery_plan(struct aob_gallery *gallery, const struct aob_rows *rows);
 
 /* Instead of that: the triptychs of so many rows (NULLs are passed over), each without its parameters in the subtitle, in

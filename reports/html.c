@@ -51,6 +51,13 @@ void aob_html_number_cell(struct aob_text *page, double value, const char *shown
         aob_text_add(page, "<td class=n>\u2013</td>");
 }
 
+void aob_html_share_cell(struct aob_text *page, double share)
+{
+    char shown[32];
+    snprintf(shown, sizeof shown, "%.0f", 100 * share);
+    aob_html_number_cell(page, share, shown);
+}
+
 void aob_html_text_cell(struct aob_text *page, const char *class_name, const char *text)
 {
     aob_text_add(page, *class_name ? "<td class=%s>" : "<td%s>", class_name);

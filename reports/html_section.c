@@ -85,8 +85,11 @@ static void add_charts(struct aob_text *page, const struct aob_gallery *g, size_
 static void add_triptych(struct aob_text *page, const struct aob_gallery *g, const struct aob_figure *figure)
 {
     const struct aob_figure *map = find_figure(g, AOB_FIGURE_MAP, figure->section, figure->row);
+    const struct aob_figure *split = find_figure(g, AOB_FIGURE_SPLIT, figure->section, figure->row);
     aob_text_add(page, "<figure><div class=wide>");
     add_picture(page, figure, map && !map->failure ? map->file : figure->file);
+    if (split)
+        add_picture(page, split, split->file);
     aob_text_add(page, "</div><figcaption>");
     add_link(page, map, "error map, pixel by pixel");
     add_link(page, find_figure(g, AOB_FIGURE_VTI, figure->section, figure->row), "data for ParaView (.vti)");
@@ -132,6 +135,7 @@ void aob_html_section(struct aob_text *page, const struct aob_gallery *g, size_t
     }
     aob_text_add(page, "</small></h2>\n");
     add_charts(page, g, section);
+    aob_html_split(page, g, section);
     add_pictures(page, g, section);
     aob_text_add(page, "</section>\n");
 }

@@ -23,6 +23,10 @@ static void add_head(struct aob_text *page, const struct aob_rows *rows)
         {"RMSE in band", "", "where the reference is occluded at all: visibility below 0.995", true},
         {"bias", "", "mean of technique minus reference: negative is too dark", true},
         {"p95", "", "95th percentile of the absolute error", true},
+        {"definition", "RMS", "what the technique does not even try to get right", true},
+        {"missing", "RMS", "what the depth buffer does not know", true},
+        {"estimator", "RMS", "what the technique could still gain from the same depth buffer", true},
+        {"border", "%", "share of the squared error near the edges of the view", true},
         {"FLIP", "", "mean difference that one notices between the two images: 0 none, 1 most", true},
         {"SSIM", "", "mean structural similarity: 1 if the two images are equal", true},
         {"ref. SE", "", "standard error of the reference itself", true},
@@ -109,6 +113,10 @@ static void add_row(struct aob_text *page, const struct aob_rows *rows, const st
     add_decimal(page, row->band_rmse);
     add_decimal(page, row->bias);
     add_decimal(page, row->p95);
+    add_decimal(page, row->definition_rmse);
+    add_decimal(page, row->missing_rmse);
+    add_decimal(page, row->estimator_rmse);
+    aob_html_share_cell(page, row->border_share);
     add_decimal(page, row->flip);
     add_decimal(page, row->ssim);
     add_decimal(page, row->reference_se);

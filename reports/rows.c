@@ -38,6 +38,16 @@ bool aob_row_is_ok(const struct aob_row *row)
     return strcmp(row->status, "ok") == 0;
 }
 
+bool aob_row_is_split(const struct aob_row *row)
+{
+    return isfinite(row->definition_rmse) && isfinite(row->missing_rmse) && isfinite(row->estimator_rmse);
+}
+
+bool aob_row_is_captured(const struct aob_row *row)
+{
+    return strcmp(aob_member_text(json_object_get(row->json, "error"), "reference"), "screen") == 0;
+}
+
 static int small_int(double value)
 {
     return value >= 1 && value <= 65536 ? (int)value : 0;
@@ -48,6 +58,13 @@ static double cost_of(const json_t *time)
 {
     bool wall = strcmp(aob_member_text(time, "clock"), "wall") == 0;
     return aob_member_number(time, wall ? "wall_ms" : "cpu_ms");
+}
+
+static double covariance_of(const json_t *products)
+{
+    return aob_member_number(products, "definition_missing") +
+           aob_member_number(products, "definition_estimator") +
+           aob_member_number(products, "missing_estimator");
 }
 
 static void take_line(struct aob_row *row, size_t run, const json_t *line)
@@ -77,6 +94,11 @@ static void take_line(struct aob_row *row, size_t run, const json_t *line)
         .flip = aob_member_number(score, "flip"),
         .ssim = aob_member_number(score, "ssim"),
         .reference_se = aob_member_number(score, "reference_se"),
+        .definition_rmse = aob_member_number(score, "definition_rmse"),
+        .missing_rmse = aob_member_number(score, "missing_rmse"),
+        .estimator_rmse = aob_member_number(score, "estimator_rmse"),
+        .border_share = aob_member_number(score, "border_share"),
+        .covariance = covariance_of(json_object_get(score, "covariance")),
         .memory_bytes = aob_member_number(line, "memory_bytes"),
     };
 }

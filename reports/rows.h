@@ -25,7 +25,9 @@ struct aob_row {
     double cost_ms;                /* of a frame: processor time, or wall time if that is the case's clock */
     double ratio, ci_low, ci_high; /* the 95 % interval is the ratio's */
     double rmse, band_rmse, bias, p95, flip, ssim, reference_se, memory_bytes;
-    char *label; /* "radius=0.5 slices=2", then the run options that are not the same everywhere */
+    double definition_rmse, missing_rmse, estimator_rmse, border_share;
+    double covariance; /* the three mean products added: rmse^2 is the squares of the three and twice this */
+    char *label;       /* "radius=0.5 slices=2", then the run options that are not the same everywhere */
 };
 
 struct aob_rows {
@@ -42,6 +44,12 @@ bool aob_rows_read(struct aob_rows *rows, const char *const *folders, size_t fol
 void aob_rows_finish(struct aob_rows *rows);
 
 bool aob_row_is_ok(const struct aob_row *row);
+
+/* Does the record hold all three parts of its error? Without a definition, and in old journals, it does not. */
+bool aob_row_is_split(const struct aob_row *row);
+
+/* Is the screen-space bound what it was compared with? */
+bool aob_row_is_captured(const struct aob_row *row);
 
 /* The member, or "" / NaN. `object` may be NULL. */
 const char *aob_member_text(const json_t *object, const char *name);

@@ -9,7 +9,7 @@
  * at the top, and stay the caller's; a value that is not finite is drawn grey. Figures have a white
  * background and sizes of their own. Same input, same machine: same bytes.
  *
- * Maps, triptychs, SVG and .vti need no OpenGL. The PNG of a chart and the height field open an EGL context
+ * Maps, triptychs, splits, SVG and .vti need no OpenGL. The PNG of a chart and the height field open an EGL context
  * without a surface and fail with a line where there is none. Use one thread only. */
 #ifndef AOB_REPORTS_VIZ_H
 #define AOB_REPORTS_VIZ_H
@@ -48,6 +48,15 @@ struct aob_viz_triptych {
 };
 int aob_viz_triptych_png(const struct aob_viz_triptych *figure, const char *path,
                          char error[AOB_VIZ_ERROR_SIZE]);
+
+/* Three parts of an error side by side, laid out and scaled as a triptych, all in the map's colours. The map's
+ * error is not read. */
+struct aob_viz_split {
+    struct aob_viz_map map;
+    const float *parts[3];
+    const char *names[3];
+};
+int aob_viz_split_png(const struct aob_viz_split *figure, const char *path, char error[AOB_VIZ_ERROR_SIZE]);
 
 enum aob_viz_style {
     AOB_VIZ_CURVE,  /* markers joined by lines, in the order of the points */

@@ -1,4 +1,4 @@
-/* Maps, triptychs and .vti: no OpenGL, so that they cannot fail for want of a driver. */
+/* Maps, triptychs, splits and .vti: no OpenGL, so that they cannot fail for want of a driver. */
 #include "viz_common.hpp"
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,7 @@ using namespace aob_viz;
 namespace
 {
 constexpr int MARGIN = 40, BAR_GAP = 26, BAR_WIDTH = 22, BAR_ROOM = 116;
+constexpr const char *PART_LABEL = "part of the error (blue: darkens, red: brightens)";
 const text_style TITLE = {22, face::bold}, SUBTITLE = {15, face::plain, GREY}, HEADING = {15, face::bold},
                  TICK = {15, face::plain, INK, VTK_TEXT_LEFT, VTK_TEXT_CENTERED},
                  LABEL = {15, face::plain, INK, VTK_TEXT_CENTERED, VTK_TEXT_CENTERED, 90};
@@ -152,11 +153,9 @@ void draw_titles(canvas &sheet, const aob_viz_map &map, int y)
 }
 
 /* A bar shorter than its label needs gets a shorter one. */
-std::string bar_label(int height)
+std::string bar_label(int height, const char *label = ERROR_LABEL, const char *brief = "AO minus reference")
 {
-    return text_width(ERROR_LABEL, LABEL) <= height + 60 ? ERROR_LABEL
-           : height >= 120                               ? "AO minus reference"
-                                                         : "";
+    return text_width(label, LABEL) <= height + 60 ? label : height >= 120 ? brief : "";
 }
 
 void draw_map(const aob_viz_map &map, const std::string &path)
@@ -190,6 +189,30 @@ void draw_alone(const aob_viz_triptych &figure, const std::string &path)
     save_png(sheet.Image, path);
 }
 
+/* Three images side by side; from the `first_error`-th on they are in the error's colours, before that grey. */
+void draw_row(const aob_viz_map &map, const float *const images[3], const char *const names[3],
+              int first_error, const std::string &path)
+{
+    for (int i = first_error; i < 3; i++) {
+        aob_viz_map drawn = map;
+        drawn.error = images[i];
+        check_map(drawn);
+    }
+    scale size = panel_scale(map.width, map.height);
+    int width = size.of(map.width), height = size.of(map.height), step = std::max(width, 200) + 20;
+    int top = 126, bar = std::max(height, 60), end = MARGIN + 2 * step + width;
+    canvas sheet(std::max(end + BAR_GAP + BAR_WIDTH + BAR_ROOM, 720), top + bar + 32);
+    draw_titles(sheet, map, 20);
+    for (int i = 0; i < 3; i++) {
+        int x = MARGIN + i * step;
+        sheet.text(x, top - 10, fit_text(names[i], HEADING, step - 24), HEADING);
+        draw_panel(sheet, {images[i], map.width, map.height, size, i >= first_error ? map.limit : 0}, x, top);
+    }
+    std::string label = first_error ? bar_label(bar) : bar_label(bar, PART_LABEL, "part of the error");
+    draw_error_bar(sheet, end + BAR_GAP, top, bar, map.limit, label);
+    save_png(sheet.Image, path);
+}
+
 void draw_triptych(const aob_viz_triptych &figure, const std::string &path)
 {
     const aob_viz_map &map = figure.map;
@@ -197,21 +220,14 @@ void draw_triptych(const aob_viz_triptych &figure, const std::string &path)
         throw std::runtime_error("the image of the technique is missing");
     if (!figure.reference)
         return draw_alone(figure, path);
-    check_map(map);
-    scale size = panel_scale(map.width, map.height);
-    int width = size.of(map.width), height = size.of(map.height), step = std::max(width, 200) + 20;
-    int top = 126, bar = std::max(height, 60), end = MARGIN + 2 * step + width;
-    canvas sheet(std::max(end + BAR_GAP + BAR_WIDTH + BAR_ROOM, 720), top + bar + 32);
-    draw_titles(sheet, map, 20);
     const float *images[] = {figure.technique, figure.reference, map.error};
     const char *names[] = {figure.technique_name, figure.reference_name, "Error: technique \u2212 reference"};
-    for (int i = 0; i < 3; i++) {
-        int x = MARGIN + i * step;
-        sheet.text(x, top - 10, fit_text(names[i], HEADING, step - 24), HEADING);
-        draw_panel(sheet, {images[i], map.width, map.height, size, i == 2 ? map.limit : 0}, x, top);
-    }
-    draw_error_bar(sheet, end + BAR_GAP, top, bar, map.limit, bar_label(bar));
-    save_png(sheet.Image, path);
+    draw_row(map, images, names, 2, path);
+}
+
+void draw_split(const aob_viz_split &figure, const std::string &path)
+{
+    draw_row(figure.map, figure.parts, figure.names, 0, path);
 }
 
 void write_vti(int width, int height, const aob_viz_field *fields, size_t count, const std::string &path)
@@ -250,6 +266,11 @@ int aob_viz_map_png(const aob_viz_map *map, const char *path, char *error)
 int aob_viz_triptych_png(const aob_viz_triptych *figure, const char *path, char *error)
 {
     return guarded(error, [=] { draw_triptych(*figure, path); });
+}
+
+int aob_viz_split_png(const aob_viz_split *figure, const char *path, char *error)
+{
+    return guarded(error, [=] { draw_split(*figure, path); });
 }
 
 int aob_viz_vti(int width, int height, const aob_viz_field *fields, size_t count, const char *path,

@@ -92,6 +92,53 @@ static void test_good_run(void **state)
     aob_text_finish(&journal);
 }
 
+/* The line of a case whose error is `error`, JSON. */
+static void add_scored(struct aob_text *journal, const char *technique, const char *error)
+{
+    aob_text_add(
+        journal,
+        "{\"key\":\"%s\",\"scene\":\"corner\",\"view\":\"front\",\"technique\":\"%s\",\"backend\":"
+        "\"vulkan\",\"width\":64,\"height\":32,\"status\":\"ok\",\"image\":\"images/a.exr\",\"error\":%s}\n",
+        technique, technique, error);
+}
+
+/* 0.1^2 = 0.06^2 + 0.1^2 + 0.02^2 - 2 x 0.002: 36 + 100 + 4 - 40 %. */
+static const char SPLIT[] =
+    "{\"rmse\":0.1,\"band_rmse\":0.1,\"border_share\":0.25,\"definition_rmse\":0.06,\"missing_rmse\":0.1,"
+    "\"estimator_rmse\":0.02,\"covariance\":{\"definition_missing\":-0.001,\"definition_estimator\":0.0005,"
+    "\"missing_estimator\":-0.0015}}";
+
+static void test_where_errors_come_from(void **state)
+{
+    struct aob_text journal = {0};
+    struct aob_page_summary summary;
+    add_scored(&journal, "gtao", SPLIT);
+    add_scored(&journal, "none", "{\"rmse\":0.2,\"band_rmse\":0.2,\"estimator_rmse\":null}");
+    add_scored(&journal, "old", "{\"rmse\":0.3,\"band_rmse\":0.3}");
+    add_scored(&journal, "unscored", "null");
+    add_scored(&journal, "captured",
+               "{\"reference\":\"screen\",\"rmse\":0.1,\"band_rmse\":0.1,\"definition_rmse\":0,"
+               "\"missing_rmse\":0,\"estimator_rmse\":0.1,\"covariance\":{}}");
+    put(*state, "journal.jsonl", journal.data);
+    char *page = make_page(*state, NULL, &summary);
+    char *split = strstr(page, "Where the error comes from");
+    assert_non_null(split);
+    assert_non_null(strstr(split, "0.0600 <small>36\u00a0%</small>"));
+    assert_non_null(strstr(split, "0.1000 <small>100\u00a0%</small>"));
+    assert_non_null(strstr(split, "0.0200 <small>4\u00a0%</small>"));
+    assert_non_null(strstr(split, "\u22120.0040 <small>\u221240\u00a0%</small>"));
+    assert_non_null(strstr(split, "data-v=\"0.25\">25</td>"));
+    assert_int_equal(count_text(page, "not split: it has no definition"), 1);
+    assert_int_equal(count_text(page, "not split: an older record"), 1);
+    assert_int_equal(count_text(page, "no error was measured"), 1);
+    assert_int_equal(count_text(page, "not known of a capture"), 1);
+    /* Five triptychs and .vti, four maps, two splits, one landscape; one row more in each table. */
+    assert_int_equal(summary.figures, 5 + 5 + 4 + 2 + 1);
+    assert_int_equal(count_text(page, "<tr><td"), 5 + 5);
+    free(page);
+    aob_text_finish(&journal);
+}
+
 static void test_hostile_and_broken_lines(void **state)
 {
     struct aob_page_summary summary;
@@ -180,7 +227,8 @@ static void test_crashing_plotter(void **state)
 
 static void write_image(const struct fixture *f)
 {
-    static const char *const names[] = {"technique.AO", "reference.AO", "error.AO"};
+    static const char *const names[] = {"technique.AO", "reference.AO", "error.AO", "definition.AO",
+                                        "screen.AO"};
     struct aob_image image = {.width = 64, .height = 32};
     for (size_t c = 0; c < AOB_COUNT(names); c++) {
         float *pixels = aob_image_add(&image, names[c]);
@@ -204,11 +252,14 @@ static void test_real_plotter(void **state)
     if (aob_file_exists(plotter)) {
         add_case(&journal, "a", "vulkan", 1, 1.5);
         add_case(&journal, "b", "vulkan", 2, 2.5);
+        add_scored(&journal, "hbao", SPLIT);
         put(*state, "journal.jsonl", journal.data);
         write_image(*state);
         char *page = make_page(*state, program, &summary);
-        assert_int_equal(summary.figures, 8);
-        assert_int_equal(summary.drawn, 8);
+        assert_int_equal(summary.figures, 8 + 4);
+        assert_int_equal(summary.drawn, 8 + 4);
+        assert_int_equal(count_text(page, "-hbao-split.png\"><img"), 1);
+        assert_null(strstr(page, "-gtao-split.png"));
         assert_null(strstr(page, "this figure was not drawn"));
         free(page);
     }
@@ -240,6 +291,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_good_run, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_where_errors_come_from, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_hostile_and_broken_lines, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_empty_journal, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_no_run_and_no_room, set_up, tear_down),

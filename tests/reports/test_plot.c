@@ -18,14 +18,16 @@ enum { WIDTH = 96, HEIGHT = 54 };
 static const size_t LIMIT = (size_t)1 << 26;
 
 struct fixture {
-    char *plotter, folder[128], image[160];
+    char *plotter, folder[128], image[160], split[160]; /* images without and with the parts of the error */
 };
 
-static bool write_image(const char *path)
+/* A split image has sky in its top row, and there definition and screen far from the truth. */
+static bool write_image(const char *path, bool split)
 {
     struct aob_image image = {.width = WIDTH, .height = HEIGHT};
-    static const char *const names[] = {"technique.AO", "reference.AO", "error.AO"};
-    for (size_t c = 0; c < AOB_COUNT(names); c++)
+    static const char *const names[] = {"technique.AO",  "reference.AO", "error.AO",
+                                        "definition.AO", "screen.AO",    "Z"};
+    for (size_t c = 0; c < (split ? AOB_COUNT(names) : 3); c++)
         aob_image_add(&image, names[c]);
     float *ao = aob_image_channel(&image, names[0]), *truth = aob_image_channel(&image, names[1]),
           *error = aob_image_channel(&image, names[2]);
@@ -34,6 +36,11 @@ static bool write_image(const char *path)
         truth[i] = 0.5f + 0.4f * sinf(0.1f * (float)x) * cosf(0.13f * (float)y);
         ao[i] = truth[i] + 0.05f * sinf(0.9f * (float)x) + 0.01f * (float)(i * 7 % 11) / 11;
         error[i] = i == 5 ? NAN : ao[i] - truth[i];
+        if (!split)
+            continue;
+        aob_image_channel(&image, "Z")[i] = y ? 3 : INFINITY;
+        aob_image_channel(&image, "definition.AO")[i] = truth[i] + (y ? 0.03125f : 5);
+        aob_image_channel(&image, "screen.AO")[i] = truth[i] + (y ? -0.0625f : -5);
     }
     bool ok = aob_image_write(&image, path, NULL);
     aob_image_finish(&image);
@@ -191,6 +198,51 @@ static void test_vti(void **state)
     assert_true(attribute_of(text, "AO", "RangeMax") > 0.9);
     assert_true(attribute_of(text, "error", "RangeMin") < -0.04);
     assert_true(size > WIDTH * HEIGHT);
+    assert_null(strstr(text, "error_"));
+    free(text);
+}
+
+/* As plot_one, of the image that has the parts. */
+static int plot_split(struct fixture *f, const char *kind, const char *name, const char *more)
+{
+    struct fixture other = *f;
+    memcpy(other.image, f->split, sizeof other.image);
+    return plot_one(&other, kind, name, more);
+}
+
+static void test_split(void **state)
+{
+    size_t size[2];
+    char *bytes[2];
+    const char *const more[2] = {",\"limit\":0.1,\"parts\":[\"Definition: RMS 0.0313\",\"Missing\"]",
+                                 ",\"limit_group\":\"a\""};
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(plot_split(*state, "split", "s.png", more[i]), 0);
+        bytes[i] = product(*state, "s.png", &size[i]);
+        /* The triptych's size: three panels of 480 x 270 and one bar. */
+        assert_picture(bytes[i], size[i], 40 + 3 * 480 + 40 + 26 + 22 + 116, 126 + 270 + 32);
+    }
+    assert_false(size[0] == size[1] && memcmp(bytes[0], bytes[1], size[0]) == 0);
+    free(bytes[0]);
+    free(bytes[1]);
+    assert_int_equal(plot_split(*state, "split", "s.png", ""), 3);
+    assert_int_equal(plot_one(*state, "split", "s.png", ",\"limit\":0.1"), 3);
+}
+
+/* The parts are known: +1/32, -3/32, and what the technique has beyond; the sky has none. */
+static void test_vti_of_a_split(void **state)
+{
+    size_t size;
+    assert_int_equal(plot_split(*state, "vti", "d.vti", ""), 0);
+    char *text = product(*state, "d.vti", &size);
+    assert_true(fabs(attribute_of(text, "error_definition", "RangeMin")) < 1e-6);
+    assert_true(fabs(attribute_of(text, "error_definition", "RangeMax") - 0.03125) < 1e-6);
+    assert_true(fabs(attribute_of(text, "error_missing", "RangeMin") + 0.09375) < 1e-6);
+    assert_true(fabs(attribute_of(text, "error_missing", "RangeMax")) < 1e-6);
+    /* sin + saw: -0.05 to 0.06, with 0.0625 on top */
+    assert_true(fabs(attribute_of(text, "error_estimator", "RangeMin")) < 0.0025);
+    assert_true(fabs(attribute_of(text, "error_estimator", "RangeMax") - 0.1175) < 0.0075);
+    assert_non_null(strstr(text, "Scalars=\"error\""));
     free(text);
 }
 
@@ -247,14 +299,18 @@ static int set_up(void **state)
         exit(77);
     snprintf(f->folder, sizeof f->folder, "/tmp/aob-test-plot-%ld", (long)getpid());
     snprintf(f->image, sizeof f->image, "%s/image.exr", f->folder);
+    snprintf(f->split, sizeof f->split, "%s/split.exr", f->folder);
     *state = f;
-    return aob_folder_create(f->folder, NULL) && write_image(f->image) ? 0 : -1;
+    return aob_folder_create(f->folder, NULL) && write_image(f->image, false) && write_image(f->split, true)
+               ? 0
+               : -1;
 }
 
 static int tear_down(void **state)
 {
     struct fixture *f = *state;
     unlink(f->image);
+    unlink(f->split);
     int left = rmdir(f->folder);
     free(f->plotter);
     free(f);
@@ -269,7 +325,9 @@ int main(void)
         cmocka_unit_test(test_height),
         cmocka_unit_test(test_chart_png),
         cmocka_unit_test(test_chart_svg),
+        cmocka_unit_test(test_split),
         cmocka_unit_test(test_vti),
+        cmocka_unit_test(test_vti_of_a_split),
         cmocka_unit_test(test_failures_say_so),
         cmocka_unit_test(test_bad_documents),
         cmocka_unit_test(test_charts_of_odd_data),
