@@ -240,20 +240,29 @@ static enum aob_exit command_shot(int argc, char **argv, struct aob_error *error
 static enum aob_exit command_report(int argc, char **argv, struct aob_error *error)
 {
     struct common common = {0};
-    const char *out = NULL;
+    const char *out = NULL, *techniques = NULL;
     enum aob_exit code;
     const struct aob_flag flags[] = {{.name = "out",
                                       .value = "DIR",
                                       .text = &out,
                                       .help = "where the page goes (the first folder's report/)"},
+                                     {.name = "techniques",
+                                      .value = "FILE.md",
+                                      .text = &techniques,
+                                      .help = "in place of it: a page of what each technique is"},
                                      COMMON_FLAGS(common)};
-    const struct aob_flags table = {
-        "report", "DIR... [--out DIR]", "Page and pictures from journals.", flags, 1, 64};
+    const struct aob_flags table = {"report",
+                                    "DIR... [--out DIR] | DIR --techniques FILE.md",
+                                    "Page and pictures from journals.",
+                                    flags,
+                                    1,
+                                    64};
     if (start(&table, &common, argc, argv, &code, error))
         code = aob_report(&(struct aob_report_desc){.program = common.program,
                                                     .folders = common.words.items,
                                                     .folder_count = common.words.count,
                                                     .out = out,
+                                                    .techniques = techniques,
                                                     .json = common.json,
                                                     .quiet = common.quiet},
                           error);

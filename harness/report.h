@@ -9,8 +9,9 @@ struct aob_report_desc {
     const char *program;        /* of the running executable; the plot helper lies beside it */
     const char *const *folders; /* folder_count */
     size_t folder_count;
-    const char *out;  /* folder of the page; NULL: report/ in the first folder */
-    const char *json; /* summary document; NULL: none */
+    const char *out;        /* folder of the page; NULL: report/ in the first folder */
+    const char *techniques; /* file of the page of techniques, written in its place; NULL: none */
+    const char *json;       /* summary document; NULL: none */
     bool quiet;
 };
 

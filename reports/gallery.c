@@ -145,7 +145,7 @@ static struct aob_figure *add_image_figure(struct aob_gallery *g, enum aob_figur
 {
     static const char *const ends[] = {".png", "-map.png", "-split.png", "-height.png", ".vti"};
     static const char *const titles[] = {"%s", "%s: AO error", "%s: where the error comes from",
-                                          "%s: AO error as height", "%s"};
+                                         "%s: AO error as height", "%s"};
     char *facts = facts_of(row, label), group[32];
     struct aob_text path = {0}, title = {0}, heading = {0};
     aob_text_add(&title, titles[kind], row->technique);

@@ -9,7 +9,7 @@ void aob_md_escape(struct aob_text *page, const char *text)
         bool inside = *c == '_' && c > text && isalnum((unsigned char)c[-1]) && isalnum((unsigned char)c[1]);
         if ((unsigned char)*c < ' ')
             aob_text_add(page, " ");
-        else if (strchr("\\`*_[]<>|#~$&\"'!@", *c) && !inside)
+        else if (strchr("\\`*_[]<>|#~$&", *c) && !inside)
             aob_text_add(page, "&#%d;", *c);
         else if (c == text && strchr("+-=:", *c)) /* a list, a rule, a heading's underline */
             aob_text_add(page, "&#%d;", *c);

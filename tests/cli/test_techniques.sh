@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# The page of techniques: written from a run, refused from less; the one in docs/ names all that the program has.
+source "$(dirname "$0")/lib.sh"
+root=$(realpath "$(dirname "$0")/../..")
+cd "$folder"
+cat >config.yaml <<EOF2
+name: page
+scenes: [{name: cornell}, {name: corner}]
+resolutions: [48x27]
+backends: [null]
+techniques: [{name: none}, {name: gtao, sweep: [{param: slices, values: [3, 1]}]}]
+measure: {seconds: 0.1}
+reference: {spp: 2}
+EOF2
+check "a run" "$program" run config.yaml --out run --quiet
+check "its page" "$program" report run --techniques pages/t.md --quiet
+check "a technique" grep -q '^## `gtao`: Ground-truth' pages/t.md
+check "its pictures" test -s pages/t/gtao-cornell-front.png
+check "an oracle has none" test ! -e pages/t/gtao-corner-front.png
+check "the page shows it" grep -qF '](t/gtao-cornell-front.png)' pages/t.md
+check "the closed form" grep -q '^| O2 | `corner/front` |' pages/t.md
+expect 2 "ends in .md" "$program" report run --techniques pages/t.html
+expect 2 "one folder" "$program" report run run --techniques t.md
+expect 2 "one folder" "$program" report run --techniques t.md --out there
+expect 2 "nowhere" "$program" report nowhere --techniques t.md
+sed -i 's/"techniques"/"others"/' run/run.json
+expect 2 "describes no techniques" "$program" report run --techniques t.md
+
+page=$root/docs/techniques.md
+names() { # "TECHNIQUE PARAMETER..." a line, from the document's indentation
+  "$program" list techniques --json - | awk '
+    /^  "options"/ { exit }
+    /^      "name"/ { gsub(/[",]/, ""); printf "%s%s", lines++ ? "\n" : "", $2 }
+    /^          "name"/ { gsub(/[",]/, ""); printf " %s", $2 }
+    END { print "" }'
+}
+check "there are techniques" test "$(names | wc -l)" -ge 4
+check "with parameters" grep -q '^gtao radius falloff ' <(names)
+check "the config plans" "$program" plan "$root/configs/techniques.yaml" --quiet
+"$program" plan "$root/configs/techniques.yaml" >plan.txt
+while read -r name params; do
+  check "configs/techniques.yaml has $name" grep -q "/[a-z]* $name " plan.txt
+  check "docs/techniques.md has $name: run ./dev docs" grep -q "^## \`$name\`: " "$page"
+  sed -n "/^## \`$name\`: /,/^## /p" "$page" >section
+  for param in $params; do
+    check "docs/techniques.md has $name's $param: run ./dev docs" grep -q "^| \`$param\` |" section
+  done
+done < <(names)
+while read -r picture; do
+  check "docs/$picture is there" test -s "$root/docs/$picture"
+done < <(sed -n 's/^!\[.*](\(.*\))$/\1/p' "$page")
+for oracle in O1 O2 O3 O4 O5 O6 O7; do
+  check "docs/techniques.md has $oracle" grep -q "^| $oracle | " "$page"
+done
+finish
