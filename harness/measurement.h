@@ -9,8 +9,9 @@
 
 struct aob_state { /* of one planned case; same index */
     enum { AOB_PENDING, AOB_DONE, AOB_REFUSED } stage;
-    char status[16], reason[640]; /* where refused: invalid or failed */
+    char status[16], reason[640]; /* where refused: unsupported, invalid or failed */
     char graph[AOB_KEY_SIZE];     /* digest of its pass graph, once it is laid out */
+    bool triangles;               /* a pass of it draws the scene's */
     json_t *definition;           /* {radius, uniform, falloff} or NULL */
     bool mapped;                  /* the definition's value is mapped */
 };

@@ -181,14 +181,17 @@ static json_t *block_job(const struct block *block, const struct aob_view_files 
     const struct aob_case *c = &block->m->plan->cases[block->indices[0]];
     const struct aob_config *config = block->m->plan->config;
     json_t *cases = json_array();
-    for (size_t i = 0; i < block->count; i++)
+    bool triangles = false;
+    for (size_t i = 0; i < block->count; i++) {
         json_array_append_new(cases, case_job(block, i, files));
-    return json_pack("{s:s, s:s, s:b, s:o, s:s, s:o, s:i, s:i, s:i, s:s, s:f, s:b, s:b, s:b, s:o}",
+        triangles = triangles || block->m->states[block->indices[i]].triangles;
+    }
+    return json_pack("{s:s, s:s, s:b, s:b, s:o, s:s, s:o, s:i, s:i, s:i, s:s, s:f, s:b, s:b, s:b, s:o}",
                      files->mesh ? "mesh" : "scene", files->mesh ? files->mesh : c->scene->name, "job",
-                     "block", "raster", aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER, "modules",
-                     aob_dispatch_modules(block->m->dispatch), "backend", c->backend, "camera",
-                     aob_camera_to_json(&c->scene->camera), "width", c->width, "height", c->height, "guard",
-                     (int)aob_case_options(c).guard_band, "gbuffer", files->gbuffer, "seconds",
+                     "block", "raster", aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER, "triangles",
+                     triangles, "modules", aob_dispatch_modules(block->m->dispatch), "backend", c->backend,
+                     "camera", aob_camera_to_json(&c->scene->camera), "width", c->width, "height", c->height,
+                     "guard", (int)aob_case_options(c).guard_band, "gbuffer", files->gbuffer, "seconds",
                      config->seconds, "time", config->measure_time, "error", config->measure_error,
                      "validate", block->m->dispatch->validate, "cases", cases);
 }

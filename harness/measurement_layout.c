@@ -67,9 +67,13 @@ static void take_answer(void *user, json_t *answer)
     if (!status || layout->answered == layout->count)
         return;
     struct aob_state *state = &layout->m->states[layout->indices[layout->answered++]];
+    const struct aob_case *c = &layout->m->plan->cases[state - layout->m->states];
     keep_graph(layout->m, state, answer);
+    state->triangles = json_is_true(json_object_get(answer, "triangles"));
     if (strcmp(status, "ok") != 0)
         refuse(state, status, reason ? reason : "refused without a reason");
+    else if (state->triangles && c->scene->gbuffer)
+        refuse(state, "unsupported", "it needs the scene's triangles, and a capture has none");
     else if (json_is_object(json_object_get(answer, "definition"))) {
         state->definition = json_incref(json_object_get(answer, "definition"));
         state->mapped = json_is_true(json_object_get(answer, "mapped"));

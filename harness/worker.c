@@ -150,8 +150,9 @@ static json_t *laid_out(const struct aob_pass_graph *graph, const void *values, 
     aob_graph_digest(graph, values, key);
     aob_graph_dot(graph, &dot);
     json_t *answer =
-        json_pack("{s:i, s:s, s:s, s:s, s:o, s:b}", "index", index, "status", "ok", "graph", key, "dot",
-                  dot.data, "definition", definition, "mapped", graph->technique->definition.map != NULL);
+        json_pack("{s:i, s:s, s:s, s:s, s:b, s:o, s:b}", "index", index, "status", "ok", "graph", key, "dot",
+                  dot.data, "triangles", aob_graph_needs_triangles(graph), "definition", definition, "mapped",
+                  graph->technique->definition.map != NULL);
     aob_text_finish(&dot);
     return answer;
 }

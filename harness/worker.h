@@ -5,7 +5,7 @@
  *   probe    {backend}
  *            -> {device, driver, software}
  *   layout   {modules, technique, cases: [[number a parameter]]}
- *            -> {index, status, reason | graph, dot, definition: {radius, uniform, falloff} or null,
+ *            -> {index, status, reason | graph, dot, triangles, definition: {radius, uniform, falloff} or null,
  *               mapped} a line
  *   mesh     {file, out}
  *            -> {low, high, vertices, triangles, warnings: [text]}
@@ -15,7 +15,7 @@
  *   view     {scene | mesh, captured, camera, width, height, guard, gbuffer, spp,
  *             terms: [{radius, uniform, falloff, screen (the bound's thickness; absent: the scene's), out}]}
  *            -> {trace_s, rays} for each trace
- *   block    {modules, scene | mesh, raster, backend, validate, camera, width, height, guard, gbuffer, seconds, time, error,
+ *   block    {modules, scene | mesh, raster, triangles, backend, validate, camera, width, height, guard, gbuffer, seconds, time, error,
  *             cases: [{technique, params, options, radius, captured, reference, definition, screen, image}]}
  *            -> {index, status, reason, time, error, memory_bytes, fingerprint, gbuffer (where raster)} a line,
  *               then {shares}

@@ -69,6 +69,7 @@ static const struct aob_screen *use_screen(struct aob_block *block, const struct
     const struct aob_gbuffer *seen = block->drawn.depth ? &block->drawn : &block->gbuffer;
     if (!aob_screen_init(screen, block->gpu, seen, options, error))
         return NULL;
+    screen->geometry = block->geometry.count ? &block->geometry : NULL;
     block->screen_options[block->screen_count++] = *options;
     return screen;
 }
@@ -100,7 +101,8 @@ static void init_frame(struct aob_worker *worker, struct aob_block *block, size_
         !get_options(c, &options, &error) || !(screen = use_screen(block, &options, &error)) ||
         !aob_frame_init(&block->frames[block->frame_count], screen, entry->technique, values,
                         (enum aob_fetch)options.fetch, &error)) {
-        reply_failure(worker, index, "failed", error.text);
+        reply_failure(worker, index, block->frames[block->frame_count].unfit ? "unsupported" : "failed",
+                      error.text);
         return;
     }
     block->setup_ms[block->frame_count] = seconds_since(start) * 1e3;
@@ -206,12 +208,26 @@ static void reply_shares(struct aob_worker *worker, const struct aob_block *bloc
                                        "warmup_s", block->warmup_s, "images_s", block->images_s));
 }
 
+/* The scene itself, where the cases need more of it than the G-buffer. */
+static bool load_scene(struct aob_block *block, struct aob_error *error)
+{
+    bool triangles = json_is_true(json_object_get(block->job, "triangles"));
+    if (!triangles && !json_is_true(json_object_get(block->job, "raster")))
+        return true;
+    if (!aob_worker_mesh(block->job, &block->mesh, error))
+        return false;
+    if (triangles)
+        aob_geometry_init(&block->geometry, &block->mesh, &block->camera);
+    return !triangles || aob_geometry_upload(&block->geometry, block->gpu, error);
+}
+
 static bool open_device(struct aob_block *block, struct aob_error *error)
 {
     const char *backend = json_string_value(json_object_get(block->job, "backend"));
     bool validate = json_is_true(json_object_get(block->job, "validate"));
     block->gpu = aob_gpu_open(backend ? backend : "", &(struct aob_gpu_desc){.validate = validate}, error);
-    return block->gpu && aob_block_draw(block, error) && use_screen(block, &(struct aob_options){0}, error);
+    return block->gpu && load_scene(block, error) && aob_block_draw(block, error) &&
+           use_screen(block, &(struct aob_options){0}, error);
 }
 
 static bool run_cases(struct aob_worker *worker, struct aob_block *block, struct aob_error *error)
@@ -245,6 +261,8 @@ bool aob_worker_block(struct aob_worker *worker, struct aob_error *error)
     aob_frame_finish(&block->fixed);
     for (size_t i = 0; i < block->screen_count; i++)
         aob_screen_finish(&block->screens[i]);
+    aob_geometry_finish(&block->geometry);
+    aob_mesh_finish(&block->mesh);
     aob_gpu_close(block->gpu);
     aob_gbuffer_finish(&block->drawn);
     json_decref(block->difference);

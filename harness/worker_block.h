@@ -10,9 +10,11 @@
 struct aob_block {
     const json_t *job, *cases;
     struct aob_registry registry;
-    struct aob_gbuffer gbuffer; /* canonical: what scores know of the view */
-    struct aob_gbuffer drawn;   /* by the device, where the job says raster; else empty */
-    json_t *difference;         /* of the two; NULL where there is but one */
+    struct aob_gbuffer gbuffer;   /* canonical: what scores know of the view */
+    struct aob_gbuffer drawn;     /* by the device, where the job says raster; else empty */
+    struct aob_mesh mesh;         /* where the job says raster or triangles; else empty */
+    struct aob_geometry geometry; /* where it says triangles; else empty */
+    json_t *difference;           /* of the two; NULL where there is but one */
     struct aob_gpu *gpu;
     struct aob_screen screens[AOB_BLOCK_MAX + 1]; /* one for each encoding; the first is the fixed pass's */
     struct aob_options screen_options[AOB_BLOCK_MAX + 1];

@@ -46,13 +46,12 @@ static json_t *to_json(const struct aob_raster_difference *d)
 bool aob_block_draw(struct aob_block *block, struct aob_error *error)
 {
     const char *path = json_string_value(json_object_get(block->job, "gbuffer"));
-    struct aob_mesh mesh = {0};
     struct aob_hits canonical = {0}, drawn = {0};
     struct aob_raster_difference difference;
     if (!json_is_true(json_object_get(block->job, "raster")))
         return true;
-    bool ok = aob_worker_mesh(block->job, &mesh, error) &&
-              aob_raster_draw(block->gpu, &mesh, &block->camera, &block->gbuffer.projection, &drawn, error) &&
+    bool ok = aob_raster_draw(block->gpu, &block->mesh, &block->camera, &block->gbuffer.projection, &drawn,
+                              error) &&
               load_canonical(path, &canonical, error);
     if (ok) {
         aob_raster_compare(&canonical, &drawn, &difference);
@@ -61,6 +60,5 @@ bool aob_block_draw(struct aob_block *block, struct aob_error *error)
     }
     aob_hits_finish(&canonical);
     aob_hits_finish(&drawn);
-    aob_mesh_finish(&mesh);
     return ok;
 }

@@ -25,6 +25,7 @@ void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct
         give_up("tracer", &error);
     aob_tracer_cast(rig->tracer, camera, &projection, &rig->hits);
     aob_gbuffer_init(&rig->gbuffer, &rig->hits, &projection, guard);
+    aob_geometry_init(&rig->geometry, mesh, camera);
 }
 
 void aob_rig_scene(struct aob_rig *rig, const char *scene, const char *view, int width, int height, int guard)
@@ -55,6 +56,7 @@ void aob_rig_finish(struct aob_rig *rig)
 {
     aob_hits_finish(&rig->hits);
     aob_gbuffer_finish(&rig->gbuffer);
+    aob_geometry_finish(&rig->geometry);
     aob_tracer_destroy(rig->tracer);
 }
 
@@ -100,13 +102,17 @@ void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *nam
     struct aob_error error = {{0}};
     unsigned char values[4 * AOB_MAX_PARAM];
     struct aob_options options;
+    struct aob_geometry geometry = rig->geometry;
     set_params(technique, params, values, &options);
-    if (!aob_screen_init(&screen, gpu, &rig->gbuffer, &options, &error) ||
-        !aob_frame_init(frame, &screen, technique, values, fetch, &error) ||
+    bool ok = aob_geometry_upload(&geometry, gpu, &error) &&
+              aob_screen_init(&screen, gpu, &rig->gbuffer, &options, &error);
+    screen.geometry = &geometry;
+    if (!ok || !aob_frame_init(frame, &screen, technique, values, fetch, &error) ||
         !aob_frame_run(frame, NULL, &error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, pixels, &error))
         give_up(name, &error);
     aob_frame_finish(frame);
     aob_screen_finish(&screen);
+    aob_gpu_texture_destroy(gpu, geometry.texture);
     free(frame);
 }
 

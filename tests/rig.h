@@ -8,8 +8,9 @@
 struct aob_rig {
     struct aob_camera camera;
     int width, height, guard;
-    struct aob_hits hits;       /* guard band included */
-    struct aob_gbuffer gbuffer; /* likewise */
+    struct aob_hits hits;         /* guard band included */
+    struct aob_gbuffer gbuffer;   /* likewise */
+    struct aob_geometry geometry; /* not uploaded */
     struct aob_tracer *tracer;
 };
 

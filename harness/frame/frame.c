@@ -5,6 +5,8 @@
 #include "base/memory.h"
 #include "prelude.h"
 
+enum { MAX_BINDS = AOB_MAX_IN + 4 };
+
 static struct aob_gpu_texture *upload(const struct aob_screen *screen, enum aob_format format, void *texels,
                                       struct aob_error *error)
 {
@@ -81,7 +83,7 @@ static struct aob_gpu_bind make_bind(enum aob_gpu_bind_kind kind, int binding, e
 }
 
 static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph_pass *pass,
-                           enum aob_fetch fetch, struct aob_gpu_bind binds[AOB_MAX_IN + 3])
+                           enum aob_fetch fetch, struct aob_gpu_bind binds[MAX_BINDS])
 {
     enum aob_gpu_bind_kind kind = fetch == AOB_FETCH_STORAGE ? AOB_GPU_STORAGE : AOB_GPU_SAMPLED;
     size_t count = 0;
@@ -95,7 +97,28 @@ static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph
         binds[count++] =
             make_bind(pass->in[i].filter == AOB_BILINEAR ? AOB_GPU_SAMPLED : kind,
                       AOB_BINDING_FIRST_INPUT + i, pass->in[i].filter, frame->textures[pass->in[i].texture]);
+    if (pass->draw == AOB_TRIANGLES)
+        binds[count++] =
+            make_bind(AOB_GPU_SAMPLED, AOB_BINDING_TRIANGLES, AOB_NEAREST, frame->screen->geometry->texture);
     return count;
+}
+
+static bool create_program(struct aob_frame *frame, int index, const void *values, enum aob_fetch fetch,
+                           struct aob_error *error)
+{
+    const struct aob_graph_pass *pass = &frame->graph.passes[index];
+    const struct aob_prelude_desc desc = {&frame->graph, pass, values, &frame->screen->encoding, fetch};
+    struct aob_text fragment = {0}, vertex = {0};
+    struct aob_gpu *gpu = frame->screen->gpu;
+    aob_prelude_write(&desc, &fragment);
+    if (pass->draw == AOB_TRIANGLES)
+        aob_prelude_write_vertex(&desc, &vertex);
+    frame->programs[index] = pass->draw == AOB_TRIANGLES
+                                 ? aob_gpu_program_create_geometry(gpu, vertex.data, fragment.data, error)
+                                 : aob_gpu_program_create(gpu, fragment.data, error);
+    aob_text_finish(&fragment);
+    aob_text_finish(&vertex);
+    return frame->programs[index] || aob_fail_in(error, "pass '%s', shader '%s'", pass->name, pass->shader);
 }
 
 static bool create_pass(struct aob_frame *frame, int index, const void *values, enum aob_fetch fetch,
@@ -103,28 +126,27 @@ static bool create_pass(struct aob_frame *frame, int index, const void *values, 
 {
     const struct aob_graph_pass *pass = &frame->graph.passes[index];
     const struct aob_projection *view = &frame->screen->gbuffer->projection;
-    struct aob_text text = {0};
-    struct aob_gpu_bind binds[AOB_MAX_IN + 3];
+    bool triangles = pass->draw == AOB_TRIANGLES;
+    struct aob_gpu_bind binds[MAX_BINDS];
     const struct aob_gpu_texture *targets[AOB_MAX_OUT];
     unsigned char block[AOB_UNIFORM_MAX];
-    aob_prelude_write(
-        &(struct aob_prelude_desc){&frame->graph, pass, values, &frame->screen->encoding, fetch}, &text);
-    frame->programs[index] = aob_gpu_program_create(frame->screen->gpu, text.data, error);
-    aob_text_finish(&text);
-    if (!frame->programs[index])
-        return aob_fail_in(error, "pass '%s', shader '%s'", pass->name, pass->shader);
+    if (!create_program(frame, index, values, fetch, error))
+        return false;
     for (int o = 0; o < pass->out_count; o++)
         targets[o] = frame->textures[pass->out[o].texture];
     frame->passes[index] = aob_gpu_pass_create(
         frame->screen->gpu,
-        &(struct aob_gpu_pass_desc){.program = frame->programs[index],
-                                    .binds = binds,
-                                    .bind_count = gather_binds(frame, pass, fetch, binds),
-                                    .targets = targets,
-                                    .target_count = (size_t)pass->out_count,
-                                    .uniforms = block,
-                                    .uniform_size = aob_prelude_uniforms(&frame->graph, pass, values, view,
-                                                                         &frame->screen->encoding, block)},
+        &(struct aob_gpu_pass_desc){
+            .program = frame->programs[index],
+            .binds = binds,
+            .bind_count = gather_binds(frame, pass, fetch, binds),
+            .targets = targets,
+            .target_count = (size_t)pass->out_count,
+            .vertex_count = triangles ? pass->per_triangle * (uint32_t)frame->screen->geometry->count : 0,
+            .blend = triangles ? AOB_GPU_ADD : AOB_GPU_REPLACE,
+            .uniforms = block,
+            .uniform_size =
+                aob_prelude_uniforms(&frame->graph, pass, values, view, &frame->screen->encoding, block)},
         error);
     return frame->passes[index] || aob_fail_in(error, "pass '%s'", pass->name);
 }
@@ -137,7 +159,9 @@ bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
     bool ok = aob_graph_build(&frame->graph, technique, values, 1u << AOB_OUT_VISIBILITY, error);
     if (!ok)
         return false;
-    ok = create_textures(frame, values, error);
+    ok = aob_geometry_serves(screen->geometry, &frame->graph, &screen->gbuffer->projection, error);
+    frame->unfit = !ok;
+    ok = ok && create_textures(frame, values, error);
     for (int i = 0; ok && i < frame->graph.pass_count; i++)
         if (frame->graph.passes[i].live)
             ok = create_pass(frame, i, values, fetch, error);

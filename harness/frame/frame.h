@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "encoding.h"
 #include "gbuffer.h"
+#include "geometry.h"
 #include "gpu/gpu.h"
 #include "technique/graph.h"
 #include "technique/option.h"
@@ -15,6 +16,8 @@ struct aob_screen {
     struct aob_encoding encoding;
     struct aob_gpu_texture *depth,
         *normal; /* one texture where they are packed together; normal may be NULL */
+    const struct aob_geometry
+        *geometry; /* uploaded; set by the owner; NULL: a capture, or nothing needs it */
 };
 bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struct aob_gbuffer *gbuffer,
                      const struct aob_options *options, struct aob_error *error);
@@ -27,9 +30,10 @@ struct aob_frame {
     struct aob_gpu_program *programs[AOB_MAX_PASS];
     struct aob_gpu_pass *passes[AOB_MAX_PASS]; /* NULL where pruned */
     size_t memory_bytes;                       /* of the technique's own textures */
+    bool unfit; /* after a refusal: the scene is not for this technique, or too large (unsupported) */
 };
 
-/* Builds the graph (module code runs here), compiles and allocates. False leaves nothing behind. */
+/* Builds the graph (module code runs here), compiles and allocates. False leaves nothing behind but `unfit`. */
 bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
                     const struct aob_technique *technique, const void *values, enum aob_fetch fetch,
                     struct aob_error *error);

@@ -1,6 +1,7 @@
 #include "prelude.h"
 #include <ctype.h>
 #include <string.h>
+#include "geometry.h"
 #include "gpu/gpu.h"
 
 /* What does not depend on pass or parameters. `aob_texel_*` are written per pass, after this. */
@@ -86,6 +87,31 @@ static const char normal_from_depth_text[] =
 static const char normal_text[] =
     "vec3 aob_normal(ivec2 p) { return aob_gbuffer_normal(p * AOB_DEPTH_DIVISOR); }\n"
     "vec3 aob_surface_normal(ivec2 p) { return aob_gbuffer_normal(p * AOB_TARGET_DIVISOR); }\n";
+
+static const char vertex_triangle_text[] =
+    "vec4 aob_triangle_texel(int triangle, int k) {\n"
+    "    return texelFetch(aob_triangles, ivec2(triangle % AOB_ROW * 3 + k, triangle / AOB_ROW), 0);\n"
+    "}\n"
+    "vec3 aob_corner(int triangle, int k) { return aob_triangle_texel(triangle, k).xyz; }\n"
+    "vec3 aob_front(int triangle) {\n"
+    "    return vec3(aob_triangle_texel(triangle, 0).w, aob_triangle_texel(triangle, 1).w,\n"
+    "                aob_triangle_texel(triangle, 2).w);\n"
+    "}\n";
+
+/* Handed on by the vertices: a fragment that fetched them would pay more for that than for all else. */
+static const char fragment_triangle_text[] =
+    "vec3 aob_corner(int k) {\n"
+    "    return k == 0 ? aob_corner_0.xyz : k == 1 ? aob_corner_1.xyz : aob_corner_2.xyz;\n"
+    "}\n"
+    "vec3 aob_front() { return vec3(aob_corner_0.w, aob_corner_1.w, aob_corner_2.w); }\n";
+
+/* Image positions are in the depth's pixels, the rasteriser's in the outputs'; both have pixel 0 of the whole
+ * G-buffer in the middle of their first one. */
+static const char clip_text[] =
+    "vec4 aob_clip(vec2 q) {\n"
+    "    vec2 t = (q - 0.5) * (float(AOB_DEPTH_DIVISOR) / float(AOB_TARGET_DIVISOR)) + 0.5;\n"
+    "    return vec4(2.0 * t / vec2(aob_target_size) - 1.0, 0.5, 1.0);\n"
+    "}\n";
 
 static const char *type_name(enum aob_format format)
 {
@@ -221,15 +247,53 @@ static void add_normal(const struct aob_prelude_desc *desc, bool storage, struct
     aob_text_add(text, "%s%s", derived ? normal_from_depth_text : normal_texture_text, normal_text);
 }
 
+static void add_corners(const char *direction, struct aob_text *text)
+{
+    for (int k = 0; k < 3; k++)
+        aob_text_add(text, "layout(location=%d) flat %s vec4 aob_corner_%d;\n", k, direction, k);
+}
+
+static void add_shader(const struct aob_technique *technique, const char *name, struct aob_text *text)
+{
+    for (const struct aob_shader *s = technique->shaders; s->name; s++)
+        if (strcmp(s->name, name) == 0)
+            aob_text_add(text, "#line 1\n%s", s->text);
+}
+
+/* What both stages of a pass have. */
+static void add_head(const struct aob_prelude_desc *desc, struct aob_text *text)
+{
+    add_constants(desc, text);
+    add_defines(desc->pass->defines, text);
+    add_uniforms(desc->graph->technique, text);
+    aob_text_add(text, "%s", gbuffer_text);
+}
+
+void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_text *text)
+{
+    add_head(desc, text);
+    for (int i = 0; i < desc->pass->in_count; i++)
+        add_input(desc, i, text);
+    add_corners("out", text);
+    aob_text_add(text, "#define AOB_ROW %d\nlayout(BIND(%d)) uniform sampler2D aob_triangles;\n%s%s",
+                 AOB_GEOMETRY_ROW, AOB_BINDING_TRIANGLES, vertex_triangle_text, clip_text);
+    add_shader(desc->graph->technique, desc->pass->vertex, text);
+    aob_text_add(text,
+                 "\n#line 1 1\nvoid main() {\n"
+                 "    int triangle = VERTEX_ID / %u;\n"
+                 "    aob_corner_0 = aob_triangle_texel(triangle, 0);\n"
+                 "    aob_corner_1 = aob_triangle_texel(triangle, 1);\n"
+                 "    aob_corner_2 = aob_triangle_texel(triangle, 2);\n"
+                 "    gl_Position = place(triangle, VERTEX_ID %% %u);\n}\n",
+                 desc->pass->per_triangle, desc->pass->per_triangle);
+}
+
 void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
     const struct aob_graph_pass *pass = desc->pass;
     bool storage = desc->fetch == AOB_FETCH_STORAGE,
          derived = desc->encoding->normals == AOB_NORMALS_FROM_DEPTH;
-    add_constants(desc, text);
-    add_defines(pass->defines, text);
-    add_uniforms(desc->graph->technique, text);
-    aob_text_add(text, "%s", gbuffer_text);
+    add_head(desc, text);
     if (pass->reads & AOB_DEPTH || (pass->reads && derived))
         add_depth(desc, storage, text);
     if (pass->reads & AOB_NORMAL)
@@ -239,9 +303,11 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
     for (int o = 0; o < pass->out_count; o++)
         aob_text_add(text, "layout(location=%d) out %s %s;\n", o,
                      type_name(desc->graph->textures[pass->out[o].texture].format), pass->out[o].name);
-    for (const struct aob_shader *s = desc->graph->technique->shaders; s->name; s++)
-        if (strcmp(s->name, pass->shader) == 0)
-            aob_text_add(text, "#line 1\n%s", s->text);
+    if (pass->draw == AOB_TRIANGLES) {
+        add_corners("in", text);
+        aob_text_add(text, "%s", fragment_triangle_text);
+    }
+    add_shader(desc->graph->technique, pass->shader, text);
 }
 
 size_t aob_prelude_uniforms(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass,

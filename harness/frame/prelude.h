@@ -12,6 +12,7 @@
 
 /* Bindings: 0 the uniform block, these for the G-buffer and the pass's own depth, then its inputs in order. */
 enum { AOB_BINDING_DEPTH = 1, AOB_BINDING_NORMAL, AOB_BINDING_OWN_DEPTH, AOB_BINDING_FIRST_INPUT };
+enum { AOB_BINDING_TRIANGLES = AOB_BINDING_FIRST_INPUT + AOB_MAX_IN }; /* always sampled */
 
 struct aob_prelude_desc {
     const struct aob_pass_graph *graph;
@@ -23,6 +24,9 @@ struct aob_prelude_desc {
 
 /* The whole program text for aob_gpu_program_create; the shader's own lines are numbered from 1. */
 void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *text);
+
+/* Likewise the vertex text of a pass of triangles. */
+void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_text *text);
 
 /* The std140 block: projection (of the pixels of the depth that the pass reads), sizes, frame, range of the depth
  * encoding, then the uniform parameters in table order. */

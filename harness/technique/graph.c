@@ -1,5 +1,5 @@
 #include "graph.h"
-#include <stdio.h>
+#include <math.h>
 #include <string.h>
 
 enum { MAX_TABLE = 8192 };
@@ -91,6 +91,33 @@ static bool has_shader(const struct aob_technique *technique, const char *name)
     return false;
 }
 
+static bool copy_draw(struct aob_pass_graph *graph, const struct aob_pass *desc, struct aob_graph_pass *pass)
+{
+    bool triangles = desc->draw == AOB_TRIANGLES;
+    if ((unsigned)desc->draw > AOB_TRIANGLES)
+        return aob_fail(graph->error, "pass '%s': unknown draw", pass->name);
+    if (!triangles && (desc->vertex || desc->per_triangle || desc->reach != 0))
+        return aob_fail(graph->error, "pass '%s': vertex, per_triangle and reach are of AOB_TRIANGLES only",
+                        pass->name);
+    if (!triangles)
+        return true;
+    if (!copy_name(graph, "vertex shader", desc->vertex, pass->vertex))
+        return false;
+    if (!has_shader(graph->technique, pass->vertex))
+        return aob_fail(graph->error, "pass '%s': the module has no shader text '%s'", pass->name,
+                        pass->vertex);
+    if (desc->per_triangle < 3 || desc->per_triangle > AOB_MAX_VERTICES || desc->per_triangle % 3)
+        return aob_fail(graph->error, "pass '%s': per_triangle is %u: must be 3, 6, ... %d", pass->name,
+                        desc->per_triangle, AOB_MAX_VERTICES);
+    if (!(desc->reach > 0) || isinf(desc->reach))
+        return aob_fail(graph->error, "pass '%s': reach is %g: must be above 0 and finite", pass->name,
+                        (double)desc->reach);
+    pass->draw = AOB_TRIANGLES;
+    pass->per_triangle = desc->per_triangle;
+    pass->reach = desc->reach;
+    return true;
+}
+
 static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
 {
     struct aob_pass_graph *graph = own(interface);
@@ -116,7 +143,8 @@ static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
         return aob_fail(graph->error, "pass '%s': unknown bits in reads or border", pass->name);
     if (desc->depth.id > (uint32_t)graph->texture_count)
         return aob_fail(graph->error, "pass '%s': its depth is no texture of this graph", pass->name);
-    if (!copy_binds(graph, desc, desc->in, AOB_MAX_IN, pass->in, &pass->in_count) ||
+    if (!copy_draw(graph, desc, pass) ||
+        !copy_binds(graph, desc, desc->in, AOB_MAX_IN, pass->in, &pass->in_count) ||
         !copy_binds(graph, desc, desc->out, AOB_MAX_OUT, pass->out, &pass->out_count))
         return false;
     graph->pass_count++;

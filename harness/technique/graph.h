@@ -28,6 +28,10 @@ struct aob_graph_pass {
     uint32_t reads;
     int depth; /* texture read in place of the G-buffer's depth, or -1 */
     enum aob_border border;
+    enum aob_draw draw;
+    char vertex[AOB_NAME_SIZE]; /* of AOB_TRIANGLES, like the next two; else empty and 0 */
+    uint32_t per_triangle;
+    float reach;
     struct aob_graph_bind in[AOB_MAX_IN], out[AOB_MAX_OUT];
     int in_count, out_count;
     bool live; /* something wanted depends on it */
@@ -54,6 +58,9 @@ bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *t
 /* Divisor of the depth that a pass reads, and of what it writes. */
 int aob_graph_depth_divisor(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass);
 int aob_graph_target_divisor(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass);
+
+/* Whether a live pass draws the scene's triangles. */
+bool aob_graph_needs_triangles(const struct aob_pass_graph *graph);
 
 /* Pixels of a texture in a G-buffer of width x height: divided, rounded up; a table's own. */
 void aob_graph_texture_size(const struct aob_graph_texture *texture, int width, int height, int *w, int *h);

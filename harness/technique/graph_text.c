@@ -21,6 +21,14 @@ int aob_graph_target_divisor(const struct aob_pass_graph *graph, const struct ao
     return graph->textures[pass->out[0].texture].divisor;
 }
 
+bool aob_graph_needs_triangles(const struct aob_pass_graph *graph)
+{
+    for (int p = 0; p < graph->pass_count; p++)
+        if (graph->passes[p].live && graph->passes[p].draw == AOB_TRIANGLES)
+            return true;
+    return false;
+}
+
 const char *aob_format_name(enum aob_format format)
 {
     static const char *const names[AOB_FORMAT_COUNT] = {
@@ -69,6 +77,9 @@ void aob_graph_digest(const struct aob_pass_graph *graph, const void *values, ch
         aob_text_add(&text, " out");
         add_binds(graph, pass->out, pass->out_count, &text);
         aob_text_add(&text, "\n%s\n", shader_text(graph->technique, pass->shader));
+        if (pass->draw == AOB_TRIANGLES)
+            aob_text_add(&text, "%u of %s\n%s\n", pass->per_triangle, pass->vertex,
+                         shader_text(graph->technique, pass->vertex));
     }
     aob_hash_text(text.data ? text.data : "", key);
     aob_text_finish(&text);
@@ -95,6 +106,8 @@ void aob_graph_dot(const struct aob_pass_graph *graph, struct aob_text *text)
         aob_text_add(text, "  %s [style=%s];\n", pass->name, pass->live ? "solid" : "dashed");
         if (pass->reads)
             aob_text_add(text, "  gbuffer -> %s;\n", pass->name);
+        if (pass->draw == AOB_TRIANGLES)
+            aob_text_add(text, "  triangles -> %s;\n", pass->name);
         if (pass->depth >= 0)
             add_edge(graph, p, pass->depth, text);
         for (int i = 0; i < pass->in_count; i++)

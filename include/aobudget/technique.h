@@ -22,7 +22,14 @@
 #define AOB_ABI_MAJOR 2u /* raised by a change to this file: modules of another number are refused */
 #define AOB_ABI_MINOR 0u /* raised when a field joins the end of aob_technique: older modules load */
 #define AOB_ABI       (AOB_ABI_MAJOR << 16 | AOB_ABI_MINOR)
-enum { AOB_MAX_PARAM = 32, AOB_MAX_IN = 8, AOB_MAX_OUT = 4, AOB_MAX_PASS = 32, AOB_MAX_TEXTURE = 32 };
+enum {
+    AOB_MAX_PARAM = 32,
+    AOB_MAX_IN = 8,
+    AOB_MAX_OUT = 4,
+    AOB_MAX_PASS = 32,
+    AOB_MAX_TEXTURE = 32,
+    AOB_MAX_VERTICES = 36
+};
 
 /* --- Parameters: one table serves config, command line, sweep, GLSL, `list` and report ------------------- */
 
@@ -103,6 +110,12 @@ enum aob_border {
     AOB_FAR
 }; /* G-buffer reads outside the image: the edge texel, or nothing there */
 
+enum aob_draw {
+    AOB_SCREEN,    /* every pixel of the outputs once */
+    AOB_TRIANGLES, /* vertices that the text `vertex` places for each triangle of the scene; what the fragments
+                      write is added up, in the order of the triangles and in the output's own format, from 0 */
+};
+
 struct aob_tex_desc {
     const char *name;       /* unique in the graph; for errors and the memory table */
     enum aob_format format; /* all can be drawn to */
@@ -126,6 +139,13 @@ struct aob_pass {
                                          (AOB_R16F or AOB_R32F), whose texel p is the surface of the G-buffer's
                                          pixel p * divisor, or one near it; 0: the G-buffer's */
     enum aob_border border; /* of those reads */
+    enum aob_draw draw;
+    /* AOB_TRIANGLES only. A captured frame has no triangles: there such a technique is `unsupported`. */
+    const char *vertex; /* one of the module's texts, for the vertex stage */
+    uint32_t
+        per_triangle; /* vertices of each scene triangle, three a drawn one: 3, 6, ... AOB_MAX_VERTICES */
+    float reach;      /* scene units, above 0: the drawn ones cover no pixel but of the box of the scene's
+                               triangle made larger by this on each side; what a frame will cost is judged by it */
     struct aob_bind in[AOB_MAX_IN];   /* ended by a NULL name */
     struct aob_bind out[AOB_MAX_OUT]; /* colour targets of one size; ended by a NULL name */
 };
@@ -176,6 +196,14 @@ struct aob_graph {
  *                               that the body assigns
  *   AOB_PERSPECTIVE             1 or 0 (orthographic); the functions above serve both, and off-centre frusta
  *   AOB_PI, AOB_SKY_Z           constants
+ * The text `vertex` of an AOB_TRIANGLES pass defines, in place of main(),
+ *   vec4 place(int triangle, int vertex)     clip-space place of one of the per_triangle vertices; 0 <= z <= w is
+ *                                            seen, both sides alike. A drawn triangle without area covers nothing
+ * and has the names above but those of the G-buffer (reads) and aob_pixel. In addition it has
+ *   vec3  aob_corner(int triangle, int k)    view-space corner k = 0, 1, 2; counter-clockwise seen from the front
+ *   vec3  aob_front(int triangle)            unit normal of its front, view space; 0 where it has no area
+ *   vec4  aob_clip(vec2 q)                   the clip-space place of image position q (aob_project)
+ * and the pass's fragment text has aob_corner(int k) and aob_front() of the triangle whose vertices cover the pixel.
  * Names that start with aob_ or AOB_ are the prelude's. Reads of depth and normal outside the image follow
  * `border`. How a run encodes depth and normals (options depth_encoding, normal_encoding, normals) does not show
  * here but in the values. */

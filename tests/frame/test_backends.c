@@ -34,6 +34,28 @@ static void check_close(const char *what, const char *technique, const float *a,
     assert_true(d.mean <= 1e-5);
 }
 
+/* Two scenes of one size: spheres/close, and cornell for what draws volumes, as the spheres' 46,000 would take minutes. */
+struct rigs {
+    struct aob_rig spheres, cornell;
+};
+
+static void rigs_init(struct rigs *rigs, int width, int height)
+{
+    aob_rig_scene(&rigs->spheres, "spheres", "close", width, height, 0);
+    aob_rig_scene(&rigs->cornell, "cornell", "blocks", width, height, 0);
+}
+
+static void rigs_finish(struct rigs *rigs)
+{
+    aob_rig_finish(&rigs->spheres);
+    aob_rig_finish(&rigs->cornell);
+}
+
+static const struct aob_rig *rig_for(const struct rigs *rigs, const struct aob_technique *technique)
+{
+    return strcmp(technique->name, "ao_volumes") == 0 ? &rigs->cornell : &rigs->spheres;
+}
+
 /* Every built-in technique, on one device after the other; Vulkan under its validation layer. */
 static void test_backends_agree(void **state)
 {
@@ -41,14 +63,14 @@ static void test_backends_agree(void **state)
     enum { VULKAN, EGL, OSMESA, STORAGE, COUNT };
     static const char *const backends[COUNT] = {"vulkan", "gl-egl", "gl-osmesa", "vulkan"};
     float *ao[COUNT];
-    struct aob_rig rig;
-    aob_rig_scene(&rig, "spheres", "close", W, H, 0);
+    struct rigs rigs;
+    rigs_init(&rigs, W, H);
     for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++) {
         for (int b = 0; b < COUNT; b++) {
             struct aob_gpu *gpu = aob_rig_gpu(backends[b]);
             ao[b] = AOB_NEW_ARRAY(float, W *H);
-            aob_rig_run(&rig, gpu, (*t)->name, "", b == STORAGE ? AOB_FETCH_STORAGE : AOB_FETCH_SAMPLED,
-                        ao[b]);
+            aob_rig_run(rig_for(&rigs, *t), gpu, (*t)->name, "",
+                        b == STORAGE ? AOB_FETCH_STORAGE : AOB_FETCH_SAMPLED, ao[b]);
             aob_gpu_close(gpu);
         }
         check_close("vulkan against gl-egl", (*t)->name, ao[VULKAN], ao[EGL]);
@@ -57,7 +79,7 @@ static void test_backends_agree(void **state)
         for (int b = 0; b < COUNT; b++)
             free(ao[b]);
     }
-    aob_rig_finish(&rig);
+    rigs_finish(&rigs);
 }
 
 /* Every encoding of depth, normals and kind of normals occurs; each technique runs under all of them. */
@@ -78,17 +100,17 @@ static void test_backends_agree_on_encodings(void **state)
     (void)state;
     struct aob_gpu *vulkan = aob_rig_gpu("vulkan"), *egl = aob_rig_gpu("gl-egl");
     float *a = AOB_NEW_ARRAY(float, W *H), *b = AOB_NEW_ARRAY(float, W *H);
-    struct aob_rig rig;
-    aob_rig_scene(&rig, "spheres", "close", W, H, 0);
+    struct rigs rigs;
+    rigs_init(&rigs, W, H);
     for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
         for (size_t e = 0; e < AOB_COUNT(encodings); e++) {
-            aob_rig_run(&rig, vulkan, (*t)->name, encodings[e], AOB_FETCH_SAMPLED, a);
-            aob_rig_run(&rig, egl, (*t)->name, encodings[e], AOB_FETCH_SAMPLED, b);
+            aob_rig_run(rig_for(&rigs, *t), vulkan, (*t)->name, encodings[e], AOB_FETCH_SAMPLED, a);
+            aob_rig_run(rig_for(&rigs, *t), egl, (*t)->name, encodings[e], AOB_FETCH_SAMPLED, b);
             check_close(encodings[e], (*t)->name, a, b);
         }
     free(a);
     free(b);
-    aob_rig_finish(&rig);
+    rigs_finish(&rigs);
     aob_gpu_close(vulkan);
     aob_gpu_close(egl);
 }
@@ -100,23 +122,24 @@ static void test_backends_agree_at_odd_sizes(void **state)
     enum { ODD_W = 333, ODD_H = 187 };
     struct aob_gpu *vulkan = aob_rig_gpu("vulkan"), *egl = aob_rig_gpu("gl-egl");
     float *a = AOB_NEW_ARRAY(float, ODD_W *ODD_H), *b = AOB_NEW_ARRAY(float, ODD_W *ODD_H);
-    struct aob_rig rig;
-    aob_rig_scene(&rig, "spheres", "close", ODD_W, ODD_H, 0);
+    struct rigs rigs;
+    rigs_init(&rigs, ODD_W, ODD_H);
     for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
         for (int divisor = 1; divisor <= 4; divisor *= 2) {
             char params[40];
             snprintf(params, sizeof params, "divisor=%d", divisor);
             if (divisor > 1 && !aob_param_find((*t)->params, (*t)->param_count, "divisor"))
                 continue;
-            aob_rig_run(&rig, vulkan, (*t)->name, divisor > 1 ? params : "", AOB_FETCH_SAMPLED, a);
-            aob_rig_run(&rig, egl, (*t)->name, divisor > 1 ? params : "", AOB_FETCH_SAMPLED, b);
+            aob_rig_run(rig_for(&rigs, *t), vulkan, (*t)->name, divisor > 1 ? params : "", AOB_FETCH_SAMPLED,
+                        a);
+            aob_rig_run(rig_for(&rigs, *t), egl, (*t)->name, divisor > 1 ? params : "", AOB_FETCH_SAMPLED, b);
             struct difference d = compare(a, b, ODD_W * ODD_H);
             printf("%s %s at %dx%d: %zu pixels beyond 1/255\n", (*t)->name, params, ODD_W, ODD_H, d.beyond);
             assert_true(d.beyond <= 3);
         }
     free(a);
     free(b);
-    aob_rig_finish(&rig);
+    rigs_finish(&rigs);
     aob_gpu_close(vulkan);
     aob_gpu_close(egl);
 }

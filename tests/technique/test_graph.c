@@ -136,6 +136,53 @@ static bool build_unwritten_depth(struct aob_graph *g, const void *values)
     (void)values;
     return depth_pass(g, aob_texture(g, .name = "low", .format = AOB_R32F), AOB_DEPTH);
 }
+static bool triangles_pass(struct aob_graph *g, const char *vertex, uint32_t count, float reach)
+{
+    aob_tex raw = RAW(g);
+    return aob_pass(g, .name = "first", .shader = "one", .draw = AOB_TRIANGLES, .vertex = vertex,
+                    .per_triangle = count, .reach = reach, .out = OUT(raw)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, raw);
+}
+static bool build_triangles(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return triangles_pass(g, "two", 6, 1);
+}
+static bool build_no_vertex_shader(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return triangles_pass(g, "three", 6, 1);
+}
+static bool build_unnamed_vertex_shader(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return triangles_pass(g, NULL, 6, 1);
+}
+static bool build_four_vertices(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return triangles_pass(g, "two", 4, 1);
+}
+static bool build_too_many_vertices(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return triangles_pass(g, "two", 39, 1);
+}
+static bool build_no_reach(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return triangles_pass(g, "two", 6, 0);
+}
+static bool build_screen_with_vertex(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_pass(g, .name = "first", .shader = "one", .vertex = "two", .out = OUT(RAW(g)));
+}
+static bool build_unknown_draw(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_pass(g, .name = "first", .shader = "one", .draw = (enum aob_draw)7, .out = OUT(RAW(g)));
+}
 static bool build_ignores_failure(struct aob_graph *g, const void *values)
 {
     aob_texture(g, .name = "Bad Name");
@@ -191,15 +238,29 @@ static void test_broken_graphs_are_named(void **state)
     const struct {
         bool (*build)(struct aob_graph *, const void *);
         const char *says;
-    } cases[] = {
-        {build_loop, "no earlier pass writes"},      {build_no_output, "no visibility output"},
-        {build_unwritten, "no pass writes"},         {build_twice_written, "already written"},
-        {build_no_shader, "no shader text 'three'"}, {build_same_names, "two textures are named 'raw'"},
-        {build_half_output, "not full size"},        {build_mixed_sizes, "different sizes"},
-        {build_ignores_failure, "lower-case"},       {build_too_many, "more than 32 textures"},
-        {build_written_table, "writes the table"},   {build_divided_table, "no divisor"},
-        {build_sized_target, "a target none"},       {build_byte_depth, "not a target of r16f or r32f"},
-        {build_unread_depth, "does not read it"},    {build_unwritten_depth, "no earlier pass writes"}};
+    } cases[] = {{build_loop, "no earlier pass writes"},
+                 {build_no_output, "no visibility output"},
+                 {build_unwritten, "no pass writes"},
+                 {build_twice_written, "already written"},
+                 {build_no_shader, "no shader text 'three'"},
+                 {build_same_names, "two textures are named 'raw'"},
+                 {build_half_output, "not full size"},
+                 {build_mixed_sizes, "different sizes"},
+                 {build_ignores_failure, "lower-case"},
+                 {build_too_many, "more than 32 textures"},
+                 {build_written_table, "writes the table"},
+                 {build_divided_table, "no divisor"},
+                 {build_sized_target, "a target none"},
+                 {build_byte_depth, "not a target of r16f or r32f"},
+                 {build_unread_depth, "does not read it"},
+                 {build_unwritten_depth, "no earlier pass writes"},
+                 {build_no_vertex_shader, "no shader text 'three'"},
+                 {build_unnamed_vertex_shader, "a vertex shader has no name"},
+                 {build_four_vertices, "per_triangle is 4"},
+                 {build_too_many_vertices, "per_triangle is 39"},
+                 {build_no_reach, "reach is 0"},
+                 {build_screen_with_vertex, "of AOB_TRIANGLES only"},
+                 {build_unknown_draw, "unknown draw"}};
     struct aob_pass_graph graph;
     struct aob_error error;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -207,6 +268,22 @@ static void test_broken_graphs_are_named(void **state)
         assert_contains(error.text, cases[i].says);
         assert_contains(error.text, "trial: ");
     }
+}
+
+static void test_triangles(void **state)
+{
+    (void)state;
+    struct aob_pass_graph graph;
+    struct aob_error error;
+    struct aob_text dot = {0};
+    assert_true(try_build(&graph, build_chain, &error));
+    assert_false(aob_graph_needs_triangles(&graph));
+    assert_true(try_build(&graph, build_triangles, &error));
+    assert_true(aob_graph_needs_triangles(&graph));
+    assert_int_equal(graph.passes[0].per_triangle, 6);
+    aob_graph_dot(&graph, &dot);
+    assert_contains(dot.data, "triangles -> first");
+    aob_text_finish(&dot);
 }
 
 static void test_tables_and_depths(void **state)
@@ -262,9 +339,11 @@ static void test_dot_picture(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_prunes_what_nobody_wants), cmocka_unit_test(test_broken_graphs_are_named),
-        cmocka_unit_test(test_tables_and_depths), cmocka_unit_test(test_digest_follows_constants_only),
-        cmocka_unit_test(test_dot_picture)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_prunes_what_nobody_wants),
+                                       cmocka_unit_test(test_broken_graphs_are_named),
+                                       cmocka_unit_test(test_triangles),
+                                       cmocka_unit_test(test_tables_and_depths),
+                                       cmocka_unit_test(test_digest_follows_constants_only),
+                                       cmocka_unit_test(test_dot_picture)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,62 @@
+/* The rectangle in the image around a triangle's volume: the triangle made larger by the radius in its plane, and
+ * pushed out by the radius along its front's normal. A rectangle covers each pixel once, whatever the eye is in. */
+#include "volume_size.glsl"
+
+const vec4 NOTHING = vec4(0.0, 0.0, 0.0, 1.0);
+
+/* Places of the corners of an oriented box in the image; unbounded towards a side where it passes the eye's plane. */
+void image_bounds(vec3 low, vec3 high, vec3 axis[3], out vec2 first, out vec2 last, out bool seen)
+{
+    vec2 least = vec2(1e30), most = vec2(-1e30);
+    bool passes = false;
+    first = vec2(1e30);
+    last = vec2(-1e30);
+    seen = false;
+    for (int i = 0; i < 8; i++) {
+        vec3 part = vec3(i & 1, i >> 1 & 1, i >> 2);
+        vec3 w = low * (1.0 - part) + high * part;
+        vec3 corner = w.x * axis[0] + w.y * axis[1] + w.z * axis[2];
+        bool before = AOB_PERSPECTIVE == 0 || corner.z < -1e-6 * RADIUS_OUT;
+        vec2 q = aob_project(vec3(corner.xy, before ? corner.z : -1.0));
+        least = min(least, vec2(corner.x, -corner.y));
+        most = max(most, vec2(corner.x, -corner.y));
+        first = before ? min(first, q) : first;
+        last = before ? max(last, q) : last;
+        seen = seen || before;
+        passes = passes || !before;
+    }
+    if (passes) {
+        first = mix(first, vec2(-1e30), lessThan(least, vec2(0.0)));
+        last = mix(last, vec2(1e30), greaterThan(most, vec2(0.0)));
+    }
+}
+
+vec4 place(int triangle, int vertex)
+{
+    vec3 p[3] = vec3[3](aob_corner(triangle, 0), aob_corner(triangle, 1), aob_corner(triangle, 2));
+    vec3 axis[3], low = vec3(1e30), high = vec3(-1e30);
+    axis[2] = aob_front(triangle);
+    vec3 a = p[1] - p[0], b = p[2] - p[1], c = p[0] - p[2];
+    vec3 side = dot(a, a) > dot(b, b) ? a : b;
+    side = dot(c, c) > dot(side, side) ? c : side;
+    if (dot(axis[2], axis[2]) == 0.0 || dot(side, side) == 0.0)
+        return NOTHING;
+    axis[0] = normalize(side);
+    axis[1] = cross(axis[2], axis[0]);
+    for (int k = 0; k < 3; k++) {
+        vec3 w = vec3(dot(p[k], axis[0]), dot(p[k], axis[1]), dot(p[k], axis[2]));
+        low = min(low, w);
+        high = max(high, w);
+    }
+    low.xy -= RADIUS_OUT;
+    high += vec3(RADIUS_OUT, RADIUS_OUT, param.radius);
+    vec2 first, last;
+    bool seen;
+    image_bounds(low, high, axis, first, last, seen);
+    first = max(first - 1.0, vec2(-2.0));
+    last = min(last + 1.0, vec2(aob_size) + 2.0);
+    if (!seen || any(greaterThanEqual(first, last)))
+        return NOTHING;
+    vec2 corner = vec2(vertex == 1 || vertex == 2 || vertex == 4, vertex == 2 || vertex == 4 || vertex == 5);
+    return aob_clip(first * (1.0 - corner) + last * corner);
+}

@@ -1,0 +1,309 @@
+#include "check.h"
+#include <math.h>
+#include <stdlib.h>
+#include "base/memory.h"
+#include "measure/score.h"
+#include "reference/oracle.h"
+#include "rig.h"
+#include "technique/registry.h"
+
+enum { W = 160, H = 90, PIXELS = W * H, SPP = 1024 };
+
+/* Every triangle cut evenly into smaller ones, no side longer than `size`. */
+static struct aob_mesh cut(const struct aob_mesh *mesh, double size)
+{
+    struct aob_mesh out = {0};
+    for (size_t t = 0; t < mesh->triangle_count; t++) {
+        struct aob_vec3 p[3];
+        for (int k = 0; k < 3; k++)
+            p[k] = mesh->positions[mesh->triangles[t][k]];
+        struct aob_vec3 u = aob_vec_sub(p[1], p[0]), v = aob_vec_sub(p[2], p[0]);
+        double longest = fmax(aob_vec_length(u), fmax(aob_vec_length(v), aob_vec_length(aob_vec_sub(v, u))));
+        int n = (int)ceil(longest / size);
+        uint32_t first = (uint32_t)out.vertex_count;
+        for (int i = 0; i <= n; i++)
+            for (int j = 0; j <= n; j++)
+                aob_mesh_add_vertex(&out, aob_vec_add(p[0], aob_vec_add(aob_vec_scale(u, (double)i / n),
+                                                                        aob_vec_scale(v, (double)j / n))));
+        for (int i = 0; i < n; i++)
+            for (int j = 0; i + j < n; j++) {
+                uint32_t a = first + (uint32_t)(i * (n + 1) + j), b = a + (uint32_t)n + 1;
+                aob_mesh_add_triangle(&out, a, b, a + 1);
+                if (i + j + 2 <= n)
+                    aob_mesh_add_triangle(&out, b, b + 1, a + 1);
+            }
+    }
+    return out;
+}
+
+struct score {
+    double band_rmse, bias, brighter_share, brighter_most, se;
+};
+
+static struct score compare(const float *ao, const struct aob_visibility *truth)
+{
+    struct score s = {0};
+    size_t band = 0;
+    for (int i = 0; i < PIXELS; i++)
+        s.se += (double)truth->se[i] * (double)truth->se[i] / PIXELS;
+    s.se = sqrt(s.se);
+    for (int i = 0; i < PIXELS; i++) {
+        double e = (double)ao[i] - (double)truth->ao[i];
+        s.bias += e / PIXELS;
+        s.brighter_share += (e > 3 * s.se) / (double)PIXELS;
+        s.brighter_most = fmax(s.brighter_most, e);
+        if ((double)truth->ao[i] < AOB_BAND_LIMIT) {
+            s.band_rmse += e * e;
+            band++;
+        }
+    }
+    assert_true(band > 500); /* a view that shows no band proves nothing */
+    s.band_rmse = sqrt(s.band_rmse / (double)band);
+    return s;
+}
+
+static void trace(const struct aob_rig *rig, double radius, struct aob_visibility *truth)
+{
+    const struct aob_visibility_term term = {.radius = radius};
+    const struct aob_visibility_desc desc = {.terms = &term, .term_count = 1, .spp = SPP};
+    struct aob_error error;
+    if (!aob_tracer_visibility(rig->tracer, &rig->camera, &rig->hits, &desc, truth, &error))
+        fail_msg("%s", error.text);
+}
+
+static struct score score_mesh(struct aob_gpu *gpu, const struct aob_mesh *mesh,
+                               const struct aob_camera *camera, double radius, float *ao)
+{
+    struct aob_rig rig;
+    struct aob_visibility truth;
+    char params[40];
+    snprintf(params, sizeof params, "radius=%g", radius);
+    aob_rig_init(&rig, mesh, camera, W, H, 0);
+    trace(&rig, radius, &truth);
+    aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_SAMPLED, ao);
+    struct score s = compare(ao, &truth);
+    aob_visibility_finish(&truth);
+    aob_rig_finish(&rig);
+    return s;
+}
+
+/* Closed form O2. The walls are single quads of 40 m that pass the eye. */
+static void test_corner_is_exact(void **state)
+{
+    (void)state;
+    static const double radii[] = {0.5, 1, 1.37, 2};
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_rig rig;
+    for (int view = 0; view < 2; view++) {
+        aob_rig_scene(&rig, "corner", view ? "far" : "front", W, H, 0);
+        for (size_t r = 0; r < AOB_COUNT(radii); r++) {
+            double rmse[2];
+            for (int fine = 0; fine < 2; fine++) {
+                char params[40];
+                snprintf(params, sizeof params, "radius=%g sides=%d", radii[r], fine ? 16 : 8);
+                rmse[fine] =
+                    aob_rig_corner_rmse(&rig, gpu, "ao_volumes", params, aob_oracle_corner, radii[r]);
+            }
+            printf("ao_volumes on corner/%s R=%g: in-band RMSE %.6f with 8 sides, %.6f with 16\n",
+                   view ? "far" : "front", radii[r], rmse[0], rmse[1]);
+            assert_true(rmse[0] <= 0.002);
+            assert_true(rmse[1] <= rmse[0]);
+        }
+        aob_rig_finish(&rig);
+    }
+    aob_gpu_close(gpu);
+}
+
+/* One quad a wall, and cut at a quarter of the radius: the same image, and the ray tracer's. */
+static void check_whole_and_cut(const char *name, const struct aob_mesh *mesh,
+                                const struct aob_camera *camera, double radius)
+{
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    static float whole[PIXELS], parts[PIXELS];
+    struct aob_mesh fine = cut(mesh, radius / 4);
+    struct score a = score_mesh(gpu, mesh, camera, radius, whole);
+    struct score b = score_mesh(gpu, &fine, camera, radius, parts);
+    double apart = 0;
+    for (int i = 0; i < PIXELS; i++)
+        apart += pow((double)whole[i] - (double)parts[i], 2) / PIXELS;
+    printf("ao_volumes on %s R=%g: in-band RMSE %.4f whole, %.4f cut into %zu triangles (tracer SE %.4f); "
+           "images %.1e apart\n",
+           name, radius, a.band_rmse, b.band_rmse, fine.triangle_count, a.se, sqrt(apart));
+    assert_true(a.band_rmse <= 0.01);
+    assert_true(b.band_rmse <= 0.01);
+    assert_true(sqrt(apart) <= 0.002);
+    aob_mesh_finish(&fine);
+    aob_gpu_close(gpu);
+}
+
+static void test_cornell(void **state)
+{
+    (void)state;
+    const struct aob_scene_info *info = aob_scene_find("cornell");
+    struct aob_mesh mesh = {0};
+    /* The listed view has pixels exactly on the room's edges, where a ray starts on either side of the other wall. */
+    struct aob_camera camera = aob_scene_view(info, NULL)->camera;
+    camera.eye = aob_vec(0.0131, 1.0072, 3.4);
+    info->build(&mesh);
+    check_whole_and_cut("cornell", &mesh, &camera, 0.25);
+    check_whole_and_cut("cornell", &mesh, &camera, 0.5);
+    aob_mesh_finish(&mesh);
+}
+
+static struct aob_mesh box_on_plane(void)
+{
+    struct aob_mesh mesh = {0};
+    aob_mesh_add_quad(&mesh, aob_vec(-4, 0, -4), aob_vec(0, 0, 8), aob_vec(8, 0, 0));
+    aob_mesh_add_box(&mesh, aob_vec(-1, 0, -1), aob_vec(1, 2, 1), 20);
+    return mesh;
+}
+static const struct aob_camera box_camera = {.eye = {2, 3, 4}, .target = {0, 0.7, 0}, .fov_deg = 50};
+
+static void test_box_on_plane(void **state)
+{
+    (void)state;
+    struct aob_mesh mesh = box_on_plane();
+    check_whole_and_cut("box on a plane", &mesh, &box_camera, 1);
+    check_whole_and_cut("box on a plane", &mesh, &box_camera, 2);
+    aob_mesh_finish(&mesh);
+}
+
+/* Sheets nearer to each other than half the radius hide behind one another, and each counts. */
+static void test_stacked_sheets_darken(void **state)
+{
+    (void)state;
+    static float ao[PIXELS];
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_camera camera = {.eye = {3, 1.6, 4}, .target = {0, 0.4, 0}, .fov_deg = 40};
+    struct aob_mesh mesh = {0};
+    aob_mesh_add_quad(&mesh, aob_vec(-4, 0, -4), aob_vec(0, 0, 8), aob_vec(8, 0, 0));
+    for (int i = 1; i <= 3; i++)
+        aob_mesh_add_box(&mesh, aob_vec(-1, 0.3 * i, -1), aob_vec(1, 0.3 * i + 0.01, 1), 0);
+    struct score s = score_mesh(gpu, &mesh, &camera, 0.8, ao);
+    printf("ao_volumes on sheets .3 apart, R=.8: bias %.4f, %.2f %% of pixels brighter by 3 SE (%.4f), at "
+           "most %.4f\n",
+           s.bias, 100 * s.brighter_share, s.se, s.brighter_most);
+    assert_true(s.bias <= -0.01);
+    assert_true(s.brighter_share <= 0.01);
+    assert_true(s.brighter_most <= 0.03);
+    aob_mesh_finish(&mesh);
+    aob_gpu_close(gpu);
+}
+
+static bool same_surface(const struct aob_rig *a, const struct aob_rig *b, int i)
+{
+    return a->hits.depth[i] == b->hits.depth[i] &&
+           memcmp(a->hits.normal[i], b->hits.normal[i], sizeof a->hits.normal[i]) == 0;
+}
+
+/* An occluder within the scene's bounds: pixels of the same depth and normal do not brighten, many darken. */
+static void test_occluder_never_brightens(void **state)
+{
+    (void)state;
+    static float before[PIXELS], after[PIXELS];
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    for (int falloff = 0; falloff < 2; falloff++)
+        for (int where = 0; where < 3; where++) {
+            struct aob_mesh mesh = box_on_plane();
+            struct aob_rig plain, more;
+            char params[40];
+            size_t same = 0, darker = 0;
+            snprintf(params, sizeof params, "radius=1 falloff=%d", falloff);
+            aob_rig_init(&plain, &mesh, &box_camera, W, H, 0);
+            aob_mesh_add_box(&mesh, aob_vec(0.5 * where - 1, 0.4 * where, 1.2),
+                             aob_vec(0.5 * where - 0.4, 0.4 * where + 0.6, 1.7), 30);
+            aob_rig_init(&more, &mesh, &box_camera, W, H, 0);
+            aob_rig_run(&plain, gpu, "ao_volumes", params, AOB_FETCH_SAMPLED, before);
+            aob_rig_run(&more, gpu, "ao_volumes", params, AOB_FETCH_SAMPLED, after);
+            for (int i = 0; i < PIXELS; i++)
+                if (same_surface(&plain, &more, i)) {
+                    assert_true(after[i] <= before[i] + 1e-6F);
+                    same++;
+                    darker += after[i] < before[i] - 0.01F;
+                }
+            assert_true(same > PIXELS / 2 && darker > 50);
+            aob_rig_finish(&plain);
+            aob_rig_finish(&more);
+            aob_mesh_finish(&mesh);
+        }
+    aob_gpu_close(gpu);
+}
+
+/* Half and quarter size sampled up: within the range of the low pixels, so near the full image, and cheaper. */
+static void test_divided_is_near_the_full_image(void **state)
+{
+    (void)state;
+    static float full[PIXELS], low[PIXELS];
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_rig rig;
+    aob_rig_scene(&rig, "cornell", NULL, W, H, 0);
+    aob_rig_run(&rig, gpu, "ao_volumes", "", AOB_FETCH_SAMPLED, full);
+    for (int divisor = 2; divisor <= 4; divisor *= 2) {
+        char params[40];
+        double sum = 0;
+        snprintf(params, sizeof params, "divisor=%d", divisor);
+        aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_SAMPLED, low);
+        for (int i = 0; i < PIXELS; i++)
+            sum += pow((double)low[i] - (double)full[i], 2) / PIXELS;
+        printf("ao_volumes on cornell, divisor %d against full: RMSE %.4f\n", divisor, sqrt(sum));
+        assert_true(sqrt(sum) <= 0.015 * divisor);
+    }
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+}
+
+static void expect_refusal(struct aob_gpu *gpu, const struct aob_rig *rig,
+                           const struct aob_geometry *geometry, const char *says)
+{
+    struct aob_frame *frame = AOB_NEW(struct aob_frame);
+    struct aob_screen screen;
+    struct aob_error error = {{0}};
+    const struct {
+        float radius;
+        int32_t falloff, sides, divisor;
+    } values = {1, 0, 8, 1};
+    const struct aob_technique *const *t = aob_builtin_techniques;
+    while (strcmp((*t)->name, "ao_volumes") != 0)
+        t++;
+    assert_true(aob_screen_init(&screen, gpu, &rig->gbuffer, &(struct aob_options){0}, &error));
+    screen.geometry = geometry;
+    assert_false(aob_frame_init(frame, &screen, *t, &values, AOB_FETCH_SAMPLED, &error));
+    assert_true(frame->unfit);
+    assert_contains(error.text, says);
+    aob_screen_finish(&screen);
+    free(frame);
+}
+
+/* A capture has no triangles; a million of them as large as the image are too many. */
+static void test_what_does_not_fit_is_refused(void **state)
+{
+    (void)state;
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_rig rig;
+    struct aob_mesh mesh = {0};
+    aob_rig_scene(&rig, "corner", NULL, W, H, 0);
+    expect_refusal(gpu, &rig, NULL, "a capture has none");
+    for (int i = 0; i < 500000; i++)
+        aob_mesh_add_quad(&mesh, aob_vec(-20, 0, 0), aob_vec(0, 0, 40), aob_vec(40, 0, 0));
+    struct aob_geometry large;
+    aob_geometry_init(&large, &mesh, &rig.camera);
+    assert_near(aob_geometry_fragments(&large, &rig.gbuffer.projection, 1, 1), 1e6 * PIXELS, 1);
+    assert_near(aob_geometry_fragments(&large, &rig.gbuffer.projection, 1, 2), 1e6 * PIXELS / 4, 1);
+    expect_refusal(gpu, &rig, &large, "1000000 triangles with a reach of 1.05");
+    aob_geometry_finish(&large);
+    aob_mesh_finish(&mesh);
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_corner_is_exact),
+                                       cmocka_unit_test(test_cornell),
+                                       cmocka_unit_test(test_box_on_plane),
+                                       cmocka_unit_test(test_stacked_sheets_darken),
+                                       cmocka_unit_test(test_occluder_never_brightens),
+                                       cmocka_unit_test(test_divided_is_near_the_full_image),
+                                       cmocka_unit_test(test_what_does_not_fit_is_refused)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
