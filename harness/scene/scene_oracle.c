@@ -77,6 +77,7 @@ static void build_room(struct aob_mesh *mesh)
 
 static const struct aob_view room_views[] = {
     AOB_VIEW("inside", 0.08, 0.06, 0.09, -0.1, -0.05, -0.1, 80),
+    AOB_VIEW("wall", -0.06, -0.05, -0.08, -0.1, 0.02, 0.05, 80),
 };
 const struct aob_scene_info aob_scene_room = {
     .name = "room",

@@ -61,10 +61,10 @@ check "null" "${shot[@]}" --backend null --reference-spp 0
 check "null, plain gcc" "${shot[@]}" --backend null --reference-spp 0 --module plain/depth_unsharp.so
 expect 2 "must be odd" "${shot[@]}" --backend null -p blur=2
 if [ -n "$drivers" ]; then
-  figure() { # FIELD ARGUMENTS...: of the record
+  figure() { # FIELD ARGUMENTS...: of the record; the oracle's of that name comes later in it
     local field=$1
     shift
-    "$program" shot --size 96x54 --backend gl-egl --reference-spp 64 --json - "$@" | grep -oE "\"$field\": ?[-0-9.e]+" | grep -oE '[-0-9.e]+$'
+    "$program" shot --size 96x54 --backend gl-egl --reference-spp 64 --json - "$@" | grep -m1 -oE "\"$field\": ?[-0-9.e]+" | grep -oE '[-0-9.e]+$'
   }
   ours=$(figure rmse --technique depth_unsharp --module plain/depth_unsharp.so --scene corner -p kernel=8)
   none=$(figure rmse --technique none --scene corner --reference-radius 0.5)
