@@ -132,6 +132,8 @@ static json_t *definition_to_json(const struct aob_technique *technique, const v
         memcpy(&radius, (const char *)values + row->offset, sizeof radius);
     else
         return json_null();
+    if (isnan(radius))
+        return json_null();
     if (!(radius > 0)) {
         aob_fail(error, "its definition's radius is %g: it must be above 0", (double)radius);
         return NULL;
@@ -149,10 +151,9 @@ static json_t *laid_out(const struct aob_pass_graph *graph, const void *values, 
     char key[AOB_KEY_SIZE];
     aob_graph_digest(graph, values, key);
     aob_graph_dot(graph, &dot);
-    json_t *answer =
-        json_pack("{s:i, s:s, s:s, s:s, s:b, s:o, s:b}", "index", index, "status", "ok", "graph", key, "dot",
-                  dot.data, "triangles", aob_graph_needs_triangles(graph), "definition", definition, "mapped",
-                  graph->technique->definition.map != NULL);
+    json_t *answer = json_pack("{s:i, s:s, s:s, s:s, s:b, s:o, s:b}", "index", index, "status", "ok", "graph",
+                               key, "dot", dot.data, "triangles", aob_graph_needs_triangles(graph),
+                               "definition", definition, "mapped", graph->technique->definition.map != NULL);
     aob_text_finish(&dot);
     return answer;
 }

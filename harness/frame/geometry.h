@@ -31,9 +31,9 @@ double aob_geometry_fragments(const struct aob_geometry *geometry, const struct 
                               float reach, int divisor);
 
 /* Whether the graph's passes of triangles can be run; else one line with the numbers. A device's textures end at 16384 x
- * 16384 texels; a frame of more fragments than AOB_GEOMETRY_FRAGMENTS takes minutes on a processor. NULL geometry: a
- * captured frame. */
-#define AOB_GEOMETRY_FRAGMENTS 4e9
+ * 16384 texels. A frame of AOB_GEOMETRY_FRAGMENTS takes a processor about 7 s (57 ns each: ao_volumes on llvmpipe), and a
+ * case of dearer frames would not end before its job does. NULL geometry: a captured frame. */
+#define AOB_GEOMETRY_FRAGMENTS 1.2e8
 bool aob_geometry_serves(const struct aob_geometry *geometry, const struct aob_pass_graph *graph,
                          const struct aob_projection *projection, struct aob_error *error);
 #endif

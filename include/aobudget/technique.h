@@ -216,7 +216,8 @@ enum aob_weight {
 };
 struct aob_definition {
     enum aob_weight weight; /* a choice parameter `weighting` (cosine, uniform) takes its place */
-    float (*radius)(const void *values);           /* scene units; NULL: the parameter `radius` */
+    float (*radius)(const void *values); /* scene units; NULL: the parameter `radius`; NAN where these
+                                                      values' claim cannot be said in the terms below */
     float (*falloff)(const void *values, float t); /* what an occluder at distance t * radius counts, t in
                                                       [0, 1]; NULL: 1, the hard cutoff */
     float (*map)(const void *values, float v); /* of the traced value, where the text maps it; NULL: none */

@@ -31,6 +31,13 @@ static bool check(const void *values, const char **why)
     return aob_step_divisor_check(((const struct values *)values)->divisor, why);
 }
 
+/* With falloff 1 what a hit counts depends on the triangle that is hit, which no falloff over the distance says. */
+static float definition_radius(const void *values)
+{
+    const struct values *v = values;
+    return v->falloff ? NAN : v->radius;
+}
+
 /* The polygon has the disc's area, so its corners lie outside the disc; volume.glsl has the same ratio. */
 static float reach(const struct values *v)
 {
@@ -60,9 +67,9 @@ AOB_TECHNIQUE(
         "A triangle counts where its front faces the pixel: meshes must be closed, fronts outwards; an open "
         "sheet casts nothing behind it. Volumes of surfaces thinner than half the radius overlap and are "
         "counted twice: darker than ray tracing, as the text says. The text gives no distance limit; "
-        "falloff 0 clips to the disc that the ball of the radius cuts out of the triangle's plane; falloff 1 is "
-        "compared with that hard cutoff too, a traced form of its own being left out. "
+        "falloff 0 clips to the disc that the ball of the radius cuts out of the triangle's plane; falloff 1 "
+        "has no definition, since its image depends on the triangulation. "
         "Angles are by atan2: the text's arc cosines cancel for short edges.",
     .citation = "McGuire: Ambient Occlusion Volumes, text of two pages (2010)", .params = params,
     .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
-    .definition = {.weight = AOB_WEIGHT_COSINE}, .check = check, .build = build);
+    .definition = {.weight = AOB_WEIGHT_COSINE, .radius = definition_radius}, .check = check, .build = build);
