@@ -8,6 +8,7 @@
 #include "doctor.h"
 #include "flags.h"
 #include "list.h"
+#include "papers.h"
 #include "report.h"
 #include "run.h"
 #include "shot.h"
@@ -270,6 +271,36 @@ static enum aob_exit command_report(int argc, char **argv, struct aob_error *err
     return code;
 }
 
+static enum aob_exit command_papers(int argc, char **argv, struct aob_error *error)
+{
+    struct common common = {0};
+    struct aob_papers_desc desc = {0};
+    enum aob_exit code;
+    const struct aob_flag flags[] = {
+        {.name = "quick", .on = &desc.quick, .help = "small images, short timing: about a minute"},
+        {.name = "filter",
+         .value = "TEXT",
+         .text = &desc.filter,
+         .help = "only rows whose name holds the text"},
+        {.name = "out", .value = "DIR", .text = &desc.out, .help = "where the runs go (results/papers)"},
+        MODULE_FLAG(common),
+        COMMON_FLAGS(common)};
+    const struct aob_flags table = {"papers",
+                                    "[--quick] [--filter TEXT] [--out DIR] [--module FILE.so]",
+                                    "The figures of the techniques' texts beside those measured here.",
+                                    flags,
+                                    0,
+                                    0};
+    if (start(&table, &common, argc, argv, &code, error)) {
+        desc.dispatch = make_dispatch(&common);
+        desc.json = common.json;
+        desc.quiet = common.quiet;
+        code = aob_papers(&desc, error);
+    }
+    common_finish(&common);
+    return code;
+}
+
 static enum aob_exit command_doctor(int argc, char **argv, struct aob_error *error)
 {
     struct common common = {0};
@@ -292,6 +323,7 @@ static const struct command commands[] = {
     {"run", "a sweep: times, errors, images, report", command_run},
     {"shot", "one frame, timed and scored", command_shot},
     {"report", "page and pictures from finished runs", command_report},
+    {"papers", "the texts' figures beside those measured here", command_papers},
     {"doctor", "drivers and meshes: what is missing, and its cure", command_doctor},
 };
 

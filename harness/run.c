@@ -32,10 +32,29 @@ struct run {
 };
 static const char *const status_names[4] = {"ok", "unsupported", "invalid", "failed"};
 
+static bool read_config(struct run *run, struct aob_error *error)
+{
+    const struct aob_run_desc *desc = run->desc;
+    struct aob_config *config = &run->config;
+    if (!aob_config_read(config, desc->config, error))
+        return false;
+    for (size_t i = 0; i < config->size_count; i++) {
+        struct aob_size *size = &config->sizes[i];
+        if (desc->max_width && size->width > desc->max_width) {
+            int height = size->height * desc->max_width / size->width;
+            *size = (struct aob_size){desc->max_width, height > 1 ? height : 1};
+        }
+    }
+    if (desc->max_seconds > 0 && config->seconds > desc->max_seconds)
+        config->seconds = desc->max_seconds;
+    if (desc->max_spp && config->spp > desc->max_spp)
+        config->spp = desc->max_spp;
+    return true;
+}
+
 static bool make_plan(struct run *run, struct aob_error *error)
 {
-    return aob_config_read(&run->config, run->desc->config, error) &&
-           aob_dispatch_describe(&run->desc->dispatch, &run->techniques, error) &&
+    return read_config(run, error) && aob_dispatch_describe(&run->desc->dispatch, &run->techniques, error) &&
            aob_captures_load(&run->config, &run->desc->dispatch, error) &&
            aob_plan_create(&run->plan, &run->config, &run->techniques, error);
 }
@@ -244,8 +263,8 @@ enum aob_exit aob_run(const struct aob_run_desc *desc, struct aob_error *error)
 {
     struct run run = {.desc = desc, .start_ns = aob_clock_wall_ns()};
     bool ok = make_plan(&run, error) && make_info(&run, error) && apply_filter(&run, error) &&
-              open_folder(&run, error) && measure(&run, error) && write_report(&run, error) &&
-              print_summary(&run, error);
+              open_folder(&run, error) && measure(&run, error) &&
+              (desc->no_page || write_report(&run, error)) && print_summary(&run, error);
     enum aob_exit code = ok ? verdict(&run, error) : AOB_EXIT_USAGE;
     json_decref(run.info);
     aob_measurement_finish(&run.measurement);

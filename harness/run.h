@@ -12,6 +12,10 @@ struct aob_run_desc {
     const char *filter; /* only cases whose description holds this text; NULL: all */
     const char *json;   /* summary document to this file, "-": standard output; NULL: none */
     bool fresh, quiet;  /* fresh: what the folder held of an earlier run is removed first */
+    bool no_page;       /* the journal only; `aobudget report` can make the page later */
+    int max_width;      /* pixels; a wider resolution shrinks to it, shape kept; 0: as the config says */
+    double max_seconds; /* of timing a case; 0: as the config says */
+    int max_spp;        /* rays a pixel of the reference, even; 0: as the config says */
 };
 
 /* OK: every case of the plan is measured. PART: some are not; each has its reason in the journal. USAGE:

@@ -1,0 +1,179 @@
+#include "papers.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "papers_row.h"
+#include "run.h"
+#include "store/journal.h"
+
+struct papers {
+    const struct aob_papers_desc *desc;
+    char *configs, *out;
+    struct aob_text table; /* as Markdown */
+    json_t *rows, *ran;    /* ran: config -> why it failed, or empty */
+    size_t failed;
+};
+
+static bool wanted(const struct papers *papers, const struct aob_paper_row *row)
+{
+    return !papers->desc->filter || strstr(row->name, papers->desc->filter);
+}
+
+static char *config_path(const struct papers *papers, const char *name)
+{
+    struct aob_text text = {0};
+    aob_text_add(&text, "%s/%s.yaml", papers->configs, name);
+    return text.data;
+}
+
+static void find_configs(struct papers *papers)
+{
+    char *program = aob_path_program_folder();
+    papers->configs = aob_path_join(program, "../share/aobudget/papers");
+    if (!aob_file_exists(papers->configs)) {
+        free(papers->configs);
+        papers->configs = aob_path_join(program, "../../configs/papers");
+    }
+    free(program);
+}
+
+static bool check_rows(const struct papers *papers, struct aob_error *error)
+{
+    size_t count = 0;
+    bool ok = true;
+    for (const struct aob_paper_row *row = aob_paper_rows; row->name && ok; row++) {
+        if (!wanted(papers, row))
+            continue;
+        count++;
+        char *path = row->config ? config_path(papers, row->config) : NULL;
+        if (path && !aob_file_exists(path))
+            ok =
+                aob_fail(error, "%s: not found; row %s needs it: install the program whole", path, row->name);
+        free(path);
+    }
+    return ok &&
+           (count || aob_fail(error, "papers: no row's name holds '%s'; without --filter all are printed",
+                              papers->desc->filter));
+}
+
+/* Once a config; rows share runs. Cases that are not ok are the rows' concern. */
+static bool run_config(struct papers *papers, const char *name, const char *folder, struct aob_error *error)
+{
+    const json_t *earlier = json_object_get(papers->ran, name);
+    if (earlier)
+        return !*json_string_value(earlier) || aob_fail(error, "%s", json_string_value(earlier));
+    bool quick = papers->desc->quick;
+    char *path = config_path(papers, name);
+    struct aob_run_desc desc = {.dispatch = papers->desc->dispatch,
+                                .config = path,
+                                .out = folder,
+                                .fresh = true,
+                                .quiet = true,
+                                .no_page = true,
+                                .max_width = quick ? 320 : 0,
+                                .max_seconds = quick ? 0.1 : 0,
+                                .max_spp = quick ? 64 : 0};
+    if (!papers->desc->quiet)
+        aob_note("papers: running %s", name);
+    aob_run(&desc, error);
+    json_object_set_new(papers->ran, name, json_string(error->text));
+    free(path);
+    return !*error->text;
+}
+
+static bool measure(struct papers *papers, const struct aob_paper_row *row, struct aob_paper_result *result,
+                    struct aob_error *error)
+{
+    char *folder = aob_path_join(papers->out, row->config), *journal = aob_path_join(folder, "journal.jsonl");
+    struct aob_paper_run run = {.folder = folder};
+    json_t *records =
+        run_config(papers, row->config, folder, error) ? aob_journal_read(journal, error) : NULL;
+    run.records = records;
+    bool ok = records && row->measure(&run, result, error);
+    json_decref(records);
+    free(journal);
+    free(folder);
+    return ok;
+}
+
+static void add_figures(struct aob_text *text, const double *figures, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        aob_text_add(text, "%s%.3g", i ? ", " : "", figures[i]);
+}
+
+static json_t *figures_to_json(const double *figures, size_t count)
+{
+    json_t *array = json_array();
+    for (size_t i = 0; i < count; i++)
+        json_array_append_new(array, aob_json_number(figures[i]));
+    return array;
+}
+
+static void add_row(struct papers *papers, const struct aob_paper_row *row)
+{
+    struct aob_paper_result result = {0};
+    struct aob_error why = {{0}};
+    enum aob_paper_verdict verdict = row->fixed;
+    if (row->config)
+        verdict = measure(papers, row, &result, &why) ? aob_paper_judge(row, &result) : AOB_PAPER_NOT_RUN;
+    papers->failed += verdict == AOB_PAPER_NOT_RUN;
+    const char *reason = *why.text ? why.text : row->note;
+    size_t measured = row->config && verdict != AOB_PAPER_NOT_RUN ? row->count : 0;
+    size_t given = row->figures[0] != 0 ? row->count : 0;
+    struct aob_text *table = &papers->table;
+    aob_text_add(table, "| %s | %s: %s | %s%s", row->name, row->text, row->claim, row->unit,
+                 given ? ": " : "");
+    add_figures(table, row->figures, given);
+    aob_text_add(table, " | ");
+    add_figures(table, result.measured, measured);
+    aob_text_add(table, " | %s | %s |\n", aob_paper_verdicts[verdict], reason);
+    json_array_append_new(papers->rows, json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:s, s:s}", "name",
+                                                  row->name, "text", row->text, "claim", row->claim, "unit",
+                                                  row->unit, "figures", figures_to_json(row->figures, given),
+                                                  "measured", figures_to_json(result.measured, measured),
+                                                  "verdict", aob_paper_verdicts[verdict], "reason", reason));
+}
+
+static bool write_all(const struct papers *papers, struct aob_error *error)
+{
+    const struct aob_papers_desc *desc = papers->desc;
+    char *path = aob_path_join(papers->out, "papers.md");
+    bool ok = aob_file_write(path, papers->table.data, papers->table.size, error);
+    free(path);
+    if (ok && !desc->quiet && !(desc->json && strcmp(desc->json, "-") == 0))
+        printf("%s", papers->table.data);
+    if (!ok || !desc->json)
+        return ok;
+    json_t *document = json_pack("{s:b, s:O}", "quick", desc->quick, "rows", papers->rows);
+    ok = aob_json_write(document, desc->json, error);
+    json_decref(document);
+    return ok;
+}
+
+enum aob_exit aob_papers(const struct aob_papers_desc *desc, struct aob_error *error)
+{
+    struct papers papers = {.desc = desc,
+                            .out = aob_strdup(desc->out ? desc->out : "results/papers"),
+                            .rows = json_array(),
+                            .ran = json_object()};
+    find_configs(&papers);
+    aob_text_add(&papers.table,
+                 "| row | text and claim | figures of the text | measured | verdict | reason |\n"
+                 "|---|---|---|---|---|---|\n");
+    bool ok = check_rows(&papers, error) && aob_folder_create(papers.out, error);
+    for (const struct aob_paper_row *row = aob_paper_rows; row->name && ok; row++)
+        if (wanted(&papers, row))
+            add_row(&papers, row);
+    ok = ok && write_all(&papers, error);
+    json_decref(papers.rows);
+    json_decref(papers.ran);
+    aob_text_finish(&papers.table);
+    free(papers.configs);
+    free(papers.out);
+    return !ok ? AOB_EXIT_USAGE : papers.failed ? AOB_EXIT_PART : AOB_EXIT_OK;
+}

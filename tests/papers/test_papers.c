@@ -1,0 +1,62 @@
+/* The rules of the verdict, on figures and journals made by hand. */
+#include "check.h"
+#include "papers_row.h"
+
+static enum aob_paper_verdict judge(double a, double b)
+{
+    struct aob_paper_row row = {.figures = {1, 2}, .count = 2};
+    struct aob_paper_result result = {.measured = {a, b}};
+    return aob_paper_judge(&row, &result);
+}
+
+static void figures(void **state)
+{
+    (void)state;
+    assert_int_equal(judge(1, 2.49), AOB_PAPER_REPRODUCED);
+    assert_int_equal(judge(1, 1.51), AOB_PAPER_REPRODUCED);
+    assert_int_equal(judge(1, 2.51), AOB_PAPER_SHAPE);
+    assert_int_equal(judge(1, 1.2), AOB_PAPER_SHAPE);
+    assert_int_equal(judge(1, 0.9), AOB_PAPER_NOT_REPRODUCED);
+}
+
+static void one_figure_and_none(void **state)
+{
+    (void)state;
+    struct aob_paper_row row = {.figures = {2}, .count = 1}, shape = {.count = 1};
+    struct aob_paper_result more = {.measured = {1.2}}, less = {.measured = {0.8}, .holds = true};
+    assert_int_equal(aob_paper_judge(&row, &more), AOB_PAPER_SHAPE);
+    assert_int_equal(aob_paper_judge(&row, &less), AOB_PAPER_NOT_REPRODUCED);
+    assert_int_equal(aob_paper_judge(&shape, &less), AOB_PAPER_REPRODUCED);
+    assert_int_equal(aob_paper_judge(&shape, &more), AOB_PAPER_NOT_REPRODUCED);
+}
+
+static void records(void **state)
+{
+    (void)state;
+    json_t *all = json_loads(
+        "[{\"technique\":\"t\",\"params\":{\"a\":1e-6,\"b\":\"on\"},\"options\":{},\"status\":\"ok\","
+        "\"time\":"
+        "{\"ref_cpu_ms\":2.0,\"passes\":[{\"name\":\"ao\",\"cpu_ms\":6.0},{\"name\":\"blur_x1\",\"cpu_ms\":1."
+        "0},"
+        "{\"name\":\"blur_y1\",\"cpu_ms\":3.0}]}},{\"technique\":\"t\",\"params\":{\"a\":2,\"b\":\"on\"},"
+        "\"options\":{},\"status\":\"failed\",\"reason\":\"broke\"}]",
+        0, NULL);
+    struct aob_paper_run run = {.records = all};
+    struct aob_error error = {{0}};
+    const json_t *found = aob_paper_find(&run, "t", "a=1e-6 b=on", &error);
+    assert_non_null(found);
+    assert_float_equal(aob_paper_cost(found, false), 3, 1e-12);
+    assert_float_equal(aob_paper_cost(found, true), 2, 1e-12);
+    assert_null(aob_paper_find(&run, "t", "a=2", &error));
+    assert_non_null(strstr(error.text, "broke"));
+    assert_null(aob_paper_find(&run, "t", "a=3", &error));
+    assert_non_null(strstr(error.text, "no such case"));
+    json_decref(all);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(figures), cmocka_unit_test(one_figure_and_none),
+                                       cmocka_unit_test(records)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
