@@ -18,6 +18,7 @@ expect 2 "nowhere.exr: cannot open" "$program" shot --technique none --backend n
 echo rubbish >rubbish.exr
 expect 2 "rubbish.exr: cannot read the image" "$program" shot --technique none --backend null --scene capture:rubbish.exr
 expect 2 "rubbish.exr: cannot read the image" "$program" shot --technique none --backend null --scene capture:rubbish.exr --fov 60
+expect 2 "unsupported: it needs the scene's triangles" "$program" shot --technique ao_volumes --backend null --scene capture:F.exr
 expect 2 "depth: 'deep' is not one of planar" "${capture[@]}" --depth deep
 expect 2 "needs near and a far" "${capture[@]}" --depth device
 expect 2 "is it planar?" "${capture[@]}" --depth device_reversed --near 0.1 --far inf
