@@ -88,8 +88,36 @@ static void test_error_falls_with_samples(void **state)
     free(image);
 }
 
+/* More steps along each slice: against 256 of them, from coarse to fine. Steps are bias, not noise, so no exponent. */
+static void test_error_falls_with_steps(void **state)
+{
+    (void)state;
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_rig rig;
+    float *fine = AOB_NEW_ARRAY(float, W *H), *image = AOB_NEW_ARRAY(float, W *H);
+    double last = INFINITY;
+    aob_rig_scene(&rig, "cornell", "blocks", W, H, 0);
+    aob_rig_run(&rig, gpu, "gtao", "slices=16 steps=256 blur=0", AOB_FETCH_SAMPLED, fine);
+    printf("gtao, 16 slices, 2..64 steps:");
+    for (int steps = 2; steps <= 64; steps *= 2) {
+        char params[80];
+        snprintf(params, sizeof params, "slices=16 steps=%d blur=0", steps);
+        aob_rig_run(&rig, gpu, "gtao", params, AOB_FETCH_SAMPLED, image);
+        double error = rmse(&rig, image, fine);
+        printf(" %.4f", error);
+        assert_true(error < last);
+        last = error;
+    }
+    printf("\n");
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+    free(fine);
+    free(image);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_error_falls_with_samples)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_error_falls_with_samples),
+                                       cmocka_unit_test(test_error_falls_with_steps)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
