@@ -25,5 +25,5 @@ void main()
         nearest = away < least ? value : nearest;
         least = min(least, away);
     }
-    full = weights > 1e-3 ? sum / weights : nearest;
+    full = aob_surface_is_sky(p) ? 1.0 : weights > 1e-3 ? sum / weights : nearest;
 }

@@ -36,7 +36,9 @@ float horizon_cosine(vec2 start, vec3 position, vec3 normal, vec3 v, vec2 end, f
         float l = length(d);
         float weight = clamp((param.radius - l) / (param.falloff * param.radius + 1e-6 * l), 0.0, 1.0);
         bool below = dot(d, normal) <= 1e-5 * l - 1e-6 * position.z;
-        float c = mix(floor_cosine, dot(d, v) / max(l, 1e-20), weight);
+        /* What is closed grows with the square of the cosine, or with the cosine where directions weigh alike. */
+        float fade = WEIGHTING == 0 ? sqrt(weight) : weight;
+        float c = mix(floor_cosine, dot(d, v) / max(l, 1e-20), fade);
         best = max(best, below || weight <= 0.0 ? -1.0 : c);
     }
     return best;

@@ -68,8 +68,12 @@ AOB_TECHNIQUE(
         "sheet casts nothing behind it. Volumes of surfaces thinner than half the radius overlap and are "
         "counted twice: darker than ray tracing, as the text says. The text gives no distance limit; "
         "falloff 0 clips to the disc that the ball of the radius cuts out of the triangle's plane; falloff 1 "
-        "has no definition, since its image depends on the triangulation. "
-        "Angles are by atan2: the text's arc cosines cancel for short edges.",
+        "depends on the triangle that a ray meets, which no falloff over distance says: it is compared with "
+        "nothing "
+        "of its own. Each volume is drawn as the rectangle of its box in the image, and its pixels decide: "
+        "more "
+        "fragments than the text's prisms. "
+        "The text gives the signed area of a disc's segment; here it is Lambert's sum, with angles by atan2.",
     .citation = "McGuire: Ambient Occlusion Volumes, text of two pages (2010)", .params = params,
     .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_COSINE, .radius = definition_radius}, .check = check, .build = build);

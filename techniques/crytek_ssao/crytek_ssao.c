@@ -36,8 +36,8 @@ static const char *const switches[] = {"off", "on", NULL};
 static const struct aob_param params[] = {
     AOB_PARAM(struct values, radius, .unit = AOB_UNIT_LENGTH, .scale = AOB_LOG2, .min = 1e-6, .max = 1e6,
               .initial = 0.5,
-              .doc = "Length of the longest offset; more darkens from farther. With size = screen only what "
-                     "the result is compared with."),
+              .doc = "Length of the longest offset; more darkens from farther. With size = screen only the "
+                     "truth's radius."),
     AOB_PARAM(struct values, screen_radius, .scale = AOB_LOG2, .min = 1e-4, .max = 1, .initial = 0.0936,
               .doc =
                   "With size = screen: the longest offset (the text's offsetScale at its end) as a share of "
@@ -78,6 +78,13 @@ static float falloff(const void *values, float t)
     const struct values *v = values;
     double steps = t > 0 ? floor(-log((double)t) / log1p(2.4 / v->samples) + 1e-6) : INFINITY;
     return (float)(fmin(steps + 1, v->samples) / v->samples);
+}
+
+/* A sphere of the screen's has another radius at each depth. */
+static float definition_radius(const void *values)
+{
+    const struct values *v = values;
+    return v->size ? NAN : v->radius;
 }
 
 static float map(const void *values, float visibility)
@@ -145,7 +152,9 @@ AOB_TECHNIQUE(
                "amplified), a convex edge brighter.",
     .notes = "The rotation matrix has its signs corrected, the tile its size. The longest offset is "
              "a length in the scene or a share of the screen as of a 90-degree view, a sphere "
-             "either way. More than 24 samples turn the further cubes as well.",
+             "either way; the text's is the screen's, which claims nothing that could be traced. The blur is "
+             "a centred box of 5x5 taps, the outer ones by half, with a test against the tangent plane. More "
+             "than 24 samples turn the further cubes as well.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
-    .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff, .map = map},
+    .definition = {.weight = AOB_WEIGHT_UNIFORM, .radius = definition_radius, .falloff = falloff, .map = map},
     .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);

@@ -63,7 +63,9 @@ AOB_TECHNIQUE(
                "sides within the radius, then the closed-form integral of the cosine between them.",
     .notes = "Slices are even about the view vector, not in the image; taps below the tangent plane are "
              "ignored; the search is as long as the slice of the ball; the integral is divided by the open "
-             "slice's (docs/decisions/0009). The text leaves open how half size is sampled up.",
+             "slice's (docs/decisions/0009). The text leaves open how half size is sampled up, and gives no "
+             "noise tables. Multi-bounce, bent "
+             "normals and specular occlusion of the text are not outputs yet.",
     .citation = "Jimenez, Wu, Pesce, Jarabo: Practical Real-Time Strategies for Accurate Indirect "
                 "Occlusion, ATVI-TR-19-01 (2016)",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),

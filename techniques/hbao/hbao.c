@@ -2,6 +2,7 @@
  * 6.2: horizons in the image, attenuated for each sample, tangents for each sample against snapping. */
 #include <aobudget/points.h>
 #include <aobudget/steps.h>
+#include <math.h>
 #include "shaders.h"
 
 struct values {
@@ -77,6 +78,12 @@ static void fill_jitter(const void *values, void *texels)
         }
 }
 
+static float map(const void *values, float visibility)
+{
+    const struct values *v = values;
+    return fminf(1, fmaxf(0, 1 - v->intensity * (1 - visibility)));
+}
+
 static bool check(const void *values, const char **why)
 {
     const struct values *v = values;
@@ -115,5 +122,5 @@ AOB_TECHNIQUE(
         "in deep views; min_step 0 is without. MSAA is left out.",
     .citation = "Bavoil, Sainz: Image-Space Horizon-Based Ambient Occlusion, ShaderX7 (2009), 6.2",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
-    .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff},
+    .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff, .map = map},
     .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);

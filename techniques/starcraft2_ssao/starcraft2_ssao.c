@@ -6,7 +6,7 @@
  * text asks for: lengths are kept. Listing 1.2.5 names the thresholds in another order than its callers: names count.
  * The text raises the falling value to the power, (1 - x)^p, the listing only x: the text's is used (one for p = 1).
  * Listing 1.2.2 takes the plain average, the text one weighted by distance, and nearer points are to count more:
- * `distance_weight` has all three. MakeRotation of listing 1.2.6 is never used. The offsets are a table here, as
+ * `distance_weight` has all three. The matrix of MakeRotation in listing 1.2.6 is never used. The offsets are a table here, as
  * a pass has no constant registers: one fetch a sample more than the text's. Depth is read at texel centres, so a slanted
  * plane would occlude itself by far more than c_occlusionEpsilon: a surface within epsilon of the tangent plane counts
  * nothing (the text has no such test). */
@@ -48,7 +48,7 @@ static const struct aob_param params[] = {
     AOB_PARAM(struct values, epsilon, .unit = AOB_UNIT_LENGTH, .min = 0, .max = 1e6, .initial = 0.01,
               .doc = "c_occlusionEpsilon: least depth in front of a sample, and height over the tangent "
                      "plane; more hides self-occlusion."),
-    AOB_PARAM(struct values, distance_weight, .min = -8, .max = 8, .initial = -1,
+    AOB_PARAM(struct values, distance_weight, .stage = AOB_HOST, .min = -8, .max = 8, .initial = -1,
               .doc =
                   "Weight of a sample is its distance to this power; less counts near ones more, 0 alike."),
     AOB_PARAM(struct values, max_screen_radius, .unit = AOB_UNIT_PIXEL, .min = 0, .max = 65536, .initial = 0,
@@ -71,7 +71,8 @@ static const struct aob_param params[] = {
     AOB_PARAM(struct values, noise_size, .unit = AOB_UNIT_PIXEL, .scale = AOB_LOG2, .stage = AOB_CONSTANT,
               .min = 1, .max = 256, .initial = 64,
               .doc = "Side of the tile of random normals that mirror the offsets; more repeats less."),
-    AOB_PARAM(struct values, seed, .min = 0, .max = 1e6, .initial = 0, .doc = "Seed of the random normals."),
+    AOB_PARAM(struct values, seed, .stage = AOB_HOST, .min = 0, .max = 1e6, .initial = 0,
+              .doc = "Seed of the random normals."),
     AOB_PARAM_BLUR(struct values, blur, 9),
     AOB_PARAM_BLUR_PASSES(struct values, blur_passes, 2),
     AOB_PARAM(struct values, blur_depth, LENGTH, .min = 0, .max = 1e6, .initial = 0.1,
@@ -212,7 +213,9 @@ AOB_TECHNIQUE(
     .notes = "Reflected offsets keep their lengths (listing 1.2.6 normalises them); the fall is (1 - x)^p "
              "as in the text; the average is weighted as `distance_weight` says, since text and listing "
              "differ; what lies in the tangent plane occludes nothing. The definition is that of the wide "
-             "set, along rays that lie in the view: no exact one over distance exists.",
+             "set, along rays that lie in the view: no exact one over distance exists. The text's noise tile "
+             "is 256 pixels "
+             "wide, its depth a quarter size; the cap of the screen radius shrinks the sphere.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff},
     .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);

@@ -271,13 +271,57 @@ static void test_temporal_noise(void **state)
     aob_gpu_close(gpu);
 }
 
+/* The fade over the radius, against the definition as it is ray-traced: it must come much nearer to that than to the
+ * hard cutoff, for both weightings. */
+static void check_falloff(struct aob_gpu *gpu, const struct aob_rig *rig, const char *weighting)
+{
+    size_t count = (size_t)(rig->width * rig->height), band = 0;
+    float *ao = AOB_NEW_ARRAY(float, count), *faded = AOB_NEW_ARRAY(float, count),
+          *hard = AOB_NEW_ARRAY(float, count);
+    char params[120], cut[120];
+    double to_faded = 0, to_hard = 0;
+    snprintf(params, sizeof params, "radius=1 falloff=1 slices=16 steps=32 blur=0 weighting=%s", weighting);
+    snprintf(cut, sizeof cut, "radius=1 falloff=0 weighting=%s", weighting);
+    aob_rig_run(rig, gpu, "gtao", params, AOB_FETCH_STORAGE, ao);
+    aob_rig_definition(rig, "gtao", params, 256, faded);
+    aob_rig_definition(rig, "gtao", cut, 256, hard);
+    for (size_t i = 0; i < count; i++) {
+        if (faded[i] >= AOB_BAND_LIMIT)
+            continue;
+        band++;
+        to_faded += pow((double)ao[i] - (double)faded[i], 2);
+        to_hard += pow((double)ao[i] - (double)hard[i], 2);
+    }
+    to_faded = sqrt(to_faded / (double)band);
+    to_hard = sqrt(to_hard / (double)band);
+    printf("corner R=1, falloff 1, %s: RMSE %.4f to the definition, %.4f to the hard cutoff\n", weighting,
+           to_faded, to_hard);
+    assert_true(band > 500);
+    assert_true(to_faded <= 0.05 && to_faded < 0.3 * to_hard); /* one horizon a side has one weight */
+    free(ao);
+    free(faded);
+    free(hard);
+}
+
+static void test_falloff(void **state)
+{
+    (void)state;
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_rig rig;
+    aob_rig_scene(&rig, "corner", "front", 240, 135, 64);
+    check_falloff(gpu, &rig, "cosine");
+    check_falloff(gpu, &rig, "uniform");
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_corner_front),        cmocka_unit_test(test_corner_far),
-        cmocka_unit_test(test_uniform_weighting),   cmocka_unit_test(test_divided_sizes),
-        cmocka_unit_test(test_temporal_noise),      cmocka_unit_test(test_open_plane_is_open),
-        cmocka_unit_test(test_orthographic_corner), cmocka_unit_test(test_off_centre_corner),
-        cmocka_unit_test(test_sphere_is_open)};
+        cmocka_unit_test(test_corner_front),       cmocka_unit_test(test_corner_far),
+        cmocka_unit_test(test_uniform_weighting),  cmocka_unit_test(test_divided_sizes),
+        cmocka_unit_test(test_temporal_noise),     cmocka_unit_test(test_falloff),
+        cmocka_unit_test(test_open_plane_is_open), cmocka_unit_test(test_orthographic_corner),
+        cmocka_unit_test(test_off_centre_corner),  cmocka_unit_test(test_sphere_is_open)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
