@@ -22,6 +22,9 @@ void main()
     ivec2 p = aob_pixel;
     vec3 position = aob_surface(p), normal = aob_surface_normal(p);
     ivec2 centre = ivec2(floor(aob_image(p)));
+    visibility = 1.0;
+    if (aob_surface_is_sky(p))
+        return;
     float disc = aob_pixel_radius(-position.z, param.radius);
     float turn = 2.0 * AOB_PI * aob_random(p, 0);
     int count = sample_count(disc);
@@ -37,5 +40,5 @@ void main()
         sum += in_range * max(0.0, dot(v, normal) + position.z * param.bias) / (vv + param.epsilon);
     }
     float a = max(0.0, 1.0 - 2.0 * param.intensity / float(max(count, 1)) * sum);
-    visibility = aob_surface_is_sky(p) ? 1.0 : pow(a, param.contrast);
+    visibility = pow(a, param.contrast);
 }

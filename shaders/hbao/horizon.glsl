@@ -63,12 +63,14 @@ void main()
     vec3 position = aob_surface(p), normal = aob_surface_normal(p);
     vec4 jitter = aob_fetch_jitter(p & 3);
     float pixels = aob_pixel_radius(-position.z, param.radius) / float(STEPS + 1), sum = 0.0;
+    visibility = 1.0;
+    if (aob_surface_is_sky(p) || pixels < param.min_step)
+        return;
     for (int i = 0; i < DIRECTIONS; i++) {
         float angle = 2.0 * AOB_PI * float(i) / float(DIRECTIONS);
         vec2 d = vec2(cos(angle), sin(angle));
         d = vec2(d.x * jitter.x - d.y * jitter.y, d.x * jitter.y + d.y * jitter.x);
         sum += occlusion_along(aob_image(p), position, normal, d * pixels, jitter.z);
     }
-    float open = 1.0 - param.intensity * sum / float(DIRECTIONS);
-    visibility = aob_surface_is_sky(p) || pixels < param.min_step ? 1.0 : clamp(open, 0.0, 1.0);
+    visibility = clamp(1.0 - param.intensity * sum / float(DIRECTIONS), 0.0, 1.0);
 }

@@ -46,6 +46,9 @@ void main()
 #else
     vec3 normal = vec3(0.0);
 #endif
+    visibility = 1.0;
+    if (aob_surface_is_sky(p))
+        return;
     float r = ROLE == 2 ? param.radius * param.fine_radius : param.radius;
     float disc = aob_pixel_radius(-position.z, r);
     float turn = AOB_PI * aob_random(p, 2 * ROLE), shift = aob_random(p, 2 * ROLE + 1);
@@ -62,5 +65,5 @@ void main()
 #if ROLE == 2
     empty = 0.5 * (empty + aob_fetch_coarse(p));
 #endif
-    visibility = aob_surface_is_sky(p) ? 1.0 : ROLE == 1 ? empty : clamp(empty, 0.0, 1.0);
+    visibility = ROLE == 1 ? empty : clamp(empty, 0.0, 1.0);
 }
