@@ -37,18 +37,19 @@ void aob_rig_scene(struct aob_rig *rig, const char *scene, const char *view, int
     aob_mesh_finish(&mesh);
 }
 
-void aob_rig_plane(struct aob_rig *rig, double tilt, double azimuth, int width, int height)
+void aob_rig_plane(struct aob_rig *rig, const struct aob_rig_plane *plane)
 {
-    double t = tilt * M_PI / 180, a = azimuth * M_PI / 180, size = 400;
+    double t = plane->tilt_deg * M_PI / 180, a = plane->azimuth_deg * M_PI / 180;
+    double distance = plane->distance > 0 ? plane->distance : 3, size = 150 * distance;
     struct aob_vec3 n = aob_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
     struct aob_vec3 u =
         aob_vec_normalize(aob_vec_cross(fabs(n.y) < 0.9 ? aob_vec(0, 1, 0) : aob_vec(1, 0, 0), n));
     struct aob_vec3 v = aob_vec_cross(n, u);
     struct aob_mesh mesh = {0};
-    struct aob_camera camera = {.eye = {0, 0, 3}, .fov_deg = 60};
+    struct aob_camera camera = {.eye = {0, 0, distance}, .fov_deg = plane->fov_deg > 0 ? plane->fov_deg : 60};
     aob_mesh_add_quad(&mesh, aob_vec_scale(aob_vec_add(u, v), -size / 2), aob_vec_scale(u, size),
                       aob_vec_scale(v, size));
-    aob_rig_init(rig, &mesh, &camera, width, height, 0);
+    aob_rig_init(rig, &mesh, &camera, plane->width, plane->height, plane->guard);
     aob_mesh_finish(&mesh);
 }
 
@@ -93,27 +94,34 @@ static void set_params(const struct aob_technique *technique, const char *params
     aob_param_pack(aob_option_params, AOB_OPTION_COUNT, chosen, options, sizeof *options);
 }
 
-void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *name, const char *params,
-                 enum aob_fetch fetch, float *pixels)
+void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
+                   const void *values, const struct aob_options *options, float *pixels)
 {
-    const struct aob_technique *technique = builtin(name);
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_screen screen;
     struct aob_error error = {{0}};
-    unsigned char values[4 * AOB_MAX_PARAM];
-    struct aob_options options;
     struct aob_geometry geometry = rig->geometry;
-    set_params(technique, params, values, &options);
     bool ok = aob_geometry_upload(&geometry, gpu, &error) &&
-              aob_screen_init(&screen, gpu, &rig->gbuffer, &options, &error);
+              aob_screen_init(&screen, gpu, &rig->gbuffer, options, &error);
     screen.geometry = &geometry;
-    if (!ok || !aob_frame_init(frame, &screen, technique, values, fetch, &error) ||
+    if (!ok || !aob_frame_init(frame, &screen, technique, values, (enum aob_fetch)options->fetch, &error) ||
         !aob_frame_run(frame, NULL, &error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, pixels, &error))
-        give_up(name, &error);
+        give_up(technique->name, &error);
     aob_frame_finish(frame);
     aob_screen_finish(&screen);
     aob_gpu_texture_destroy(gpu, geometry.texture);
     free(frame);
+}
+
+void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *name, const char *params,
+                 enum aob_fetch fetch, float *pixels)
+{
+    const struct aob_technique *technique = builtin(name);
+    unsigned char values[4 * AOB_MAX_PARAM];
+    struct aob_options options;
+    set_params(technique, params, values, &options);
+    options.fetch = (int32_t)fetch;
+    aob_rig_probe(rig, gpu, technique, values, &options, pixels);
 }
 
 void aob_rig_definition(const struct aob_rig *rig, const char *name, const char *params, int spp,

@@ -19,8 +19,14 @@ void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct
                   int width, int height, int guard);
 void aob_rig_scene(struct aob_rig *rig, const char *scene, const char *view, int width, int height,
                    int guard);
-/* An open plane 3 units before the eye, its normal `tilt` degrees off the view axis towards `azimuth`; no guard band. */
-void aob_rig_plane(struct aob_rig *rig, double tilt, double azimuth, int width, int height);
+/* An open plane that fills the image, seen along its middle. Zeros: 3 units away, a field of view of 60 degrees, facing
+ * the camera. */
+struct aob_rig_plane {
+    double distance, fov_deg;
+    double tilt_deg, azimuth_deg; /* from facing the camera, towards an azimuth of the image */
+    int width, height, guard;
+};
+void aob_rig_plane(struct aob_rig *rig, const struct aob_rig_plane *plane);
 void aob_rig_finish(struct aob_rig *rig);
 
 /* One frame of a built-in technique; params: "radius=1 slices=9", run options among them
@@ -28,6 +34,10 @@ void aob_rig_finish(struct aob_rig *rig);
  */
 void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique, const char *params,
                  enum aob_fetch fetch, float *pixels);
+
+/* One frame of any technique, such as one that a test makes for the purpose; `values` is its own struct. */
+void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
+                   const void *values, const struct aob_options *options, float *pixels);
 
 /* What that technique claims to compute with those parameters, ray-traced as a run does. pixels: width x height; sky 1. */
 void aob_rig_definition(const struct aob_rig *rig, const char *technique, const char *params, int spp,

@@ -61,20 +61,10 @@ static void set_option(struct aob_options *options, const char *name, const char
 static void probe(const struct aob_rig *rig, const char *backend, const char *shader, int component,
                   const struct aob_options *options, float *pixels)
 {
-    struct aob_error error = {{0}};
-    struct aob_screen screen;
-    struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_gpu *gpu = aob_rig_gpu(backend);
-    struct values values = {component};
     chosen = shader;
-    if (!aob_screen_init(&screen, gpu, &rig->gbuffer, options, &error) ||
-        !aob_frame_init(frame, &screen, &technique, &values, (enum aob_fetch)options->fetch, &error) ||
-        !aob_frame_run(frame, NULL, &error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, pixels, &error))
-        fail_msg("%s", error.text);
-    aob_frame_finish(frame);
-    aob_screen_finish(&screen);
+    aob_rig_probe(rig, gpu, &technique, &(struct values){component}, options, pixels);
     aob_gpu_close(gpu);
-    free(frame);
 }
 
 /* A low view of `spheres`, which holds sky; all depths lie within 0.25 and 50. */

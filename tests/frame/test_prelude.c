@@ -58,19 +58,10 @@ static const struct aob_technique technique = {.abi = AOB_ABI,
 
 static void run(const struct aob_rig *rig, const char *shader, struct values values, float *pixels)
 {
-    struct aob_error error = {{0}};
-    struct aob_screen screen;
-    struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
     chosen = shader;
-    if (!aob_screen_init(&screen, gpu, &rig->gbuffer, &(struct aob_options){0}, &error) ||
-        !aob_frame_init(frame, &screen, &technique, &values, AOB_FETCH_SAMPLED, &error) ||
-        !aob_frame_run(frame, NULL, &error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, pixels, &error))
-        fail_msg("%s", error.text);
-    aob_frame_finish(frame);
-    aob_screen_finish(&screen);
+    aob_rig_probe(rig, gpu, &technique, &values, &(struct aob_options){0}, pixels);
     aob_gpu_close(gpu);
-    free(frame);
 }
 
 static void rig_of(struct aob_rig *rig, double ortho)

@@ -4,7 +4,6 @@
 #include "base/memory.h"
 #include "half.h"
 #include "measure/score.h"
-#include "plane.h"
 #include "rig.h"
 
 enum { W = 160, H = 90 };
@@ -200,7 +199,13 @@ static void plane_means(struct aob_gpu *gpu, double distance, double tilt, const
     mean[0] = mean[1] = 0;
     for (int a = 0; a < AZIMUTHS; a++) {
         struct aob_rig rig;
-        aob_plane_rig(&rig, distance, tilt, 90.0 * a / AZIMUTHS, WIDE, HIGH, 0);
+        aob_rig_plane(&rig, &(struct aob_rig_plane){.distance = distance,
+                                                    .fov_deg = 45,
+                                                    .tilt_deg = tilt,
+                                                    .azimuth_deg = 90.0 * a / AZIMUTHS,
+                                                    .width = WIDE,
+                                                    .height = HIGH,
+                                                    .guard = 0});
         for (int i = 0; i < 2; i++) {
             char params[160];
             snprintf(params, sizeof params, "radius=0.5 blur=0 bias=%s far=100 %s", i ? "1e-4" : "0",

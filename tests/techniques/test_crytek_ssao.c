@@ -4,25 +4,10 @@
 #include "base/memory.h"
 #include "half.h"
 #include "measure/score.h"
-#include "plane.h"
 #include "rig.h"
+#include "spread.h"
 
 enum { W = 160, H = 90, GUARD = 64 };
-
-struct spread {
-    double mean, least, most;
-};
-
-static struct spread spread_of(const float *values, int count)
-{
-    struct spread s = {0, INFINITY, -INFINITY};
-    for (int i = 0; i < count; i++) {
-        s.mean += (double)values[i] / count;
-        s.least = fmin(s.least, (double)values[i]);
-        s.most = fmax(s.most, (double)values[i]);
-    }
-    return s;
-}
 
 /* Without blur and amplification unless `params` says so: what comes last counts. */
 static void run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *params, float *ao)
@@ -42,7 +27,13 @@ static void test_flat_wall_is_one_half(void **state)
     struct aob_rig rig;
     struct spread all = {0, 1, 0};
     float ao[W * H];
-    aob_plane_rig(&rig, 3, 0, 0, W, H, 0);
+    aob_rig_plane(&rig, &(struct aob_rig_plane){.distance = 3,
+                                                .fov_deg = 45,
+                                                .tilt_deg = 0,
+                                                .azimuth_deg = 0,
+                                                .width = W,
+                                                .height = H,
+                                                .guard = 0});
     for (int samples = 8; samples <= 24; samples += 8)
         for (size_t k = 0; k < AOB_COUNT(kinds); k++) {
             char params[100];
@@ -83,7 +74,13 @@ static void test_tilted_wall(void **state)
     float ao[W * H];
     for (double tilt = 30; tilt <= 60; tilt += 30) {
         struct aob_rig rig;
-        aob_plane_rig(&rig, 4, tilt, 30, W, H, GUARD);
+        aob_rig_plane(&rig, &(struct aob_rig_plane){.distance = 4,
+                                                    .fov_deg = 45,
+                                                    .tilt_deg = tilt,
+                                                    .azimuth_deg = 30,
+                                                    .width = W,
+                                                    .height = H,
+                                                    .guard = GUARD});
         run(&rig, gpu, "range=1e6", ao);
         struct spread free = spread_of(ao, keep_seen(&rig, ao));
         run(&rig, gpu, "", ao);

@@ -57,23 +57,6 @@ static void test_corner_far(void **state)
     check_corner("far", true);
 }
 
-/* A plane through the origin, tilted from facing the camera by `tilt` towards azimuth, seen from 3 m; it ends
- * far out. */
-static void tilted_plane(struct aob_rig *rig, double tilt_deg, double azimuth_deg)
-{
-    double t = tilt_deg * M_PI / 180, a = azimuth_deg * M_PI / 180, size = 400;
-    struct aob_vec3 n = aob_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
-    struct aob_vec3 u =
-        aob_vec_normalize(aob_vec_cross(fabs(n.y) < 0.9 ? aob_vec(0, 1, 0) : aob_vec(1, 0, 0), n));
-    struct aob_vec3 v = aob_vec_cross(n, u);
-    struct aob_vec3 corner = aob_vec_scale(aob_vec_add(u, v), -size / 2);
-    struct aob_mesh mesh = {0};
-    struct aob_camera camera = {.eye = {0, 0, 3}, .fov_deg = 60};
-    aob_mesh_add_quad(&mesh, corner, aob_vec_scale(u, size), aob_vec_scale(v, size));
-    aob_rig_init(rig, &mesh, &camera, 160, 90, 0);
-    aob_mesh_finish(&mesh);
-}
-
 static void check_plane(struct aob_gpu *gpu, const struct aob_rig *rig, const char *params, double *mean,
                         double *least)
 {
@@ -107,7 +90,9 @@ static void test_open_plane_is_open(void **state)
             struct aob_rig rig;
             if (t == 0 && azimuth)
                 continue;
-            tilted_plane(&rig, tilts[t], azimuth);
+            aob_rig_plane(&rig,
+                          &(struct aob_rig_plane){
+                              .tilt_deg = tilts[t], .azimuth_deg = azimuth, .width = 160, .height = 90});
             for (size_t p = 0; p < 6; p++)
                 check_plane(gpu, &rig, params[p], &mean, &least);
             aob_rig_finish(&rig);
@@ -217,7 +202,8 @@ static void test_divided_sizes(void **state)
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
     struct aob_rig rig, plane;
     aob_rig_scene(&rig, "corner", "front", W, H, 128);
-    tilted_plane(&plane, 60, 45);
+    aob_rig_plane(&plane,
+                  &(struct aob_rig_plane){.tilt_deg = 60, .azimuth_deg = 45, .width = 160, .height = 90});
     double whole = corner_rmse(gpu, &rig, 1, "slices=9 steps=24");
     for (size_t i = 0; i < AOB_COUNT(rows); i++) {
         char samples[80], params[120];

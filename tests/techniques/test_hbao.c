@@ -123,7 +123,9 @@ static void test_open_planes(void **state)
     double mean[AOB_COUNT(rows)], least[AOB_COUNT(rows)];
     for (int p = 0; p < 8; p++) {
         struct aob_rig rig;
-        aob_rig_plane(&rig, tilts[p / 2], p % 2 ? 250 : 15, 160, 90);
+        aob_rig_plane(
+            &rig, &(struct aob_rig_plane){
+                      .tilt_deg = tilts[p / 2], .azimuth_deg = p % 2 ? 250 : 15, .width = 160, .height = 90});
         for (size_t r = 0; r < AOB_COUNT(rows); r++) {
             char params[120];
             double minimum, m;

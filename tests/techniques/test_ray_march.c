@@ -127,7 +127,10 @@ static void test_open_planes(void **state)
                 struct aob_rig rig;
                 char params[80];
                 snprintf(params, sizeof params, "attenuation=0 radius=%g", radius);
-                aob_rig_plane(&rig, tilts[t], azimuth + 15, W / 2, H / 2);
+                aob_rig_plane(&rig, &(struct aob_rig_plane){.tilt_deg = tilts[t],
+                                                            .azimuth_deg = azimuth + 15,
+                                                            .width = W / 2,
+                                                            .height = H / 2});
                 least = fmin(least, least_of(gpu, &rig, params, &mean));
                 aob_rig_finish(&rig);
             }

@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include "half.h"
-#include "plane.h"
 #include "rig.h"
 
 enum { W = 160, H = 90 };
@@ -152,7 +151,13 @@ static void test_open_plane(void **state)
         if (k < 5)
             aob_rig_scene(&rig, "plane", "front", W, H, 0);
         else
-            aob_plane_rig(&rig, 4, 60, 30, W, H, 0);
+            aob_rig_plane(&rig, &(struct aob_rig_plane){.distance = 4,
+                                                        .fov_deg = 45,
+                                                        .tilt_deg = 60,
+                                                        .azimuth_deg = 30,
+                                                        .width = W,
+                                                        .height = H,
+                                                        .guard = 0});
         run(&rig, gpu, params[k % 5], ao);
         float least = 1;
         for (int i = 0; i < W * H; i++)
@@ -169,7 +174,13 @@ static void test_open_plane(void **state)
 /* A plane that faces the camera, columns first..end-1 of it nearer by `height`. */
 static void strip_rig(struct aob_rig *rig, int first, int end, float height)
 {
-    aob_plane_rig(rig, 4, 0, 0, W, H, 0);
+    aob_rig_plane(rig, &(struct aob_rig_plane){.distance = 4,
+                                               .fov_deg = 45,
+                                               .tilt_deg = 0,
+                                               .azimuth_deg = 0,
+                                               .width = W,
+                                               .height = H,
+                                               .guard = 0});
     for (int i = 0; i < W * H; i++)
         rig->gbuffer.depth[i] -= i % W >= first && i % W < end ? height : 0;
 }

@@ -4,26 +4,11 @@
 #include "base/memory.h"
 #include "half.h"
 #include "measure/score.h"
-#include "plane.h"
 #include "rig.h"
+#include "spread.h"
 #include "technique/registry.h"
 
 enum { W = 160, H = 90, GUARD = 64 };
-
-struct spread {
-    double mean, least, most;
-};
-
-static struct spread spread_of(const float *values, int count)
-{
-    struct spread s = {0, INFINITY, -INFINITY};
-    for (int i = 0; i < count; i++) {
-        s.mean += (double)values[i] / count;
-        s.least = fmin(s.least, (double)values[i]);
-        s.most = fmax(s.most, (double)values[i]);
-    }
-    return s;
-}
 
 static void run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *params, float *ao)
 {
@@ -42,7 +27,13 @@ static void test_wall_is_half_solid(void **state)
     for (double tilt = 0; tilt <= 60; tilt += 30)
         for (double azimuth = 0; azimuth < 240; azimuth += 120) {
             struct aob_rig rig;
-            aob_plane_rig(&rig, 4, tilt, azimuth, W, H, 0);
+            aob_rig_plane(&rig, &(struct aob_rig_plane){.distance = 4,
+                                                        .fov_deg = 45,
+                                                        .tilt_deg = tilt,
+                                                        .azimuth_deg = azimuth,
+                                                        .width = W,
+                                                        .height = H,
+                                                        .guard = 0});
             for (size_t k = 0; k < AOB_COUNT(kinds); k++) {
                 char params[100];
                 float inner[W * H];
