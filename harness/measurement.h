@@ -12,7 +12,7 @@ struct aob_state { /* of one planned case; same index */
     char status[16], reason[640]; /* where refused: unsupported, invalid or failed */
     char graph[AOB_KEY_SIZE];     /* digest of its pass graph, once it is laid out */
     bool triangles;               /* a pass of it draws the scene's */
-    json_t *definition;           /* {radius, uniform, falloff} or NULL */
+    json_t *definition;           /* {radius, uniform, falloff, of_triangle} or NULL */
     bool mapped;                  /* the definition's value is mapped */
 };
 struct aob_shares { /* seconds of wall time */
@@ -52,9 +52,10 @@ struct aob_view_files {
     char *gbuffer;
     char *mesh;                     /* of a loaded scene; NULL where it is procedural */
     char **reference, **definition; /* one a case of the block; definition NULL where there is none */
-    char *
-        *screen; /* the definition within the screen-space bound; likewise NULL, and for a capture, whose only
-                      reference is that bound */
+    char **
+        screen; /* the definition within the screen-space bound; NULL where there is no definition. The definition's
+                      file again where nothing is missing: of a capture, whose only reference is that bound, and of a
+                      technique that draws the scene's triangles */
     size_t count;
 };
 bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t count,

@@ -75,8 +75,9 @@ static json_t *definition_to_json(const struct aob_state *state)
     json_t *falloff = json_array();
     for (int i = 0; i <= 4; i++)
         json_array_append_new(falloff, aob_json_number(falloff_at(table, i / 4.0)));
-    return json_pack("{s:O, s:s, s:o, s:b}", "radius", json_object_get(d, "radius"), "weighting",
+    return json_pack("{s:O, s:s, s:o, s:s, s:b}", "radius", json_object_get(d, "radius"), "weighting",
                      json_is_true(json_object_get(d, "uniform")) ? "uniform" : "cosine", "falloff", falloff,
+                     "distance", json_is_true(json_object_get(d, "of_triangle")) ? "triangle" : "ray",
                      "mapped", state->mapped);
 }
 

@@ -105,7 +105,8 @@ static char *term_path(const struct aob_measurement *m, const struct aob_case *c
 }
 
 /* What a case is compared with: the truth, its definition, and the definition within the screen-space bound. A capture
- * has no geometry, so its truth and definition are those of the bound. NULL: the case has no such term. */
+ * has no geometry, so its truth and definition are those of the bound. A technique that draws the scene's triangles is
+ * not bound to the screen: it knows all that its definition asks for. NULL: the case has no such term. */
 enum term_kind { TERM_TRUTH, TERM_DEFINITION, TERM_SCREEN, TERM_COUNT };
 
 static json_t *make_term(const struct aob_measurement *m, size_t index, enum term_kind kind)
@@ -113,13 +114,13 @@ static json_t *make_term(const struct aob_measurement *m, size_t index, enum ter
     const struct aob_case *c = &m->plan->cases[index];
     const json_t *definition = m->states[index].definition;
     bool captured = c->scene->gbuffer != NULL;
-    if ((kind != TERM_TRUTH && !definition) || (kind == TERM_SCREEN && captured))
+    if (kind != TERM_TRUTH && !definition)
         return NULL;
     json_t *term = kind == TERM_TRUTH
-                       ? json_pack("{s:o, s:b, s:n}", "radius", aob_json_number(c->reference_radius),
-                                   "uniform", 0, "falloff")
+                       ? json_pack("{s:o, s:b, s:n, s:b}", "radius", aob_json_number(c->reference_radius),
+                                   "uniform", 0, "falloff", "of_triangle", 0)
                        : json_deep_copy(definition);
-    if (kind == TERM_SCREEN || captured)
+    if (captured || (kind == TERM_SCREEN && !m->states[index].triangles))
         json_object_set_new(term, "screen",
                             m->plan->config->thickness < 0 ? json_incref(json_object_get(term, "radius"))
                                                            : aob_json_number(m->plan->config->thickness));

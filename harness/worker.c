@@ -140,8 +140,9 @@ static json_t *definition_to_json(const struct aob_technique *technique, const v
     }
     bool fades = definition->falloff && isfinite(radius);
     json_t *falloff = fades ? falloff_to_json(definition, values, error) : json_null();
-    return falloff ? json_pack("{s:o, s:b, s:o}", "radius", aob_json_number((double)radius), "uniform",
-                               is_uniform(technique, values), "falloff", falloff)
+    bool of_triangle = definition->distance && definition->distance(values) == AOB_DISTANCE_TRIANGLE;
+    return falloff ? json_pack("{s:o, s:b, s:o, s:b}", "radius", aob_json_number((double)radius), "uniform",
+                               is_uniform(technique, values), "falloff", falloff, "of_triangle", of_triangle)
                    : NULL;
 }
 

@@ -5,15 +5,16 @@
  *   probe    {backend}
  *            -> {device, driver, software}
  *   layout   {modules, technique, cases: [[number a parameter]]}
- *            -> {index, status, reason | graph, dot, triangles, definition: {radius, uniform, falloff} or null,
- *               mapped} a line
+ *            -> {index, status, reason | graph, dot, triangles, definition: {radius, uniform, falloff, of_triangle} or
+ *               null, mapped} a line
  *   mesh     {file, out}
  *            -> {low, high, vertices, triangles, warnings: [text]}
  *   capture  {file, depth, normals, near, far, left_handed, up, depth_channel, normal_channel, fov_deg, ortho_height,
  *             camera or null, out}
  *            -> {width, height, camera, surface, derived, warnings: [text]}
  *   view     {scene | mesh, captured, camera, width, height, guard, gbuffer, spp,
- *             terms: [{radius, uniform, falloff, screen (the bound's thickness; absent: the scene's), out}]}
+ *             terms: [{radius, uniform, falloff, of_triangle, screen (the bound's thickness; absent: the scene's),
+ *             out}]}
  *            -> {trace_s, rays} for each trace
  *   block    {modules, scene | mesh, raster, triangles, backend, validate, camera, width, height, guard, gbuffer, seconds, time, error,
  *             cases: [{technique, params, options, radius, captured, reference, definition, screen, image}]}

@@ -51,15 +51,6 @@ static void crop(const struct aob_block *block, const float *from, int stride, f
                      (size_t)stride];
 }
 
-/* A capture's definition is the bound's, so nothing of it is missing. */
-static void copy_bound(const json_t *c, struct truth *truth, size_t count)
-{
-    if (json_is_true(json_object_get(c, "captured")) && truth->definition) {
-        truth->screen = AOB_NEW_ARRAY(float, count);
-        memcpy(truth->screen, truth->definition, count * sizeof(float));
-    }
-}
-
 static bool load_truth(const struct aob_block *block, const json_t *c, struct truth *truth,
                        struct aob_error *error)
 {
@@ -76,7 +67,6 @@ static bool load_truth(const struct aob_block *block, const json_t *c, struct tr
               load_channel(reference, "SE", block, &truth->se, error);
     ok = (!definition || load_channel(definition, "AO", block, &truth->definition, error)) && ok;
     ok = (!screen || load_channel(screen, "AO", block, &truth->screen, error)) && ok;
-    copy_bound(c, truth, count);
     return ok;
 }
 

@@ -82,7 +82,7 @@ static bool load_view(struct view *view, struct aob_error *error)
 
 /* The terms that one trace computes. */
 struct trace {
-    bool uniform, screen;
+    bool uniform, of_triangle, screen;
     double thickness; /* of the screen-space bound's surfaces */
     struct aob_visibility_term *terms;
     const char **paths;
@@ -92,6 +92,8 @@ struct trace {
 static bool same_trace(const json_t *a, const json_t *b)
 {
     return json_is_true(json_object_get(a, "uniform")) == json_is_true(json_object_get(b, "uniform")) &&
+           json_is_true(json_object_get(a, "of_triangle")) ==
+               json_is_true(json_object_get(b, "of_triangle")) &&
            (json_object_get(a, "screen") == json_object_get(b, "screen") ||
             json_equal(json_object_get(a, "screen"), json_object_get(b, "screen")));
 }
@@ -100,6 +102,7 @@ static bool same_trace(const json_t *a, const json_t *b)
 static void get_terms(const json_t *list, const json_t *first, struct trace *trace)
 {
     trace->uniform = json_is_true(json_object_get(first, "uniform"));
+    trace->of_triangle = json_is_true(json_object_get(first, "of_triangle"));
     trace->screen = json_object_get(first, "screen");
     trace->thickness = aob_json_to_number(json_object_get(first, "screen"));
     for (size_t i = 0; i < json_array_size(list); i++) {
@@ -114,6 +117,7 @@ static void get_terms(const json_t *list, const json_t *first, struct trace *tra
         trace->terms[trace->count++] =
             (struct aob_visibility_term){.radius = aob_json_to_number(json_object_get(term, "radius")),
                                          .uniform = trace->uniform,
+                                         .of_triangle = trace->of_triangle,
                                          .falloff = table,
                                          .falloff_count = json_array_size(falloff)};
     }
@@ -162,7 +166,8 @@ static bool trace_terms(struct aob_worker *worker, const struct view *view, cons
 }
 
 /* One trace for each weighting: a cosine term traced beside a uniform one has other noise, and a cached file
- * must not depend on what else was wanted when it was made. And one for each surface: the scene's, each bound's. */
+ * must not depend on what else was wanted when it was made. One for each kind of distance, whose rays differ in length.
+ * And one for each surface: the scene's, each bound's. */
 static bool trace_with(struct aob_worker *worker, const struct view *view, const json_t *first,
                        struct aob_error *error)
 {

@@ -113,7 +113,9 @@ static void add_definition(struct aob_text *page, const struct aob_techniques *t
                                                                                         : "by the cosine");
     aob_text_add(page, ", occluders up to ");
     aob_md_escape(page, radius);
-    aob_text_add(page, " scene units away; ");
+    aob_text_add(page, strcmp(aob_member_text(definition, "distance"), "triangle") == 0
+                           ? " scene units away by the nearest point of their triangle; "
+                           : " scene units away; ");
     add_falloff(page, json_object_get(definition, "falloff"));
     aob_text_add(page, json_is_true(json_object_get(definition, "mapped")) ? "; the result is mapped.\n\n"
                                                                            : ".\n\n");

@@ -140,6 +140,8 @@ void aob_rig_definition(const struct aob_rig *rig, const char *name, const char 
         falloff[i] = definition->falloff(values, (float)pow((double)i / (ROWS - 1), 2));
     struct aob_visibility_term term = {.radius = (double)radius,
                                        .uniform = definition->weight == AOB_WEIGHT_UNIFORM,
+                                       .of_triangle = definition->distance &&
+                                                      definition->distance(values) == AOB_DISTANCE_TRIANGLE,
                                        .falloff = definition->falloff ? falloff : NULL,
                                        .falloff_count = ROWS};
     struct aob_visibility_desc desc = {.terms = &term,

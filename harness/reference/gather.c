@@ -86,9 +86,9 @@ static bool is_false_hit(const struct aob_tracer *tracer, const struct RTCRay *r
     return height * climb >= 0;
 }
 
-/* The first true hit of one ray of a packet, from its near hit on; `reach` if none. */
-static float true_distance(const struct aob_tracer *tracer, struct RTCIntersectContext *context,
-                           const struct RTCRayHit16 *packet, int k, float near, float reach)
+/* Puts the first true hit of one ray of a packet, from its near hit on, in that one's place; `reach` if none. */
+static void find_true_hit(const struct aob_tracer *tracer, struct RTCIntersectContext *context,
+                          struct RTCRayHit16 *packet, int k, float near, float reach)
 {
     struct RTCRayHit one = {
         .ray = {.org_x = packet->ray.org_x[k],
@@ -99,7 +99,7 @@ static float true_distance(const struct aob_tracer *tracer, struct RTCIntersectC
                 .dir_z = packet->ray.dir_z[k],
                 .tfar = packet->ray.tfar[k],
                 .mask = ~0u},
-        .hit = {.primID = packet->hit.primID[k]},
+        .hit = {.primID = packet->hit.primID[k], .geomID = packet->hit.geomID[k]},
     };
     while (one.ray.tfar < near && is_false_hit(tracer, &one.ray, one.hit.primID)) {
         one.ray.tnear = 2 * one.ray.tfar + FLT_EPSILON;
@@ -107,7 +107,9 @@ static float true_distance(const struct aob_tracer *tracer, struct RTCIntersectC
         one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(tracer->scene, context, &one);
     }
-    return one.ray.tfar;
+    packet->ray.tfar[k] = one.ray.tfar;
+    packet->hit.primID[k] = one.hit.primID;
+    packet->hit.geomID[k] = one.hit.geomID;
 }
 
 static bool any_below(const float distance[AOB_PACKET], float near)
@@ -126,7 +128,7 @@ static void check_near_hits(const struct aob_tracer *tracer, struct RTCIntersect
         return;
     for (int k = 0; k < AOB_PACKET; k++)
         if (valid[k] && packet->ray.tfar[k] < near)
-            packet->ray.tfar[k] = true_distance(tracer, context, packet, k, near, reach);
+            find_true_hit(tracer, context, packet, k, near, reach);
 }
 
 static void fill(float lanes[AOB_PACKET], float value)
@@ -138,7 +140,8 @@ static void fill(float lanes[AOB_PACKET], float value)
 /* rtcIntersect16 serves on every machine: with AVX2 alone it was measured at 0.92 of its speed with AVX-512.
  */
 void aob_gather_distances(const struct aob_tracer *tracer, const float origin[3],
-                          const struct aob_directions *directions, size_t count, float reach, float *distance)
+                          const struct aob_directions *directions, size_t count, float reach, float *distance,
+                          uint32_t *primitive)
 {
     struct RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -161,5 +164,8 @@ void aob_gather_distances(const struct aob_tracer *tracer, const float origin[3]
         rtcIntersect16(valid, tracer->scene, &context, &packet);
         check_near_hits(tracer, &context, valid, &packet, reach);
         memcpy(distance + i, packet.ray.tfar, sizeof packet.ray.tfar);
+        for (int k = 0; primitive && k < AOB_PACKET; k++)
+            primitive[i + (size_t)k] =
+                packet.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID ? AOB_NO_PRIMITIVE : packet.hit.primID[k];
     }
 }

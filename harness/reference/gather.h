@@ -19,8 +19,9 @@ void aob_surface_at(const struct aob_tracer *tracer, const struct aob_camera *ca
 uint64_t aob_gather_seed(const struct aob_hits *hits, size_t pixel, int half, uint32_t seed);
 
 /* Closest hits of all directions from `origin` within `reach` (unit space): distance[i] < reach of a hit, and
- * `reach` itself of a miss. `count` directions; the arrays are padded as the sampler's. */
+ * `reach` itself of a miss. primitive[i]: Embree's number of what is hit, AOB_NO_PRIMITIVE of a miss; NULL if nobody
+ * asks. `count` directions; the arrays are padded as the sampler's. */
 void aob_gather_distances(const struct aob_tracer *tracer, const float origin[3],
-                          const struct aob_directions *directions, size_t count, float reach,
-                          float *distance);
+                          const struct aob_directions *directions, size_t count, float reach, float *distance,
+                          uint32_t *primitive);
 #endif

@@ -46,8 +46,11 @@ void aob_hits_finish(struct aob_hits *hits);
 /* One visibility to compute: V = map(1 - mean over directions of [hit within radius] *
  * falloff(distance/radius)). */
 struct aob_visibility_term {
-    double radius;        /* scene units; INFINITY allowed (then falloff must be NULL) */
-    bool uniform;         /* weighting of directions: uniform over the hemisphere, else cosine */
+    double radius; /* scene units; INFINITY allowed (then falloff must be NULL) */
+    bool uniform;  /* weighting of directions: uniform over the hemisphere, else cosine */
+    bool
+        of_triangle; /* distance: from the surface point to the nearest point of the triangle that the ray meets
+                             first, however far along the ray; else along the ray */
     const float *falloff; /* `falloff_count` values over sqrt(t) = 0..1, linear between; NULL: 1 */
     size_t falloff_count; /* >= 1 with a table; 1: that value throughout */
 };
@@ -63,7 +66,8 @@ struct aob_visibility { /* width * height floats each, scene part only; sky pixe
     float *se;          /* |A-B|/2: the standard error's estimate of the pixel; pool it as an RMS */
 };
 /* Fills result[term_count] (its arrays are allocated here; aob_visibility_finish frees). False and one line
- * for bad spp, part, radius or falloff; nothing is allocated then. `camera` is the one that cast the hits.
+ * for bad spp, part, radius or falloff, and where terms differ in of_triangle, whose rays have no end; nothing is
+ * allocated then. `camera` is the one that cast the hits.
  * One closest-hit trace, to the largest radius, serves all terms (design.md, References 1): directions about
  * hits->normal, Owen-scrambled Sobol, each pixel and half scrambled by its own hash of place and
  * seed; the same result for any number of threads. Directions are cosine-distributed if all terms are. If any

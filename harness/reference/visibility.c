@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "gather.h"
 #include "tracer.h"
+#include "triangle.h"
 
 enum { TILE = 8 };
 
@@ -23,6 +24,7 @@ struct job {
     struct term *terms;
     size_t term_count;
     float reach;
+    bool of_triangle;
     int x0, y0, width, height;
     uint32_t seed;
     struct aob_visibility *result;
@@ -33,7 +35,8 @@ struct scratch {
     float *block; /* holds all the arrays */
     struct aob_directions directions;
     float *distance;
-    double *half; /* term_count occlusions of the first half */
+    uint32_t *primitive; /* NULL unless distances are to triangles */
+    double *half;        /* term_count occlusions of the first half */
 };
 
 static void scratch_init(struct scratch *scratch, const struct job *job)
@@ -43,12 +46,14 @@ static void scratch_init(struct scratch *scratch, const struct job *job)
     float *b = scratch->block;
     scratch->directions = (struct aob_directions){b, b + n, b + 2 * n, b + 3 * n};
     scratch->distance = b + 4 * n;
+    scratch->primitive = job->of_triangle ? aob_alloc(n, sizeof *scratch->primitive) : NULL;
     scratch->half = aob_alloc(job->term_count, sizeof *scratch->half);
 }
 
 static void scratch_finish(struct scratch *scratch)
 {
     free(scratch->block);
+    free(scratch->primitive);
     free(scratch->half);
 }
 
@@ -108,13 +113,37 @@ static double occlusion(const struct job *job, const struct term *term, const st
                                 : plain_occlusion(job, term, scratch->distance);
 }
 
+/* In place of the distances along the rays. Neighbouring rays often meet one triangle. */
+static void measure_triangles(const struct job *job, const struct aob_surface *surface,
+                              const struct scratch *scratch)
+{
+    const struct aob_tracer *tracer = job->tracer;
+    const float *o = surface->origin;
+    struct aob_vec3 local = aob_vec_scale(aob_vec(o[0], o[1], o[2]), 1 / tracer->to_unit), corner[3];
+    uint32_t last = AOB_NO_PRIMITIVE;
+    float distance = INFINITY;
+    for (size_t i = 0; i < job->sampler.count; i++) {
+        uint32_t primitive = scratch->primitive[i];
+        if (primitive == AOB_NO_PRIMITIVE)
+            continue;
+        if (primitive != last) {
+            aob_tracer_corners(tracer, tracer->triangle_of[primitive], corner);
+            distance = (float)(aob_triangle_distance(local, corner) * tracer->to_unit);
+        }
+        last = primitive;
+        scratch->distance[i] = distance;
+    }
+}
+
 static void trace_half(const struct job *job, const struct aob_surface *surface, size_t pixel, int half,
                        const struct scratch *scratch)
 {
     uint64_t seed = aob_gather_seed(job->hits, pixel, half, job->seed);
     aob_sampler_directions(&job->sampler, &surface->basis, seed, &scratch->directions);
     aob_gather_distances(job->tracer, surface->origin, &scratch->directions, job->sampler.count, job->reach,
-                         scratch->distance);
+                         scratch->distance, scratch->primitive);
+    if (job->of_triangle)
+        measure_triangles(job, surface, scratch);
 }
 
 static void do_pixel(const struct job *job, int x, int y, const struct scratch *scratch)
@@ -192,6 +221,9 @@ static bool check_desc(const struct aob_visibility_desc *desc, const struct aob_
     for (size_t i = 0; i < desc->term_count; i++)
         if (!check_term(&desc->terms[i], i, error))
             return false;
+    for (size_t i = 1; i < desc->term_count; i++)
+        if (desc->terms[i].of_triangle != desc->terms[0].of_triangle)
+            return aob_fail(error, "visibility: terms 0 and %zu measure distances differently", i);
     return true;
 }
 
@@ -225,7 +257,8 @@ static void job_init(struct job *job, const struct aob_tracer *tracer, const str
     size_t pixels = (size_t)job->width * (size_t)job->height;
     for (size_t i = 0; i < desc->term_count; i++) {
         job->terms[i] = unit_term(&desc->terms[i], tracer->to_unit);
-        job->reach = fmaxf(job->reach, job->terms[i].radius);
+        job->of_triangle = desc->terms[i].of_triangle;
+        job->reach = job->of_triangle ? INFINITY : fmaxf(job->reach, job->terms[i].radius);
         uniform |= desc->terms[i].uniform;
         result[i].ao = aob_alloc(pixels, sizeof *result[i].ao);
         result[i].se = aob_alloc(pixels, sizeof *result[i].se);

@@ -110,6 +110,28 @@ static const struct aob_scene_info cornell = {
     .build = build_cornell,
 };
 
+static void build_plates(struct aob_mesh *mesh)
+{
+    aob_mesh_add_quad(mesh, aob_vec(-4, 0, -4), aob_vec(0, 0, 8), aob_vec(8, 0, 0));
+    for (int i = 1; i <= 3; i++)
+        aob_mesh_add_box(mesh, aob_vec(-1, 0.3 * i, -1), aob_vec(1, 0.3 * i + 0.01, 1), 0);
+}
+
+static const struct aob_view plates_views[] = {
+    AOB_VIEW("front", 3, 1.6, 4, 0, 0.4, 0, 40),
+    AOB_VIEW("between", 1.7, 0.75, 2, 0.6, 0.5, 0.6, 45),
+};
+static const struct aob_scene_info plates = {
+    .name = "plates",
+    .title =
+        "Floor y = 0, 8 x 8 m about the origin; plates of 2 x 2 m, 0.01 m thick, from y = 0.3, 0.6 and 0.9: "
+        "thin solids that stack",
+    .metres_per_unit = 1,
+    .views = plates_views,
+    .view_count = AOB_COUNT(plates_views),
+    .build = build_plates,
+};
+
 static const struct aob_view bunny_views[] = {
     AOB_VIEW("front", 0, 0.4, 3.3, 0, 0, 0, 45),
     AOB_VIEW("left", -3, 0.6, 1, 0, 0, 0, 45),
@@ -184,6 +206,7 @@ const struct aob_scene_info *const aob_scenes[] = {&plane,
                                                    &corner,
                                                    &spheres,
                                                    &cornell,
+                                                   &plates,
                                                    &aob_scene_atrium,
                                                    &aob_scene_machine,
                                                    &aob_scene_grass,

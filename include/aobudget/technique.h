@@ -19,7 +19,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define AOB_ABI_MAJOR 2u /* raised by a change to this file: modules of another number are refused */
+#define AOB_ABI_MAJOR 3u /* raised by a change to this file: modules of another number are refused */
 #define AOB_ABI_MINOR 0u /* raised when a field joins the end of aob_technique: older modules load */
 #define AOB_ABI       (AOB_ABI_MAJOR << 16 | AOB_ABI_MINOR)
 enum {
@@ -214,12 +214,18 @@ enum aob_weight {
     AOB_WEIGHT_COSINE,  /* of the directions on the hemisphere: cos/pi */
     AOB_WEIGHT_UNIFORM, /* 1/(2 pi) */
 };
+enum aob_distance {
+    AOB_DISTANCE_RAY, /* of an occluder: along the ray that meets it */
+    AOB_DISTANCE_TRIANGLE, /* to the nearest point of the triangle that the ray meets, however far along the ray; for
+                              techniques that draw triangles, whose image depends on how surfaces are cut into them */
+};
 struct aob_definition {
     enum aob_weight weight; /* a choice parameter `weighting` (cosine, uniform) takes its place */
     float (*radius)(const void *values); /* scene units; NULL: the parameter `radius`; NAN where these
                                                       values' claim cannot be said in the terms below */
-    float (*falloff)(const void *values, float t); /* what an occluder at distance t * radius counts, t in
+    float (*falloff)(const void *values, float t);     /* what an occluder at distance t * radius counts, t in
                                                       [0, 1]; NULL: 1, the hard cutoff */
+    enum aob_distance (*distance)(const void *values); /* NULL: AOB_DISTANCE_RAY */
     float (*map)(const void *values, float v); /* of the traced value, where the text maps it; NULL: none */
 };
 

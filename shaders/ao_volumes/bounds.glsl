@@ -1,21 +1,25 @@
 /* The rectangle in the image around a triangle's volume: the triangle made larger by the radius in its plane, and
  * pushed out by the radius along its front's normal. A rectangle covers each pixel once, whatever the eye is in. */
 #include "volume_size.glsl"
+#include "tile_size.glsl"
 
 const vec4 NOTHING = vec4(0.0, 0.0, 0.0, 1.0);
 
-/* Places of the corners of an oriented box in the image; unbounded towards a side where it passes the eye's plane. */
-void image_bounds(vec3 low, vec3 high, vec3 axis[3], out vec2 first, out vec2 last, out bool seen)
+/* Places of the corners of an oriented box in the image, and its depths; unbounded towards a side where it passes the
+ * eye's plane. */
+void image_bounds(vec3 low, vec3 high, vec3 axis[3], out vec2 first, out vec2 last, out vec2 depths, out bool seen)
 {
     vec2 least = vec2(1e30), most = vec2(-1e30);
     bool passes = false;
     first = vec2(1e30);
     last = vec2(-1e30);
+    depths = vec2(1e30, -1e30);
     seen = false;
     for (int i = 0; i < 8; i++) {
         vec3 part = vec3(i & 1, i >> 1 & 1, i >> 2);
         vec3 w = low * (1.0 - part) + high * part;
         vec3 corner = w.x * axis[0] + w.y * axis[1] + w.z * axis[2];
+        depths = vec2(min(depths.x, -corner.z), max(depths.y, -corner.z));
         bool before = AOB_PERSPECTIVE == 0 || corner.z < -1e-6 * RADIUS_OUT;
         vec2 q = aob_project(vec3(corner.xy, before ? corner.z : -1.0));
         least = min(least, vec2(corner.x, -corner.y));
@@ -30,6 +34,30 @@ void image_bounds(vec3 low, vec3 high, vec3 axis[3], out vec2 first, out vec2 la
         last = mix(last, vec2(1e30), greaterThan(most, vec2(0.0)));
     }
 }
+
+#if CULL == 1
+/* From image positions to pixels of the occlusion's size and back. */
+vec2 to_target(vec2 q) { return (q - 0.5) / float(STRIDE) + 0.5; }
+vec2 from_target(vec2 t) { return (t - 0.5) * float(STRIDE) + 0.5; }
+
+/* Leaves of the rectangle what lies about the tiles that hold a surface within these depths. */
+void cull(inout vec2 first, inout vec2 last, vec2 depths)
+{
+    ivec2 tiles = (aob_target_size + TILE - 1) / TILE;
+    ivec2 from = max(ivec2(floor(to_target(first))) / TILE, ivec2(0)),
+          to = min(ivec2(floor(to_target(last))) / TILE, tiles - 1), least = tiles, most = ivec2(-1);
+    depths += vec2(-1e-5, 1e-5) * abs(depths);
+    for (int y = from.y; y <= to.y; y++)
+        for (int x = from.x; x <= to.x; x++) {
+            vec2 range = aob_fetch_tiles(ivec2(x, y));
+            bool meets = range.x <= depths.y && range.y >= depths.x;
+            least = meets ? min(least, ivec2(x, y)) : least;
+            most = meets ? max(most, ivec2(x, y)) : most;
+        }
+    first = max(first, from_target(vec2(least * TILE)));
+    last = min(last, from_target(vec2((most + 1) * TILE)));
+}
+#endif
 
 vec4 place(int triangle, int vertex)
 {
@@ -50,11 +78,15 @@ vec4 place(int triangle, int vertex)
     }
     low.xy -= RADIUS_OUT;
     high += vec3(RADIUS_OUT, RADIUS_OUT, param.radius);
-    vec2 first, last;
+    vec2 first, last, depths;
     bool seen;
-    image_bounds(low, high, axis, first, last, seen);
+    image_bounds(low, high, axis, first, last, depths, seen);
     first = max(first - 1.0, vec2(-2.0));
     last = min(last + 1.0, vec2(aob_size) + 2.0);
+#if CULL == 1
+    if (seen)
+        cull(first, last, depths);
+#endif
     if (!seen || any(greaterThanEqual(first, last)))
         return NOTHING;
     vec2 corner = vec2(vertex == 1 || vertex == 2 || vertex == 4, vertex == 2 || vertex == 4 || vertex == 5);

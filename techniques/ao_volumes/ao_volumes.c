@@ -6,7 +6,7 @@
 
 struct values {
     float radius;
-    int32_t falloff, sides, divisor;
+    int32_t falloff, sides, cull, divisor;
 };
 
 static const struct aob_param params[] = {
@@ -23,6 +23,10 @@ static const struct aob_param params[] = {
               .initial = 8,
               .doc = "Of the polygon that stands for the disc within the radius (falloff 0); more is "
                      "rounder."),
+    AOB_PARAM(struct values, cull, .stage = AOB_CONSTANT, .min = 0, .max = 1, .initial = 1,
+              .doc =
+                  "1: a volume is drawn over the tiles only whose surfaces lie in its depths, and not at all "
+                  "where there are none; 0: over all of its rectangle; the image is the same."),
     AOB_PARAM_DIVISOR(struct values, divisor),
 };
 
@@ -31,11 +35,14 @@ static bool check(const void *values, const char **why)
     return aob_step_divisor_check(((const struct values *)values)->divisor, why);
 }
 
-/* With falloff 1 what a hit counts depends on the triangle that is hit, which no falloff over the distance says. */
-static float definition_radius(const void *values)
+static float falloff(const void *values, float t)
 {
-    const struct values *v = values;
-    return v->falloff ? NAN : v->radius;
+    return ((const struct values *)values)->falloff ? 1 - t : 1;
+}
+
+static enum aob_distance distance(const void *values)
+{
+    return ((const struct values *)values)->falloff ? AOB_DISTANCE_TRIANGLE : AOB_DISTANCE_RAY;
 }
 
 /* The polygon has the disc's area, so its corners lie outside the disc; volume.glsl has the same ratio. */
@@ -45,14 +52,32 @@ static float reach(const struct values *v)
     return v->falloff ? v->radius : v->radius * sqrtf(turn / sinf(turn));
 }
 
+enum { TILE = 8 }; /* tile_size.glsl */
+
+/* Depths of the tiles, by which volumes are culled; id 0 where they are not. */
+static aob_tex tiles(struct aob_graph *graph, const struct values *v, const char *stride)
+{
+    if (!v->cull)
+        return (aob_tex){0};
+    aob_tex ranges =
+        aob_texture(graph, .name = "tiles", .format = AOB_RG32F, .divisor = (uint32_t)(TILE * v->divisor));
+    aob_pass(graph, .name = "tiles", .shader = "tiles", .defines = stride, .reads = AOB_DEPTH,
+             .out = {{.name = "range", .tex = ranges}});
+    return ranges;
+}
+
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
     uint32_t divisor = (uint32_t)v->divisor;
+    char stride[16];
+    snprintf(stride, sizeof stride, "STRIDE=%u", divisor);
+    aob_tex ranges = tiles(graph, v, stride);
     aob_tex sum = aob_texture(graph, .name = "occlusion", .format = AOB_R32F, .divisor = divisor);
     aob_tex low = aob_texture(graph, .name = "visibility", .format = AOB_R32F, .divisor = divisor);
     aob_pass(graph, .name = "volumes", .draw = AOB_TRIANGLES, .vertex = "bounds", .shader = "volume",
-             .per_triangle = 6, .reach = reach(v), .reads = AOB_DEPTH | AOB_NORMAL,
+             .defines = stride, .per_triangle = 6, .reach = reach(v), .reads = AOB_DEPTH | AOB_NORMAL,
+             .in = {{.name = v->cull ? "tiles" : NULL, .tex = ranges}},
              .out = {{.name = "occlusion", .tex = sum}});
     aob_pass(graph, .name = "visibility", .shader = "visibility", .in = {{.name = "occlusion", .tex = sum}},
              .out = {{.name = "visibility", .tex = low}});
@@ -60,7 +85,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    ao_volumes, .title = "Ambient occlusion volumes", .revision = 1, .shaders = aob_shaders_ao_volumes,
+    ao_volumes, .title = "Ambient occlusion volumes", .revision = 2, .shaders = aob_shaders_ao_volumes,
     .summary = "The scene's triangles themselves, not the depth buffer, occlude: each is clipped to the "
                "pixel's tangent plane and to the radius, and its form factor is added in closed form.",
     .notes =
@@ -68,12 +93,14 @@ AOB_TECHNIQUE(
         "sheet casts nothing behind it. Volumes of surfaces thinner than half the radius overlap and are "
         "counted twice: darker than ray tracing, as the text says. The text gives no distance limit; "
         "falloff 0 clips to the disc that the ball of the radius cuts out of the triangle's plane; falloff 1 "
-        "depends on the triangle that a ray meets, which no falloff over distance says: it is compared with "
-        "nothing "
-        "of its own. Each volume is drawn as the rectangle of its box in the image, and its pixels decide: "
+        "is traced by the distance of the triangle that a ray meets, at any length of the ray. Each volume "
+        "is drawn as the rectangle of its box in the image, and its pixels decide: "
         "more "
-        "fragments than the text's prisms. "
+        "fragments than the text's prisms. Volumes that reach no surface are culled by the depths of tiles "
+        "of 8 x 8 "
+        "pixels. "
         "The text gives the signed area of a disc's segment; here it is Lambert's sum, with angles by atan2.",
     .citation = "McGuire: Ambient Occlusion Volumes, text of two pages (2010)", .params = params,
     .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
-    .definition = {.weight = AOB_WEIGHT_COSINE, .radius = definition_radius}, .check = check, .build = build);
+    .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .distance = distance}, .check = check,
+    .build = build);

@@ -69,7 +69,7 @@ static double trace_prepared(const struct bench *bench, size_t *hits)
             for (size_t half = 0; half < 2; half++) {
                 float *d = at + 3 + half * 3 * (SPP / 2);
                 struct aob_directions directions = {d, d + SPP / 2, d + 2 * (SPP / 2), NULL};
-                aob_gather_distances(bench->tracer, at, &directions, SPP / 2, reach, distance);
+                aob_gather_distances(bench->tracer, at, &directions, SPP / 2, reach, distance, NULL);
                 found += distance[0] < reach;
             }
         }

@@ -65,6 +65,13 @@ done
 awk_check "less is missing with a guard band" \
   "$(number both/journal.jsonl 2 error.missing_rmse) < $(number both/journal.jsonl 1 error.missing_rmse)"
 
+# What draws the scene's triangles is not bound to the screen: nothing is missing, and falloff 1 has its own truth.
+check "volumes" "$program" shot --technique ao_volumes --scene corner --size 160x90 --backend gl-egl --reference-spp 128 \
+  -p radius=1 -p falloff=1 --json volumes.json
+awk_check "nothing is missing to volumes" "$(jq .error.missing_rmse volumes.json) == 0"
+awk_check "their taper is traced" "$(jq .error.estimator_rmse volumes.json) < 0.005 && $(jq .error.definition_rmse volumes.json) > 0.01"
+check "by the triangles' distance" test "$(jq -r .definition.distance volumes.json)" = triangle
+
 # The same frame as a capture: its only reference is the bound, so its whole error is the frame's estimator error.
 shot=("$program" shot --technique gtao --backend gl-egl --reference-spp 64 -p blur=0)
 check "a frame" "${shot[@]}" --scene atrium --size 160x90 --out F.exr --json frame.json

@@ -168,18 +168,100 @@ static void test_box_on_plane(void **state)
     aob_mesh_finish(&mesh);
 }
 
+/* falloff 1: each triangle counts by its distance. The tracer computes the same by the triangles that its rays meet, so
+ * the two agree with whole walls and with cut ones, while the two images differ. */
+static void check_tapered(struct aob_gpu *gpu, const char *name, const struct aob_mesh *mesh,
+                          const struct aob_camera *camera, double radius, double bar)
+{
+    static float ao[2][PIXELS], definition[PIXELS];
+    double rmse[2] = {0}, apart = 0;
+    char params[40];
+    snprintf(params, sizeof params, "radius=%g falloff=1", radius);
+    for (int fine = 0; fine < 2; fine++) {
+        struct aob_mesh pieces = fine ? cut(mesh, radius / 4) : (struct aob_mesh){0};
+        struct aob_rig rig;
+        aob_rig_init(&rig, fine ? &pieces : mesh, camera, W, H, 0);
+        aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_SAMPLED, ao[fine]);
+        aob_rig_definition(&rig, "ao_volumes", params, SPP, definition);
+        for (int i = 0; i < PIXELS; i++)
+            rmse[fine] += pow((double)ao[fine][i] - (double)definition[i], 2) / PIXELS;
+        aob_rig_finish(&rig);
+        aob_mesh_finish(&pieces);
+    }
+    for (int i = 0; i < PIXELS; i++)
+        apart += pow((double)ao[0][i] - (double)ao[1][i], 2) / PIXELS;
+    printf(
+        "ao_volumes, falloff 1, on %s R=%g: RMSE to its definition %.4f whole, %.4f cut; images %.3f apart\n",
+        name, radius, sqrt(rmse[0]), sqrt(rmse[1]), sqrt(apart));
+    assert_true(sqrt(rmse[0]) <= bar && sqrt(rmse[1]) <= bar);
+    assert_true(sqrt(apart) > 2 * bar);
+}
+
+static void test_tapered_is_its_definition(void **state)
+{
+    (void)state;
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    const struct aob_scene_info *room = aob_scene_find("cornell");
+    struct aob_camera camera = aob_scene_view(room, NULL)->camera;
+    struct aob_mesh corner = {0}, cornell = {0}, box = box_on_plane();
+    /* `corner` near the crease: whole walls of 40 m would be cut into a million triangles. */
+    aob_mesh_add_quad(&corner, aob_vec(-4, 0, 0), aob_vec(0, 0, 6), aob_vec(8, 0, 0));
+    aob_mesh_add_quad(&corner, aob_vec(-4, 0, 0), aob_vec(8, 0, 0), aob_vec(0, 6, 0));
+    check_tapered(gpu, "corner", &corner,
+                  &(struct aob_camera){.eye = {0, 2, 4}, .target = {0, 0.8, 0}, .fov_deg = 60}, 1, 0.005);
+    check_tapered(gpu, "box on a plane", &box, &box_camera, 1, 0.005);
+    camera.eye = aob_vec(0.0131, 1.0072, 3.4);
+    room->build(&cornell);
+    check_tapered(gpu, "cornell", &cornell, &camera, 0.25, 0.01);
+    aob_mesh_finish(&corner);
+    aob_mesh_finish(&cornell);
+    aob_mesh_finish(&box);
+    aob_gpu_close(gpu);
+}
+
+/* What culling leaves out adds nothing. The spheres hide half of their triangles. */
+static void test_culling_changes_nothing(void **state)
+{
+    (void)state;
+    enum { WIDE = W - 3, HIGH = H - 1 };
+    static float all[WIDE * HIGH], some[WIDE * HIGH];
+    static const struct {
+        const char *scene, *params;
+        int guard;
+    } rows[] = {{"cornell", "radius=0.1", 0},
+                {"cornell", "radius=0.5 falloff=1", 10},
+                {"cornell", "radius=0.5 divisor=4", 0},
+                {"corner", "radius=0.5 divisor=2", 10},
+                {"corner", "radius=5", 0},
+                {"spheres", "radius=0.05", 0}};
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    for (size_t r = 0; r < AOB_COUNT(rows); r++) {
+        struct aob_rig rig;
+        char params[60];
+        float most = 0;
+        aob_rig_scene(&rig, rows[r].scene, NULL, WIDE, HIGH, rows[r].guard);
+        snprintf(params, sizeof params, "%s cull=0", rows[r].params);
+        aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_SAMPLED, all);
+        snprintf(params, sizeof params, "%s cull=1", rows[r].params);
+        aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_STORAGE, some);
+        for (int i = 0; i < WIDE * HIGH; i++)
+            most = fmaxf(most, fabsf(all[i] - some[i]));
+        assert_true(most <= 1e-6F);
+        aob_rig_finish(&rig);
+    }
+    aob_gpu_close(gpu);
+}
+
 /* Sheets nearer to each other than half the radius hide behind one another, and each counts. */
 static void test_stacked_sheets_darken(void **state)
 {
     (void)state;
     static float ao[PIXELS];
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
-    struct aob_camera camera = {.eye = {3, 1.6, 4}, .target = {0, 0.4, 0}, .fov_deg = 40};
+    const struct aob_scene_info *plates = aob_scene_find("plates");
     struct aob_mesh mesh = {0};
-    aob_mesh_add_quad(&mesh, aob_vec(-4, 0, -4), aob_vec(0, 0, 8), aob_vec(8, 0, 0));
-    for (int i = 1; i <= 3; i++)
-        aob_mesh_add_box(&mesh, aob_vec(-1, 0.3 * i, -1), aob_vec(1, 0.3 * i + 0.01, 1), 0);
-    struct score s = score_mesh(gpu, &mesh, &camera, 0.8, ao);
+    plates->build(&mesh);
+    struct score s = score_mesh(gpu, &mesh, &aob_scene_view(plates, NULL)->camera, 0.8, ao);
     printf("ao_volumes on sheets .3 apart, R=.8: bias %.4f, %.2f %% of pixels brighter by 3 SE (%.4f), at "
            "most %.4f\n",
            s.bias, 100 * s.brighter_share, s.se, s.brighter_most);
@@ -260,8 +342,8 @@ static void expect_refusal(struct aob_gpu *gpu, const struct aob_rig *rig,
     struct aob_error error = {{0}};
     const struct {
         float radius;
-        int32_t falloff, sides, divisor;
-    } values = {1, 0, 8, 1};
+        int32_t falloff, sides, cull, divisor;
+    } values = {1, 0, 8, 1, 1};
     const struct aob_technique *const *t = aob_builtin_techniques;
     while (strcmp((*t)->name, "ao_volumes") != 0)
         t++;
@@ -301,6 +383,8 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_corner_is_exact),
                                        cmocka_unit_test(test_cornell),
                                        cmocka_unit_test(test_box_on_plane),
+                                       cmocka_unit_test(test_tapered_is_its_definition),
+                                       cmocka_unit_test(test_culling_changes_nothing),
                                        cmocka_unit_test(test_stacked_sheets_darken),
                                        cmocka_unit_test(test_occluder_never_brightens),
                                        cmocka_unit_test(test_divided_is_near_the_full_image),
