@@ -277,7 +277,9 @@ static enum aob_exit command_papers(int argc, char **argv, struct aob_error *err
     struct aob_papers_desc desc = {0};
     enum aob_exit code;
     const struct aob_flag flags[] = {
-        {.name = "quick", .on = &desc.quick, .help = "small images, short timing: about a minute"},
+        {.name = "quick",
+         .on = &desc.quick,
+         .help = "the middle columns of each picture, short timing: under a minute"},
         {.name = "filter",
          .value = "TEXT",
          .text = &desc.filter,

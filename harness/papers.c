@@ -74,7 +74,7 @@ static bool run_config(struct papers *papers, const char *name, const char *fold
                                 .fresh = true,
                                 .quiet = true,
                                 .no_page = true,
-                                .max_width = quick ? 320 : 0,
+                                .max_width = quick ? 80 : 0,
                                 .max_seconds = quick ? 0.1 : 0,
                                 .max_spp = quick ? 64 : 0};
     if (!papers->desc->quiet)

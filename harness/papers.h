@@ -11,7 +11,7 @@ struct aob_papers_desc {
     const char *filter; /* only rows whose name holds this text; NULL: all */
     const char *out;    /* folder; NULL: results/papers. Runs in it of the same names are discarded */
     const char *json;   /* the document; "-": standard output, and no table; NULL: none */
-    bool quick, quiet;  /* quick: 320 pixels wide, 0.1 s a case, 64 rays a pixel */
+    bool quick, quiet;  /* quick: the middle 80 columns of each picture, 0.1 s a case, 64 rays a pixel */
 };
 
 /* OK: every row has a verdict, whatever it is. PART: a row could not be run. USAGE: no row of that name, a config is

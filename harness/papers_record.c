@@ -6,7 +6,6 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "papers_row.h"
-#include "store/image.h"
 
 const char *const aob_paper_verdicts[] = {"reproduced", "shape only", "not reproduced",
                                           "needs a device model", "could not be run"};
@@ -78,15 +77,16 @@ const json_t *aob_paper_find(const struct aob_paper_run *run, const char *techni
     return NULL;
 }
 
-double aob_paper_cost(const json_t *record, bool blur)
+double aob_paper_cost(const json_t *record, const char *passes)
 {
     const json_t *time = json_object_get(record, "time"), *pass;
     size_t at;
     double sum = 0;
     json_array_foreach(json_object_get(time, "passes"), at, pass)
     {
-        bool blurs = strncmp(json_string_value(json_object_get(pass, "name")), "blur", 4) == 0;
-        sum += blurs == blur ? aob_json_to_number(json_object_get(pass, "cpu_ms")) : 0;
+        const char *name = json_string_value(json_object_get(pass, "name"));
+        bool counts = !passes || strncmp(name, passes, strlen(passes)) == 0;
+        sum += counts ? aob_json_to_number(json_object_get(pass, "cpu_ms")) : 0;
     }
     return sum / aob_json_to_number(json_object_get(time, "ref_cpu_ms"));
 }
@@ -96,8 +96,8 @@ double aob_paper_error(const json_t *record, const char *field)
     return aob_json_to_number(json_object_get(json_object_get(record, "error"), field));
 }
 
-static bool read_image(const struct aob_paper_run *run, const json_t *record, struct aob_image *image,
-                       struct aob_error *error)
+bool aob_paper_image(const struct aob_paper_run *run, const json_t *record, struct aob_image *image,
+                     struct aob_error *error)
 {
     const char *name = json_string_value(json_object_get(record, "image"));
     if (!name)
@@ -112,7 +112,7 @@ bool aob_paper_compare(const struct aob_paper_run *run, const json_t *a, const j
                        struct aob_error *error)
 {
     struct aob_image first = {0}, second = {0};
-    bool ok = read_image(run, a, &first, error) && read_image(run, b, &second, error);
+    bool ok = aob_paper_image(run, a, &first, error) && aob_paper_image(run, b, &second, error);
     const float *p = ok ? aob_image_channel(&first, "technique.AO") : NULL,
                 *q = ok ? aob_image_channel(&second, "technique.AO") : NULL;
     size_t count = (size_t)first.width * (size_t)first.height;

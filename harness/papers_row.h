@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include "base/error.h"
+#include "store/image.h"
 
 enum { AOB_PAPER_FIGURES = 6 };
 enum aob_paper_verdict {
@@ -48,9 +49,13 @@ enum aob_paper_verdict aob_paper_judge(const struct aob_paper_row *row,
 const json_t *aob_paper_find(const struct aob_paper_run *run, const char *technique, const char *values,
                              struct aob_error *error);
 
-/* Time in units of the fixed pass, of the passes that blur or of the others. */
-double aob_paper_cost(const json_t *record, bool blur);
+/* Time in units of the fixed pass, of the passes whose name begins so ("blur"); NULL: of all. */
+double aob_paper_cost(const json_t *record, const char *passes);
 double aob_paper_error(const json_t *record, const char *field);
+
+/* The image that the record's case kept; aob_image_finish frees. False after one line where it has none. */
+bool aob_paper_image(const struct aob_paper_run *run, const json_t *record, struct aob_image *image,
+                     struct aob_error *error);
 
 /* RMS of the difference between two records' images, over all pixels. */
 bool aob_paper_compare(const struct aob_paper_run *run, const json_t *a, const json_t *b, double *rmse,

@@ -38,13 +38,9 @@ static bool read_config(struct run *run, struct aob_error *error)
     struct aob_config *config = &run->config;
     if (!aob_config_read(config, desc->config, error))
         return false;
-    for (size_t i = 0; i < config->size_count; i++) {
-        struct aob_size *size = &config->sizes[i];
-        if (desc->max_width && size->width > desc->max_width) {
-            int height = size->height * desc->max_width / size->width;
-            *size = (struct aob_size){desc->max_width, height > 1 ? height : 1};
-        }
-    }
+    for (size_t i = 0; i < config->size_count; i++)
+        if (desc->max_width && config->sizes[i].width > desc->max_width)
+            config->sizes[i].width = desc->max_width;
     if (desc->max_seconds > 0 && config->seconds > desc->max_seconds)
         config->seconds = desc->max_seconds;
     if (desc->max_spp && config->spp > desc->max_spp)

@@ -13,7 +13,8 @@ struct aob_run_desc {
     const char *json;   /* summary document to this file, "-": standard output; NULL: none */
     bool fresh, quiet;  /* fresh: what the folder held of an earlier run is removed first */
     bool no_page;       /* the journal only; `aobudget report` can make the page later */
-    int max_width;      /* pixels; a wider resolution shrinks to it, shape kept; 0: as the config says */
+    int max_width; /* pixels; of wider pictures only the middle columns, at their scale, so that a pixel costs what
+                           it did; 0: as the config says */
     double max_seconds; /* of timing a case; 0: as the config says */
     int max_spp;        /* rays a pixel of the reference, even; 0: as the config says */
 };

@@ -5,5 +5,8 @@ float same_surface(vec3 centre, vec3 normal, vec3 other, vec3 other_normal)
     vec3 d = other - centre;
     float off_plane = abs(dot(d, normal));
     float near = off_plane <= 0.05 * length(d) + 1e-4 * -centre.z ? 1.0 : 0.0;
-    return near * pow(max(dot(other_normal, normal), 0.0), 8.0);
+    float facing = max(dot(other_normal, normal), 0.0);
+    facing *= facing; /* its eighth power: pow() took a quarter of a blur's time on llvmpipe */
+    facing *= facing;
+    return near * facing * facing;
 }

@@ -144,7 +144,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    crytek_ssao, .title = "Crytek screen-space ambient occlusion", .revision = 1,
+    crytek_ssao, .title = "Crytek screen-space ambient occlusion", .revision = 2,
     .shaders = aob_shaders_crytek_ssao,
     .citation = "Kajalin: Screen-Space Ambient Occlusion, ShaderX7 (2009), 6.1",
     .summary = "The share of a sphere about the surface point that lies in front of the depth buffer, "

@@ -107,7 +107,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    hbao, .title = "Horizon-based ambient occlusion", .revision = 2, .shaders = aob_shaders_hbao,
+    hbao, .title = "Horizon-based ambient occlusion", .revision = 3, .shaders = aob_shaders_hbao,
     .summary =
         "Visibility from horizons about the view axis: along even directions in the image each sample "
         "that raises the horizon adds the sector it closes, attenuated by its distance. Elevations are "

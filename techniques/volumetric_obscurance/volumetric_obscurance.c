@@ -91,7 +91,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    volumetric_obscurance, .title = "Volumetric obscurance", .revision = 1,
+    volumetric_obscurance, .title = "Volumetric obscurance", .revision = 2,
     .shaders = aob_shaders_volumetric_obscurance,
     .summary = "The empty share of a sphere about the surface point, by lines along the view that end at the "
                "depth buffer, doubled: a flat wall is open.",

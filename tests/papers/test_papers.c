@@ -45,8 +45,9 @@ static void records(void **state)
     struct aob_error error = {{0}};
     const json_t *found = aob_paper_find(&run, "t", "a=1e-6 b=on", &error);
     assert_non_null(found);
-    assert_float_equal(aob_paper_cost(found, false), 3, 1e-12);
-    assert_float_equal(aob_paper_cost(found, true), 2, 1e-12);
+    assert_float_equal(aob_paper_cost(found, "ao"), 3, 1e-12);
+    assert_float_equal(aob_paper_cost(found, "blur"), 2, 1e-12);
+    assert_float_equal(aob_paper_cost(found, NULL), 5, 1e-12);
     assert_null(aob_paper_find(&run, "t", "a=2", &error));
     assert_non_null(strstr(error.text, "broke"));
     assert_null(aob_paper_find(&run, "t", "a=3", &error));

@@ -24,9 +24,9 @@ static double searched_distance(struct aob_vec3 p, const struct aob_vec3 c[3], i
     double nearest = INFINITY;
     for (int i = 0; i <= grid; i++)
         for (int j = 0; i + j <= grid; j++) {
-            struct aob_vec3 q = aob_vec_add(
-                c[0], aob_vec_add(aob_vec_scale(aob_vec_sub(c[1], c[0]), (double)i / grid),
-                                  aob_vec_scale(aob_vec_sub(c[2], c[0]), (double)j / grid)));
+            struct aob_vec3 q =
+                aob_vec_add(c[0], aob_vec_add(aob_vec_scale(aob_vec_sub(c[1], c[0]), (double)i / grid),
+                                              aob_vec_scale(aob_vec_sub(c[2], c[0]), (double)j / grid)));
             nearest = fmin(nearest, aob_vec_length(aob_vec_sub(p, q)));
         }
     return nearest;
@@ -44,7 +44,8 @@ static void distance_is_the_nearest_of_its_points(void **state)
         if (n % 5 == 0) /* a sliver */
             c[2] = aob_vec_add(c[1], random_point(&seed, 1e-3));
         double found = aob_triangle_distance(p, c), searched = searched_distance(p, c, GRID);
-        double cell = fmax(aob_vec_length(aob_vec_sub(c[1], c[0])), aob_vec_length(aob_vec_sub(c[2], c[0]))) / GRID;
+        double cell =
+            fmax(aob_vec_length(aob_vec_sub(c[1], c[0])), aob_vec_length(aob_vec_sub(c[2], c[0]))) / GRID;
         assert_true(found <= searched + 1e-12);
         assert_true(found >= searched - 2 * cell);
         over += found < 0.98 * aob_vec_length(aob_vec_sub(p, c[0]));
@@ -66,7 +67,8 @@ static double ray_hit(struct aob_vec3 o, struct aob_vec3 d, const struct aob_vec
 static double followed(const struct aob_mesh *mesh, struct aob_vec3 p, struct aob_vec3 n, double radius)
 {
     double near[64], sum = 0;
-    struct aob_vec3 x = aob_vec_normalize(aob_vec_cross(fabs(n.y) < 0.9 ? aob_vec(0, 1, 0) : aob_vec(1, 0, 0), n)),
+    struct aob_vec3 x = aob_vec_normalize(
+                        aob_vec_cross(fabs(n.y) < 0.9 ? aob_vec(0, 1, 0) : aob_vec(1, 0, 0), n)),
                     y = aob_vec_cross(n, x);
     assert_true(mesh->triangle_count <= 64);
     for (size_t t = 0; t < mesh->triangle_count; t++) {
@@ -76,9 +78,11 @@ static double followed(const struct aob_mesh *mesh, struct aob_vec3 p, struct ao
         near[t] = searched_distance(p, c, GRID);
     }
     for (int i = 0; i < CELLS * CELLS; i++) {
-        double r = sqrt((i / CELLS + 0.5) / CELLS), turn = 2 * M_PI * (i % CELLS + 0.5) / CELLS, nearest = INFINITY;
-        struct aob_vec3 d = aob_vec_add(aob_vec_scale(n, sqrt(1 - r * r)),
-                                        aob_vec_add(aob_vec_scale(x, r * cos(turn)), aob_vec_scale(y, r * sin(turn))));
+        double r = sqrt((i / CELLS + 0.5) / CELLS), turn = 2 * M_PI * (i % CELLS + 0.5) / CELLS,
+               nearest = INFINITY;
+        struct aob_vec3 d =
+            aob_vec_add(aob_vec_scale(n, sqrt(1 - r * r)),
+                        aob_vec_add(aob_vec_scale(x, r * cos(turn)), aob_vec_scale(y, r * sin(turn))));
         size_t met = 0;
         for (size_t t = 0; t < mesh->triangle_count; t++) {
             struct aob_vec3 c[3];
@@ -100,7 +104,8 @@ static void visibility_by_triangles(void **state)
     float falloff[257];
     for (int i = 0; i < 257; i++)
         falloff[i] = 1 - (float)(i * i) / (256 * 256);
-    struct aob_visibility_term term = {.radius = 1.5, .falloff = falloff, .falloff_count = 257, .of_triangle = true};
+    struct aob_visibility_term term = {
+        .radius = 1.5, .falloff = falloff, .falloff_count = 257, .of_triangle = true};
     const struct aob_scene_info *scene = aob_scene_find("cornell");
     struct aob_camera camera = aob_scene_view(scene, "front")->camera;
     camera.eye = aob_vec(0.0131, 1.0072, 3.4);
@@ -121,15 +126,17 @@ static void visibility_by_triangles(void **state)
         const float *n = shot.hits.normal[i];
         if (shot.hits.primitive[i] == AOB_NO_PRIMITIVE)
             continue;
-        struct aob_vec3 normal = aob_vec_add(aob_vec_scale(axes.right, n[0]),
-                                             aob_vec_add(aob_vec_scale(axes.up, n[1]), aob_vec_scale(axes.back, n[2])));
+        struct aob_vec3 normal =
+            aob_vec_add(aob_vec_scale(axes.right, n[0]),
+                        aob_vec_add(aob_vec_scale(axes.up, n[1]), aob_vec_scale(axes.back, n[2])));
         double value = followed(&mesh, pixel_point(&shot, i), normal, term.radius);
         sum += pow((double)shot.visibility[0].ao[i] - value, 2);
         apart += pow((double)along.visibility[0].ao[i] - value, 2);
         count++;
     }
-    print_message("           %zu pixels: RMSE %.5f to rays followed without Embree; along the rays it would be %.3f\n",
-                  count, sqrt(sum / (double)count), sqrt(apart / (double)count));
+    print_message(
+        "           %zu pixels: RMSE %.5f to rays followed without Embree; along the rays it would be %.3f\n",
+        count, sqrt(sum / (double)count), sqrt(apart / (double)count));
     assert_true(count > 40);
     assert_true(sqrt(sum / (double)count) <= 0.004);
     assert_true(sqrt(apart / (double)count) > 0.02);

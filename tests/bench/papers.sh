@@ -1,0 +1,37 @@
+# Sourced by bench.sh: what the scene's own triangles cost, and the texts' figures.
+if wanted volumes; then
+  # The bunny has 69,666 triangles. A pair in one block, so that their ratio holds on a busy machine.
+  entry ao_volumes 'radius: 0.1' '{param: cull, values: [0, 1]}' |
+    config volumes '{name: bunny}' 480x270 'error: false, seconds: 20' 'spp: 2' >"$folder/volumes.yaml"
+  entry ao_volumes 'radius: 0.1, divisor: 2' '' | sed 's/, sweep: \[\]//' >>"$folder/more"
+  entry ao_volumes 'radius: 0.5, divisor: 4' '' | sed 's/, sweep: \[\]//' >>"$folder/more"
+  entry ao_volumes 'radius: 0.5' '' | sed 's/, sweep: \[\]//' >>"$folder/more"
+  sed -i "/^techniques:/r $folder/more" "$folder/volumes.yaml"
+  build/release/aobudget run "$folder/volumes.yaml" --out "$folder/volumes" --quiet || true
+  volume() { jq -r "select(.params.radius == $1 and .params.divisor == $2 and .params.cull == $3) | $4" "$folder/volumes/journal.jsonl"; }
+  for point in "0.1 1 0" "0.1 1 1" "0.1 2 1" "0.5 4 1"; do
+    read -r radius divisor cull <<<"$point"
+    row "volumes: bunny, R $radius, divisor $divisor, cull $cull" "$(volume $radius $divisor $cull '.time.cpu_ms | round')" "ms cpu"
+  done
+  row "volumes: culled / all, R 0.1" "$(awk -v a="$(volume 0.1 1 1 .time.ratio_to_ref)" -v b="$(volume 0.1 1 0 .time.ratio_to_ref)" 'BEGIN { printf "%.3f", a / b }')" ratio "<=" 0.9
+  row "volumes: textures at full size" "$(volume 0.1 1 1 .memory_bytes)" bytes
+  echo "volumes: R 0.5 at full size: $(volume 0.5 1 1 .reason)"
+fi
+
+if wanted papers; then
+  start=$(date +%s.%N)
+  build/release/aobudget papers --quick --quiet --out "$folder/quick" --json "$folder/quick.json" || true
+  row "papers: duration of papers --quick" "$(awk -v s="$start" -v e="$(date +%s.%N)" 'BEGIN { printf "%.1f", e - s }')" s "<=" 60
+  row "papers: its rows without a verdict" "$(jq '[.rows[] | select(.verdict == "could not be run")] | length' "$folder/quick.json")" "" "<=" 0
+  start=$(date +%s.%N)
+  build/release/aobudget papers --quiet --out "$folder/papers" --json "$folder/papers.json" || true
+  row "papers: duration of papers" "$(awk -v s="$start" -v e="$(date +%s.%N)" 'BEGIN { printf "%.1f", e - s }')" s
+  paper() { jq ".rows[] | select(.name == \"hbao-samples\") | .measured[$1]" "$folder/papers.json"; }
+  for i in 1 2; do # within 25 % of the text's
+    text=$([ $i = 1 ] && echo 2.9 || echo 9.2)
+    row "papers: HBAO $((4 * 2 ** i))x$((4 * 2 ** i)) / 4x4 against $text of the text" \
+      "$(awk -v v="$(paper $i)" -v t="$text" 'BEGIN { d = v / t - 1; printf "%.3f", d < 0 ? -d : d }')" off "<=" 0.25
+  done
+  jq -r '.rows[] | "papers: \(.name): \(.verdict)\t\(.measured | map(. * 1000 | round / 1000) | join(" "))"' "$folder/papers.json" |
+    while IFS=$'\t' read -r name measured; do row "$name" "$measured" ""; done
+fi
