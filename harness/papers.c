@@ -1,4 +1,5 @@
 #include "papers.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +16,7 @@ struct papers {
     char *configs, *out;
     struct aob_text table; /* as Markdown */
     json_t *rows, *ran;    /* ran: config -> why it failed, or empty */
+    json_t *fingerprint;   /* of the first case on a device; NULL until then */
     size_t failed;
 };
 
@@ -94,6 +96,12 @@ static bool measure(struct papers *papers, const struct aob_paper_row *row, stru
         run_config(papers, row->config, folder, error) ? aob_journal_read(journal, error) : NULL;
     run.records = records;
     bool ok = records && row->measure(&run, result, error);
+    for (size_t i = 0; i < row->count && ok; i++)
+        ok = isfinite(result->measured[i]) ||
+             aob_fail(error, "figure %zu: a record lacks its time or its error", i + 1);
+    json_t *fingerprint = json_object_get(json_array_get(records, 0), "fingerprint");
+    if (!papers->fingerprint && json_object_get(fingerprint, "driver"))
+        papers->fingerprint = json_incref(fingerprint);
     json_decref(records);
     free(journal);
     free(folder);
@@ -139,17 +147,36 @@ static void add_row(struct papers *papers, const struct aob_paper_row *row)
                                                   "verdict", aob_paper_verdicts[verdict], "reason", reason));
 }
 
+/* Whose times they are; then the table. */
+static void write_page(const struct papers *papers, struct aob_text *page)
+{
+    const json_t *machine = papers->fingerprint;
+    aob_text_add(page, "# The texts' figures, measured again\n\nWritten by `aobudget papers%s`.",
+                 papers->desc->quick ? " --quick" : "");
+    if (machine)
+        aob_text_add(page, " Times are of %s (%d cores), `%s`: %s.",
+                     json_string_value(json_object_get(machine, "cpu")),
+                     (int)json_integer_value(json_object_get(machine, "cores")),
+                     json_string_value(json_object_get(machine, "backend")),
+                     json_string_value(json_object_get(machine, "driver")));
+    aob_text_add(page, "\n\n%s", papers->table.data);
+}
+
 static bool write_all(const struct papers *papers, struct aob_error *error)
 {
     const struct aob_papers_desc *desc = papers->desc;
     char *path = aob_path_join(papers->out, "papers.md");
-    bool ok = aob_file_write(path, papers->table.data, papers->table.size, error);
+    struct aob_text page = {0};
+    write_page(papers, &page);
+    bool ok = aob_file_write(path, page.data, page.size, error);
     free(path);
     if (ok && !desc->quiet && !(desc->json && strcmp(desc->json, "-") == 0))
-        printf("%s", papers->table.data);
+        printf("%s", page.data);
+    aob_text_finish(&page);
     if (!ok || !desc->json)
         return ok;
-    json_t *document = json_pack("{s:b, s:O}", "quick", desc->quick, "rows", papers->rows);
+    json_t *document = json_pack("{s:b, s:O?, s:O}", "quick", desc->quick, "fingerprint", papers->fingerprint,
+                                 "rows", papers->rows);
     ok = aob_json_write(document, desc->json, error);
     json_decref(document);
     return ok;
@@ -172,6 +199,7 @@ enum aob_exit aob_papers(const struct aob_papers_desc *desc, struct aob_error *e
     ok = ok && write_all(&papers, error);
     json_decref(papers.rows);
     json_decref(papers.ran);
+    json_decref(papers.fingerprint);
     aob_text_finish(&papers.table);
     free(papers.configs);
     free(papers.out);

@@ -228,8 +228,8 @@ const struct aob_paper_row aob_paper_rows[] = {
      .unit = "bias, RMSE",
      .config = "aov-solid",
      .count = 2,
-     .note = "the room's blocks, 0.6 m at a radius of 0.25 m; the bounds are ours, the noise of the truth "
-             "included",
+     .note = "the room's blocks, 0.6 m at a radius of 0.25 m; the bounds are ours; the truth's noise is "
+             "taken off",
      .measure = aob_paper_aov_solid},
     {.name = "aov-thin",
      .text = "AOV",
