@@ -55,7 +55,8 @@ split_scene() {
     echo "  - {name: gtao, params: {radius: $3, slices: 9, steps: 24}}"
   } | sed 's/, sweep: \[\]//' | config split "$2" 480x270 'time: false' 'spp: 256' >"$folder/split.yaml"
   sed -i 's/^measure/options: {guard_band: 64}\nmeasure/' "$folder/split.yaml"
-  build/release/aobudget run "$folder/split.yaml" --out "$folder/split-$1" --quiet
+  build/release/aobudget run "$folder/split.yaml" --out "$folder/split-$1" --quiet || [ $? -eq 3 ]
+  jq -r 'select(.status != "ok") | "split: '"$1"', \(.technique): \(.status): \(.reason)"' "$folder/split-$1/journal.jsonl"
   jq -r 'select(.status == "ok") | "\(.technique)\(if .params.slices then " \(.params.slices)x\(.params.steps)" else "" end):
     \(.error.rmse) \(.error.definition_rmse) \(.error.missing_rmse) \(.error.estimator_rmse)"' "$folder/split-$1/journal.jsonl" |
     paste - - | while read -r line; do
