@@ -204,8 +204,7 @@ static void plane_means(struct aob_gpu *gpu, double distance, double tilt, const
                                                     .tilt_deg = tilt,
                                                     .azimuth_deg = 90.0 * a / AZIMUTHS,
                                                     .width = WIDE,
-                                                    .height = HIGH,
-                                                    .guard = 0});
+                                                    .height = HIGH});
         for (int i = 0; i < 2; i++) {
             char params[160];
             snprintf(params, sizeof params, "radius=0.5 blur=0 bias=%s far=100 %s", i ? "1e-4" : "0",

@@ -27,13 +27,7 @@ static void test_flat_wall_is_one_half(void **state)
     struct aob_rig rig;
     struct spread all = {0, 1, 0};
     float ao[W * H];
-    aob_rig_plane(&rig, &(struct aob_rig_plane){.distance = 3,
-                                                .fov_deg = 45,
-                                                .tilt_deg = 0,
-                                                .azimuth_deg = 0,
-                                                .width = W,
-                                                .height = H,
-                                                .guard = 0});
+    aob_rig_plane(&rig, &(struct aob_rig_plane){.distance = 3, .fov_deg = 45, .width = W, .height = H});
     for (int samples = 8; samples <= 24; samples += 8)
         for (size_t k = 0; k < AOB_COUNT(kinds); k++) {
             char params[100];

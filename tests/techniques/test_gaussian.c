@@ -94,8 +94,7 @@ static void blur_picture(const struct aob_rig *rig, struct aob_gpu *gpu, int axi
 /* The region lies nearer by 0.2 (turned 0), or faces 40 degrees away; the G-buffer as it is, mirrored, transposed. */
 static void region_rig(struct aob_rig *rig, bool turned, enum picture layout)
 {
-    aob_rig_plane(rig,
-                  &(struct aob_rig_plane){.tilt_deg = 0, .azimuth_deg = 0, .width = SIDE, .height = SIDE});
+    aob_rig_plane(rig, &(struct aob_rig_plane){.width = SIDE, .height = SIDE});
     for (int i = 0; i < SIDE * SIDE; i++) {
         int x = i % SIDE, y = i / SIDE;
         bool in = layout == NOISE_MIRRORED     ? in_region(SIDE - 1 - x, y)

@@ -156,8 +156,7 @@ static void test_open_plane(void **state)
                                                         .tilt_deg = 60,
                                                         .azimuth_deg = 30,
                                                         .width = W,
-                                                        .height = H,
-                                                        .guard = 0});
+                                                        .height = H});
         run(&rig, gpu, params[k % 5], ao);
         float least = 1;
         for (int i = 0; i < W * H; i++)
@@ -174,13 +173,7 @@ static void test_open_plane(void **state)
 /* A plane that faces the camera, columns first..end-1 of it nearer by `height`. */
 static void strip_rig(struct aob_rig *rig, int first, int end, float height)
 {
-    aob_rig_plane(rig, &(struct aob_rig_plane){.distance = 4,
-                                               .fov_deg = 45,
-                                               .tilt_deg = 0,
-                                               .azimuth_deg = 0,
-                                               .width = W,
-                                               .height = H,
-                                               .guard = 0});
+    aob_rig_plane(rig, &(struct aob_rig_plane){.distance = 4, .fov_deg = 45, .width = W, .height = H});
     for (int i = 0; i < W * H; i++)
         rig->gbuffer.depth[i] -= i % W >= first && i % W < end ? height : 0;
 }

@@ -32,8 +32,7 @@ static void test_wall_is_half_solid(void **state)
                                                         .tilt_deg = tilt,
                                                         .azimuth_deg = azimuth,
                                                         .width = W,
-                                                        .height = H,
-                                                        .guard = 0});
+                                                        .height = H});
             for (size_t k = 0; k < AOB_COUNT(kinds); k++) {
                 char params[100];
                 float inner[W * H];
