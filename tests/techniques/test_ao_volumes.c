@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "measure/score.h"
-#include "reference/oracle.h"
 #include "rig.h"
 #include "technique/registry.h"
 
@@ -85,33 +84,6 @@ static struct score score_mesh(struct aob_gpu *gpu, const struct aob_mesh *mesh,
     aob_visibility_finish(&truth);
     aob_rig_finish(&rig);
     return s;
-}
-
-/* Closed form O2. The walls are single quads of 40 m that pass the eye. */
-static void test_corner_is_exact(void **state)
-{
-    (void)state;
-    static const double radii[] = {0.5, 1, 1.37, 2};
-    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
-    struct aob_rig rig;
-    for (int view = 0; view < 2; view++) {
-        aob_rig_scene(&rig, "corner", view ? "far" : "front", W, H, 0);
-        for (size_t r = 0; r < AOB_COUNT(radii); r++) {
-            double rmse[2];
-            for (int fine = 0; fine < 2; fine++) {
-                char params[40];
-                snprintf(params, sizeof params, "radius=%g sides=%d", radii[r], fine ? 16 : 8);
-                rmse[fine] =
-                    aob_rig_corner_rmse(&rig, gpu, "ao_volumes", params, aob_oracle_corner, radii[r]);
-            }
-            printf("ao_volumes on corner/%s R=%g: in-band RMSE %.6f with 8 sides, %.6f with 16\n",
-                   view ? "far" : "front", radii[r], rmse[0], rmse[1]);
-            assert_true(rmse[0] <= 0.002);
-            assert_true(rmse[1] <= rmse[0]);
-        }
-        aob_rig_finish(&rig);
-    }
-    aob_gpu_close(gpu);
 }
 
 /* One quad a wall, and cut at a quarter of the radius: the same image, and the ray tracer's. */
@@ -380,8 +352,7 @@ static void test_what_does_not_fit_is_refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_corner_is_exact),
-                                       cmocka_unit_test(test_cornell),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_cornell),
                                        cmocka_unit_test(test_box_on_plane),
                                        cmocka_unit_test(test_tapered_is_its_definition),
                                        cmocka_unit_test(test_culling_changes_nothing),
