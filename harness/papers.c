@@ -62,6 +62,20 @@ static bool check_rows(const struct papers *papers, struct aob_error *error)
                               papers->desc->filter));
 }
 
+static bool check_modules(const struct papers *papers, struct aob_error *error)
+{
+    struct aob_technique_list list;
+    bool ok = aob_dispatch_describe(&papers->desc->dispatch, &list, error);
+    if (ok)
+        aob_technique_list_finish(&list);
+    return ok;
+}
+
+static bool check_json(const char *path, struct aob_error *error)
+{
+    return !path || strcmp(path, "-") == 0 || aob_file_check(path, error);
+}
+
 /* Once a config; rows share runs. Cases that are not ok are the rows' concern. */
 static bool run_config(struct papers *papers, const char *name, const char *folder, struct aob_error *error)
 {
@@ -122,6 +136,15 @@ static json_t *figures_to_json(const double *figures, size_t count)
     return array;
 }
 
+/* A cell of the table; a reason may be any text. */
+static void add_cell(struct aob_text *table, const char *text)
+{
+    aob_text_add(table, " ");
+    for (; *text; text++)
+        aob_text_add(table, *text == '|' ? "\\|" : "%c", *text == '\n' ? ' ' : *text);
+    aob_text_add(table, " |");
+}
+
 static void add_row(struct papers *papers, const struct aob_paper_row *row)
 {
     struct aob_paper_result result = {0};
@@ -130,7 +153,8 @@ static void add_row(struct papers *papers, const struct aob_paper_row *row)
     if (row->config)
         verdict = measure(papers, row, &result, &why) ? aob_paper_judge(row, &result) : AOB_PAPER_NOT_RUN;
     papers->failed += verdict == AOB_PAPER_NOT_RUN;
-    const char *reason = *why.text ? why.text : row->note;
+    const char *reason = *why.text ? why.text : verdict == AOB_PAPER_REPRODUCED ? "" : row->why;
+    const char *setup = row->setup ? row->setup : "";
     size_t measured = row->config && verdict != AOB_PAPER_NOT_RUN ? row->count : 0;
     size_t given = row->figures[0] != 0 ? row->count : 0;
     struct aob_text *table = &papers->table;
@@ -139,12 +163,15 @@ static void add_row(struct papers *papers, const struct aob_paper_row *row)
     add_figures(table, row->figures, given);
     aob_text_add(table, " | ");
     add_figures(table, result.measured, measured);
-    aob_text_add(table, " | %s | %s |\n", aob_paper_verdicts[verdict], reason);
-    json_array_append_new(papers->rows, json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:s, s:s}", "name",
-                                                  row->name, "text", row->text, "claim", row->claim, "unit",
-                                                  row->unit, "figures", figures_to_json(row->figures, given),
-                                                  "measured", figures_to_json(result.measured, measured),
-                                                  "verdict", aob_paper_verdicts[verdict], "reason", reason));
+    aob_text_add(table, " | %s | %s |", setup, aob_paper_verdicts[verdict]);
+    add_cell(table, reason);
+    aob_text_add(table, "\n");
+    json_array_append_new(papers->rows,
+                          json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:s, s:s, s:s}", "name", row->name,
+                                    "text", row->text, "claim", row->claim, "unit", row->unit, "figures",
+                                    figures_to_json(row->figures, given), "measured",
+                                    figures_to_json(result.measured, measured), "setup", setup, "verdict",
+                                    aob_paper_verdicts[verdict], "reason", reason));
 }
 
 /* Whose times they are; then the table. */
@@ -159,7 +186,18 @@ static void write_page(const struct papers *papers, struct aob_text *page)
                      (int)json_integer_value(json_object_get(machine, "cores")),
                      json_string_value(json_object_get(machine, "backend")),
                      json_string_value(json_object_get(machine, "driver")));
-    aob_text_add(page, "\n\n%s", papers->table.data);
+    aob_text_add(page,
+                 "\n\nCosts are processor time in units of a fixed pass. Where a row has several, they are "
+                 "in units of its "
+                 "first; `a / b` is a quotient.\n\n"
+                 "- *reproduced*: each figure lies within 25 %% of the text's; where the text has none, the "
+                 "claim holds.\n"
+                 "- *shape only*: the figures lie in the text's order, each on its side of 1; a single "
+                 "figure on its side "
+                 "of 1, within a factor of 2.5.\n"
+                 "- *not reproduced*: neither; the last column says why.\n"
+                 "- *needs a device model*: nothing is measured, since it is about the text's device.\n\n%s",
+                 papers->table.data);
 }
 
 static bool write_all(const struct papers *papers, struct aob_error *error)
@@ -190,9 +228,10 @@ enum aob_exit aob_papers(const struct aob_papers_desc *desc, struct aob_error *e
                             .ran = json_object()};
     find_configs(&papers);
     aob_text_add(&papers.table,
-                 "| row | text and claim | figures of the text | measured | verdict | reason |\n"
-                 "|---|---|---|---|---|---|\n");
-    bool ok = check_rows(&papers, error) && aob_folder_create(papers.out, error);
+                 "| row | text and claim | figures of the text | measured | set-up | verdict | why not |\n"
+                 "|---|---|---|---|---|---|---|\n");
+    bool ok = check_rows(&papers, error) && check_modules(&papers, error) &&
+              aob_folder_create(papers.out, error) && check_json(desc->json, error);
     for (const struct aob_paper_row *row = aob_paper_rows; row->name && ok; row++)
         if (wanted(&papers, row))
             add_row(&papers, row);

@@ -15,6 +15,6 @@ struct aob_papers_desc {
 };
 
 /* OK: every row has a verdict, whatever it is. PART: a row could not be run. USAGE: no row of that name, a config is
- * missing, or nothing can be written. */
+ * missing, a module cannot be loaded, or nothing can be written: said before the first row is run. */
 enum aob_exit aob_papers(const struct aob_papers_desc *desc, struct aob_error *error);
 #endif

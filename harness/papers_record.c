@@ -12,6 +12,9 @@ const char *const aob_paper_verdicts[] = {"reproduced", "shape only", "not repro
 
 static bool in_order(const struct aob_paper_row *row, const double *measured)
 {
+    double factor = measured[0] / row->figures[0];
+    if (row->count == 1 && !(factor >= 1 / 2.5 && factor <= 2.5))
+        return false;
     for (size_t i = 0; i < row->count; i++)
         if ((row->figures[i] > 1 && measured[i] <= 1) || (row->figures[i] < 1 && measured[i] >= 1))
             return false;
@@ -26,7 +29,9 @@ enum aob_paper_verdict aob_paper_judge(const struct aob_paper_row *row, const st
 {
     bool near = true;
     if (row->figures[0] == 0)
-        return result->holds ? AOB_PAPER_REPRODUCED : AOB_PAPER_NOT_REPRODUCED;
+        return result->holds   ? AOB_PAPER_REPRODUCED
+               : result->shape ? AOB_PAPER_SHAPE
+                               : AOB_PAPER_NOT_REPRODUCED;
     for (size_t i = 0; i < row->count; i++)
         near &= fabs(result->measured[i] / row->figures[i] - 1) <= 0.25;
     return near                              ? AOB_PAPER_REPRODUCED
@@ -34,15 +39,37 @@ enum aob_paper_verdict aob_paper_judge(const struct aob_paper_row *row, const st
                                              : AOB_PAPER_NOT_REPRODUCED;
 }
 
+static bool is_number(const json_t *own, double number)
+{
+    return fabs(aob_json_to_number(own) - number) <= 1e-6 * fabs(number);
+}
+
+static bool is_vector(const json_t *own, const char *numbers)
+{
+    const json_t *component;
+    size_t at;
+    json_array_foreach(own, at, component)
+    {
+        char *end;
+        if (!is_number(component, strtod(numbers, &end)) || end == numbers)
+            return false;
+        numbers = *end == ',' ? end + 1 : end;
+    }
+    return !*numbers;
+}
+
 static bool has_value(const json_t *record, const char *name, const char *value)
 {
+    static const char *const objects[] = {"params", "options", "camera"};
+    const json_t *own = NULL;
     double number;
-    const json_t *own = json_object_get(json_object_get(record, "params"), name);
-    own = own ? own : json_object_get(json_object_get(record, "options"), name);
+    for (size_t i = 0; i < AOB_COUNT(objects) && !own; i++)
+        own = json_object_get(json_object_get(record, objects[i]), name);
+    if (json_is_array(own))
+        return is_vector(own, value);
     if (json_is_string(own))
         return strcmp(json_string_value(own), value) == 0;
-    double held = aob_json_to_number(own);
-    return aob_parse_double(value, &number) && fabs(held - number) <= 1e-6 * fabs(number);
+    return aob_parse_double(value, &number) && is_number(own, number);
 }
 
 static bool has_values(const json_t *record, const char *values)

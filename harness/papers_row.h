@@ -23,7 +23,7 @@ struct aob_paper_run {
 };
 struct aob_paper_result {
     double measured[AOB_PAPER_FIGURES];
-    bool holds; /* of a claim without figures: it does */
+    bool holds, shape; /* of a claim without figures: it does; its shape does */
 };
 struct aob_paper_row {
     const char *name, *text; /* "hbao-samples", "HBAO table 6.2.1" */
@@ -32,7 +32,8 @@ struct aob_paper_row {
         *config; /* file of configs/papers without .yaml; NULL: nothing is run, `fixed` is the verdict */
     double figures[AOB_PAPER_FIGURES]; /* the text's; all 0: it gives none, the claim is one of shape */
     size_t count;                      /* of figures that are measured */
-    const char *note; /* how the set-up differs from the text's, or why the verdict is fixed */
+    const char *setup; /* what stands for the text's scene, and what it leaves open; NULL: nothing */
+    const char *why;   /* should it not be reproduced, or why the verdict is fixed */
     enum aob_paper_verdict fixed;
     bool (*measure)(const struct aob_paper_run *run, struct aob_paper_result *result,
                     struct aob_error *error);
@@ -40,12 +41,13 @@ struct aob_paper_row {
 extern const struct aob_paper_row aob_paper_rows[]; /* ended by a NULL name */
 
 /* Figures: reproduced if each lies within 25 % of the text's; shape only if they lie in the text's order, each
- * on its side of 1; else not reproduced. No figures: reproduced if the claim holds, else not. */
+ * on its side of 1, a single one within a factor of 2.5; else not reproduced. No figures: reproduced if the claim holds,
+ * shape only if its shape does, else not. */
 enum aob_paper_verdict aob_paper_judge(const struct aob_paper_row *row,
                                        const struct aob_paper_result *result);
 
-/* The technique's record with these values, "name=value ..." of parameters and options; NULL after one line if there
- * is none or it is not ok. */
+/* The technique's record with these values, "name=value ..." of parameters, options and the camera ("eye=0,1,2"); NULL
+ * after one line if there is none or it is not ok. */
 const json_t *aob_paper_find(const struct aob_paper_run *run, const char *technique, const char *values,
                              struct aob_error *error);
 

@@ -68,6 +68,32 @@ static bool write_into(const char *path, const void *bytes, size_t size, struct 
     return ok || aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
 }
 
+static char *part_of(const char *target)
+{
+    char *part = aob_alloc(strlen(target) + 32, 1);
+    sprintf(part, "%s.%ld.part", target, (long)getpid());
+    return part;
+}
+
+bool aob_file_check(const char *path, struct aob_error *error)
+{
+    bool special = is_special(path);
+    char *target = special ? aob_strdup(path) : aob_file_target(path, error);
+    if (!target)
+        return false;
+    char *part = special ? aob_strdup(path) : part_of(target);
+    FILE *file = fopen(part, "ab");
+    if (!file)
+        aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
+    else
+        fclose(file);
+    if (!special)
+        unlink(part);
+    free(part);
+    free(target);
+    return file != NULL;
+}
+
 bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob_error *error)
 {
     if (is_special(path))
@@ -75,8 +101,7 @@ bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob
     char *target = aob_file_target(path, error);
     if (!target)
         return false;
-    char *part = aob_alloc(strlen(target) + 32, 1);
-    sprintf(part, "%s.%ld.part", target, (long)getpid());
+    char *part = part_of(target);
     FILE *file = fopen(part, "wb");
     bool ok = file && write_and_sync(file, bytes, size) && rename(part, target) == 0;
     if (!ok) {
@@ -102,8 +127,10 @@ size_t aob_file_size(const char *path)
 
 bool aob_folder_create(const char *path, struct aob_error *error)
 {
+    if (!*path)
+        return aob_fail(error, "a folder's name is empty: give one, such as results/new");
     char *part = aob_strdup(path);
-    for (char *c = part + 1; *part && *c; c++) {
+    for (char *c = part + 1; *c; c++) {
         if (*c != '/')
             continue;
         *c = '\0';

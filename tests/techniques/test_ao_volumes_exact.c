@@ -89,7 +89,8 @@ static void test_ground_is_open(void **state)
                                         .fov_deg = 30 + 10 * k};
             float least = 1;
             size_t ground = 0;
-            aob_mesh_add_quad(&mesh, aob_vec(-half, 0, -half), aob_vec(0, 0, sides[s]), aob_vec(sides[s], 0, 0));
+            aob_mesh_add_quad(&mesh, aob_vec(-half, 0, -half), aob_vec(0, 0, sides[s]),
+                              aob_vec(sides[s], 0, 0));
             aob_rig_init(&rig, &mesh, &camera, W, H, 0);
             aob_rig_run(&rig, gpu, "ao_volumes", "radius=0.5", AOB_FETCH_SAMPLED, ao);
             for (int i = 0; i < PIXELS; i++) {
