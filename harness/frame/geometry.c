@@ -125,7 +125,7 @@ static bool serves_pass(const struct aob_geometry *geometry, const struct aob_pa
         aob_geometry_fragments(geometry, projection, pass->reach, aob_graph_target_divisor(graph, pass));
     return fragments <= AOB_GEOMETRY_FRAGMENTS ||
            aob_fail(error,
-                    "pass '%s': %zu triangles with a reach of %g would draw up to %.2g fragments a frame "
+                    "pass '%s': %zu triangles with a reach of %g would draw about %.2g fragments a frame "
                     "(some %.0f s on a processor); the limit is %.2g: use a smaller radius, image or mesh, "
                     "or a larger divisor",
                     pass->name, geometry->count, (double)pass->reach, fragments, fragments * 57e-9,

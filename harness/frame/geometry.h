@@ -25,8 +25,9 @@ void aob_geometry_finish(struct aob_geometry *geometry);
 
 size_t aob_geometry_bytes(const struct aob_geometry *geometry); /* of the texture */
 
-/* At most how many fragments a frame of the pass has: the pixels of its outputs within the boxes of the triangles,
- * each made larger by the pass's reach. `projection` is the G-buffer's, `divisor` the outputs'. */
+/* About how many fragments a frame of the pass has: the pixels of its outputs within the triangles' boxes along the view's
+ * axes, each made larger by the pass's reach. A technique may draw less, or more where its shapes lie aslant.
+ * `projection` is the G-buffer's, `divisor` the outputs'. */
 double aob_geometry_fragments(const struct aob_geometry *geometry, const struct aob_projection *projection,
                               float reach, int divisor);
 

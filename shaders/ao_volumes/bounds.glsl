@@ -76,7 +76,9 @@ vec4 place(int triangle, int vertex)
         low = min(low, w);
         high = max(high, w);
     }
-    low.xy -= RADIUS_OUT;
+    /* volume.glsl counts pixels behind the plane by the rounding of its extent. */
+    float extent = max(length(p[0]), max(length(p[1]), length(p[2]))) + length(side) + 2.0 * RADIUS_OUT;
+    low -= vec3(RADIUS_OUT, RADIUS_OUT, 1e-6 * extent);
     high += vec3(RADIUS_OUT, RADIUS_OUT, param.radius);
     vec2 first, last, depths;
     bool seen;

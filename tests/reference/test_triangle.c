@@ -97,7 +97,27 @@ static double followed(const struct aob_mesh *mesh, struct aob_vec3 p, struct ao
     return 1 - sum / (CELLS * CELLS);
 }
 
-/* A room in which most rays meet walls that are nearer elsewhere: by the ray's own length the value is another. */
+static struct aob_vec3 world_normal(const struct shot *shot, size_t i)
+{
+    struct aob_frame_axes axes = aob_camera_axes(&shot->camera);
+    const float *n = shot->hits.normal[i];
+    return aob_vec_add(aob_vec_scale(axes.right, n[0]),
+                       aob_vec_add(aob_vec_scale(axes.up, n[1]), aob_vec_scale(axes.back, n[2])));
+}
+
+/* A room in which most rays meet walls that are nearer elsewhere. */
+static void room_shot(struct shot *shot, const struct aob_visibility_term *term)
+{
+    const struct aob_scene_info *scene = aob_scene_find("cornell");
+    struct aob_camera camera = aob_scene_view(scene, "front")->camera;
+    struct aob_mesh mesh = {0};
+    camera.eye = aob_vec(0.0131, 1.0072, 3.4);
+    scene->build(&mesh);
+    cast_shot(shot, &mesh, camera, W, H);
+    trace_shot(shot, term, 1, 4096);
+}
+
+/* By the ray's own length the value is another. */
 static void visibility_by_triangles(void **state)
 {
     (void)state;
@@ -106,30 +126,18 @@ static void visibility_by_triangles(void **state)
         falloff[i] = 1 - (float)(i * i) / (256 * 256);
     struct aob_visibility_term term = {
         .radius = 1.5, .falloff = falloff, .falloff_count = 257, .of_triangle = true};
-    const struct aob_scene_info *scene = aob_scene_find("cornell");
-    struct aob_camera camera = aob_scene_view(scene, "front")->camera;
-    camera.eye = aob_vec(0.0131, 1.0072, 3.4);
-    struct aob_mesh mesh = {0}, same = {0};
+    struct aob_mesh mesh = {0};
     struct shot shot, along;
     double sum = 0, apart = 0;
     size_t count = 0;
-    scene->build(&mesh);
-    scene->build(&same);
-    cast_shot(&shot, &same, camera, W, H);
-    trace_shot(&shot, &term, 1, 4096);
-    scene->build(&same);
-    cast_shot(&along, &same, camera, W, H);
+    aob_scene_find("cornell")->build(&mesh);
+    room_shot(&shot, &term);
     term.of_triangle = false;
-    trace_shot(&along, &term, 1, 4096);
-    struct aob_frame_axes axes = aob_camera_axes(&camera);
+    room_shot(&along, &term);
     for (size_t i = 0; i < pixel_count(&shot); i++) {
-        const float *n = shot.hits.normal[i];
         if (shot.hits.primitive[i] == AOB_NO_PRIMITIVE)
             continue;
-        struct aob_vec3 normal =
-            aob_vec_add(aob_vec_scale(axes.right, n[0]),
-                        aob_vec_add(aob_vec_scale(axes.up, n[1]), aob_vec_scale(axes.back, n[2])));
-        double value = followed(&mesh, pixel_point(&shot, i), normal, term.radius);
+        double value = followed(&mesh, pixel_point(&shot, i), world_normal(&shot, i), term.radius);
         sum += pow((double)shot.visibility[0].ao[i] - value, 2);
         apart += pow((double)along.visibility[0].ao[i] - value, 2);
         count++;

@@ -200,18 +200,30 @@ static void test_culling_changes_nothing(void **state)
     static const struct {
         const char *scene, *params;
         int guard;
-    } rows[] = {{"cornell", "radius=0.1", 0},
-                {"cornell", "radius=0.5 falloff=1", 10},
-                {"cornell", "radius=0.5 divisor=4", 0},
-                {"corner", "radius=0.5 divisor=2", 10},
-                {"corner", "radius=5", 0},
-                {"spheres", "radius=0.05", 0}};
+        double fov_deg, ortho_height; /* 0: the scene's */
+    } rows[] = {{"cornell", "radius=0.1", 0, 0, 0},
+                {"cornell", "radius=0.5 falloff=1", 10, 0, 0},
+                {"cornell", "radius=0.5 divisor=4", 0, 0, 0},
+                {"cornell", "radius=0.3", 5, 150, 0},
+                {"cornell", "radius=0.3", 5, 0, 2.5},
+                {"cornell", "radius=0.3 depth_encoding=device24_reversed", 0, 0, 0},
+                {"cornell", "radius=0.3 depth_encoding=r16f divisor=2", 0, 0, 0},
+                {"corner", "radius=0.5 divisor=2", 10, 0, 0},
+                {"corner", "radius=5", 0, 0, 0}, /* volumes about the eye */
+                {"plates", "radius=0.1", 0, 0, 0},
+                {"spheres", "radius=0.05", 0, 0, 0}};
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
     for (size_t r = 0; r < AOB_COUNT(rows); r++) {
+        const struct aob_scene_info *info = aob_scene_find(rows[r].scene);
+        struct aob_camera camera = aob_scene_view(info, NULL)->camera;
+        struct aob_mesh mesh = {0};
         struct aob_rig rig;
-        char params[60];
+        char params[80];
         float most = 0;
-        aob_rig_scene(&rig, rows[r].scene, NULL, WIDE, HIGH, rows[r].guard);
+        camera.fov_deg = rows[r].fov_deg > 0 ? rows[r].fov_deg : camera.fov_deg;
+        camera.ortho_height = rows[r].ortho_height;
+        info->build(&mesh);
+        aob_rig_init(&rig, &mesh, &camera, WIDE, HIGH, rows[r].guard);
         snprintf(params, sizeof params, "%s cull=0", rows[r].params);
         aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_SAMPLED, all);
         snprintf(params, sizeof params, "%s cull=1", rows[r].params);
@@ -220,6 +232,7 @@ static void test_culling_changes_nothing(void **state)
             most = fmaxf(most, fabsf(all[i] - some[i]));
         assert_true(most <= 1e-6F);
         aob_rig_finish(&rig);
+        aob_mesh_finish(&mesh);
     }
     aob_gpu_close(gpu);
 }
