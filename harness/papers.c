@@ -71,11 +71,6 @@ static bool check_modules(const struct papers *papers, struct aob_error *error)
     return ok;
 }
 
-static bool check_json(const char *path, struct aob_error *error)
-{
-    return !path || strcmp(path, "-") == 0 || aob_file_check(path, error);
-}
-
 /* Once a config; rows share runs. Cases that are not ok are the rows' concern. */
 static bool run_config(struct papers *papers, const char *name, const char *folder, struct aob_error *error)
 {
@@ -174,7 +169,17 @@ static void add_row(struct papers *papers, const struct aob_paper_row *row)
                                     aob_paper_verdicts[verdict], "reason", reason));
 }
 
-/* Whose times they are; then the table. */
+static const char words[] =
+    "\n\nCosts are processor time in units of a fixed pass. Where a row has several, they are in units\n"
+    "of its first; `a / b` is a quotient.\n\n"
+    "- *reproduced*: each figure lies within 25 % of the text's; where the text has none, the claim\n"
+    "  holds.\n"
+    "- *shape only*: the figures lie in the text's order, each on its side of 1; a single figure on its\n"
+    "  side of 1, within a factor of 2.5.\n"
+    "- *not reproduced*: neither; the last column says why.\n"
+    "- *needs a device model*: nothing is measured, since it is about the text's device.\n";
+
+/* Whose times they are, what the words mean, the table. */
 static void write_page(const struct papers *papers, struct aob_text *page)
 {
     const json_t *machine = papers->fingerprint;
@@ -186,18 +191,7 @@ static void write_page(const struct papers *papers, struct aob_text *page)
                      (int)json_integer_value(json_object_get(machine, "cores")),
                      json_string_value(json_object_get(machine, "backend")),
                      json_string_value(json_object_get(machine, "driver")));
-    aob_text_add(page,
-                 "\n\nCosts are processor time in units of a fixed pass. Where a row has several, they are "
-                 "in units of its "
-                 "first; `a / b` is a quotient.\n\n"
-                 "- *reproduced*: each figure lies within 25 %% of the text's; where the text has none, the "
-                 "claim holds.\n"
-                 "- *shape only*: the figures lie in the text's order, each on its side of 1; a single "
-                 "figure on its side "
-                 "of 1, within a factor of 2.5.\n"
-                 "- *not reproduced*: neither; the last column says why.\n"
-                 "- *needs a device model*: nothing is measured, since it is about the text's device.\n\n%s",
-                 papers->table.data);
+    aob_text_add(page, "%s\n%s", words, papers->table.data);
 }
 
 static bool write_all(const struct papers *papers, struct aob_error *error)
@@ -231,7 +225,7 @@ enum aob_exit aob_papers(const struct aob_papers_desc *desc, struct aob_error *e
                  "| row | text and claim | figures of the text | measured | set-up | verdict | why not |\n"
                  "|---|---|---|---|---|---|---|\n");
     bool ok = check_rows(&papers, error) && check_modules(&papers, error) &&
-              aob_folder_create(papers.out, error) && check_json(desc->json, error);
+              aob_folder_create(papers.out, error) && aob_json_check(desc->json, error);
     for (const struct aob_paper_row *row = aob_paper_rows; row->name && ok; row++)
         if (wanted(&papers, row))
             add_row(&papers, row);

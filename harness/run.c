@@ -97,7 +97,9 @@ static bool apply_filter(struct run *run, struct aob_error *error)
 static bool open_folder(struct run *run, struct aob_error *error)
 {
     char *path = run->desc->out ? aob_strdup(run->desc->out) : aob_path_join("results", run->config.name);
-    bool ok = aob_run_folder_open(&run->folder, path, run->info, run->desc->fresh, error);
+    /* The document may go there too; an earlier run is discarded only when it can be written. */
+    bool ok = aob_folder_create(path, error) && aob_json_check(run->desc->json, error) &&
+              aob_run_folder_open(&run->folder, path, run->info, run->desc->fresh, error);
     free(path);
     return ok;
 }

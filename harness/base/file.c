@@ -47,6 +47,12 @@ static bool is_special(const char *path)
     return stat(path, &info) == 0 && !S_ISREG(info.st_mode);
 }
 
+static bool is_folder(const char *path)
+{
+    struct stat info;
+    return stat(path, &info) == 0 && S_ISDIR(info.st_mode);
+}
+
 char *aob_file_target(const char *path, struct aob_error *error)
 {
     char *real = realpath(path, NULL);
@@ -75,20 +81,23 @@ static char *part_of(const char *target)
     return part;
 }
 
+/* A pipe is not opened: its reader would see the end. */
 bool aob_file_check(const char *path, struct aob_error *error)
 {
-    bool special = is_special(path);
-    char *target = special ? aob_strdup(path) : aob_file_target(path, error);
+    if (is_special(path))
+        return (access(path, W_OK) == 0 && !is_folder(path)) ||
+               aob_fail(error, "%s: cannot write: %s", path,
+                        is_folder(path) ? "it is a folder" : strerror(errno));
+    char *target = aob_file_target(path, error);
     if (!target)
         return false;
-    char *part = special ? aob_strdup(path) : part_of(target);
-    FILE *file = fopen(part, "ab");
-    if (!file)
-        aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
-    else
+    char *part = part_of(target);
+    FILE *file = fopen(part, "wb");
+    if (file)
         fclose(file);
-    if (!special)
-        unlink(part);
+    else
+        aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
+    unlink(part);
     free(part);
     free(target);
     return file != NULL;
@@ -138,10 +147,9 @@ bool aob_folder_create(const char *path, struct aob_error *error)
         *c = '/';
     }
     free(part);
-    struct stat info;
     if (mkdir(path, 0777) != 0 && errno != EEXIST)
         return aob_fail(error, "%s: cannot create the folder: %s", path, strerror(errno));
-    if (stat(path, &info) != 0 || !S_ISDIR(info.st_mode))
+    if (!is_folder(path))
         return aob_fail(error, "%s: is not a folder", path);
     return access(path, W_OK) == 0 || aob_fail(error, "%s: the folder is not writable", path);
 }

@@ -57,3 +57,8 @@ bool aob_json_write(const json_t *document, const char *path, struct aob_error *
     free(text);
     return ok;
 }
+
+bool aob_json_check(const char *path, struct aob_error *error)
+{
+    return !path || strcmp(path, "-") == 0 || aob_file_check(path, error);
+}

@@ -17,4 +17,7 @@ char *aob_json_line(const json_t *value, int digits);
 
 /* One indented document into a file, whole or not at all; "-" is standard output. */
 bool aob_json_write(const json_t *document, const char *path, struct aob_error *error);
+
+/* Whether that could be written now, before the work for it is done; NULL, no document, can. */
+bool aob_json_check(const char *path, struct aob_error *error);
 #endif

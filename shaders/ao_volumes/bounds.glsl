@@ -1,5 +1,6 @@
-/* The rectangle in the image around a triangle's volume: the triangle made larger by the radius in its plane, and
- * pushed out by the radius along its front's normal. A rectangle covers each pixel once, whatever the eye is in. */
+/* The rectangle in the image around a triangle's volume. What it reaches lies within the radius of the triangle, and on
+ * its front: so both in a box along the triangle and in one along the view. A rectangle covers each pixel once, whatever
+ * the eye is in. */
 #include "volume_size.glsl"
 #include "tile_size.glsl"
 
@@ -80,11 +81,16 @@ vec4 place(int triangle, int vertex)
     float extent = max(length(p[0]), max(length(p[1]), length(p[2]))) + length(side) + 2.0 * RADIUS_OUT;
     low -= vec3(RADIUS_OUT, RADIUS_OUT, 1e-6 * extent);
     high += vec3(RADIUS_OUT, RADIUS_OUT, param.radius);
-    vec2 first, last, depths;
-    bool seen;
+    vec3 along[3] = vec3[3](vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
+    vec2 first, last, depths, first_along, last_along, depths_along;
+    bool seen, seen_along;
     image_bounds(low, high, axis, first, last, depths, seen);
-    first = max(first - 1.0, vec2(-2.0));
-    last = min(last + 1.0, vec2(aob_size) + 2.0);
+    image_bounds(min(p[0], min(p[1], p[2])) - RADIUS_OUT, max(p[0], max(p[1], p[2])) + RADIUS_OUT, along,
+                 first_along, last_along, depths_along, seen_along);
+    seen = seen && seen_along;
+    first = max(max(first, first_along) - 1.0, vec2(-2.0));
+    last = min(min(last, last_along) + 1.0, vec2(aob_size) + 2.0);
+    depths = vec2(max(depths.x, depths_along.x), min(depths.y, depths_along.y));
 #if CULL == 1
     if (seen)
         cull(first, last, depths);

@@ -117,16 +117,16 @@ void main()
     view x = view(-dot(corner[0], front), vec3(dot(normal, b1), dot(normal, b2), dot(normal, front)));
     vec2 p[3], q[4];
     vec3 above;
-    float extent = length(position);
+    float extent = dot(position, position); /* squared */
     for (int k = 0; k < 3; k++) {
         p[k] = vec2(dot(corner[k], b1), dot(corner[k], b2));
         above[k] = dot(corner[k], normal);
-        extent = max(extent, length(corner[k]));
+        extent = max(extent, dot(corner[k], corner[k]));
     }
     /* A point in the triangle's plane, up to the rounding of places and of the plane over its extent, lies in a crease
      * if the triangle rises above it: it sees what a point just before the plane sees. Else it is of the same surface
      * and sees nothing of it. */
-    float rounding = 1e-6 * extent;
+    float rounding = 1e-6 * sqrt(extent);
     float rise = max(above.x, max(above.y, above.z));
     bool before = x.h > rounding ? rise > 0.0 : x.h > -rounding && rise > 10.0 * rounding;
     bool counts = before && x.h < param.radius && !aob_surface_is_sky(aob_pixel);

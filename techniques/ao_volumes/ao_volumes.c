@@ -85,7 +85,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    ao_volumes, .title = "Ambient occlusion volumes", .revision = 3, .shaders = aob_shaders_ao_volumes,
+    ao_volumes, .title = "Ambient occlusion volumes", .revision = 4, .shaders = aob_shaders_ao_volumes,
     .summary = "The scene's triangles themselves, not the depth buffer, occlude: each is clipped to the "
                "pixel's tangent plane and to the radius, and its form factor is added in closed form.",
     .notes =
@@ -94,11 +94,9 @@ AOB_TECHNIQUE(
         "counted twice: darker than ray tracing, as the text says. The text gives no distance limit; "
         "falloff 0 clips to the disc that the ball of the radius cuts out of the triangle's plane; falloff 1 "
         "is traced by the distance of the triangle that a ray meets, at any length of the ray. Each volume "
-        "is drawn as the rectangle of its box in the image, and its pixels decide: "
-        "more "
+        "is drawn as the rectangle in the image of two boxes around it, and its pixels decide: more "
         "fragments than the text's prisms. Volumes that reach no surface are culled by the depths of tiles "
-        "of 8 x 8 "
-        "pixels. "
+        "of 8 x 8 pixels. "
         "The text gives the signed area of a disc's segment; here it is Lambert's sum, with angles by atan2.",
     .citation = "McGuire: Ambient Occlusion Volumes, text of two pages (2010)", .params = params,
     .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),

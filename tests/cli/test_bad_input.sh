@@ -59,6 +59,8 @@ check "a run" "$program" run config.yaml --out out --quiet
 echo "# changed" >>config.yaml
 expect 2 "a run of another config" "$program" run config.yaml --out out --quiet
 check "the earlier journal is whole" grep -q '"status":"ok"' out/journal.jsonl
+expect 2 "gone/x.json: cannot write" "$program" run config.yaml --out out --fresh --json gone/x.json
+check "the earlier journal is still whole" grep -q '"status":"ok"' out/journal.jsonl
 check "fresh discards it" "$program" run config.yaml --out out --fresh --quiet
 expect 2 "no case of config.yaml matches 'xyz'" "$program" run config.yaml --out out2 --filter xyz
 expect 2 "not the folder of a run" "$program" report "$folder/nowhere"

@@ -1,40 +1,13 @@
 /* One body for all backends: test_gpu vulkan|gl-egl|gl-osmesa|null. Exit code 77: this machine lacks the
  * driver. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include "base/memory.h"
 #include "base/text.h"
-#include "gpu/gpu.h"
-
-enum { WIDTH = 37, HEIGHT = 11, TEXELS = WIDTH * HEIGHT };
+#include "made.h"
 
 static bool draws(const struct aob_gpu *gpu)
 {
     return strcmp(gpu->info.backend, "null") != 0;
-}
-
-static struct aob_gpu_texture *texture(struct aob_gpu *gpu, enum aob_format format, const void *texels)
-{
-    struct aob_error error = {""};
-    struct aob_gpu_texture *made = aob_gpu_texture_create(gpu, format, WIDTH, HEIGHT, texels, &error);
-    if (!made)
-        fail_msg("%s", error.text);
-    return made;
-}
-
-static struct aob_gpu_program *program(struct aob_gpu *gpu, const char *glsl)
-{
-    struct aob_error error = {""};
-    struct aob_gpu_program *made = aob_gpu_program_create(gpu, glsl, &error);
-    if (!made)
-        fail_msg("%s", error.text);
-    return made;
 }
 
 static void *read_back(struct aob_gpu *gpu, const struct aob_gpu_texture *texture)
@@ -348,79 +321,6 @@ static void explains_a_compile_error_in_one_line(void **state)
     assert_null(strchr(error.text, '\n'));
 }
 
-static void refuse_texture(struct aob_gpu *gpu, int format, int width, int height)
-{
-    struct aob_error error = {""};
-    assert_null(aob_gpu_texture_create(gpu, (enum aob_format)format, width, height, NULL, &error));
-    assert_int_not_equal(error.text[0], 0);
-}
-
-static void refuses_wrong_textures(void **state)
-{
-    struct aob_gpu *gpu = *state;
-    refuse_texture(gpu, AOB_FORMAT_COUNT, 8, 8);
-    refuse_texture(gpu, -1, 8, 8);
-    refuse_texture(gpu, AOB_R8, 0, 8);
-    refuse_texture(gpu, AOB_R8, 8, -1);
-    refuse_texture(gpu, AOB_R8, 16385, 8);
-}
-
-static void refuse_pass(struct aob_gpu *gpu, struct aob_gpu_pass_desc desc, const char *why)
-{
-    struct aob_error error = {""};
-    assert_null(aob_gpu_pass_create(gpu, &desc, &error));
-    if (!strstr(error.text, why))
-        fail_msg("'%s' does not say '%s'", error.text, why);
-}
-
-static void refuses_wrong_passes(void **state)
-{
-    struct aob_gpu *gpu = *state;
-    struct aob_gpu_program *plain =
-        program(gpu, "layout(location = 0) out float r;\nvoid main() { r = 1; }\n");
-    struct aob_gpu_program *reader =
-        program(gpu, "layout(BIND(4)) uniform sampler2D s;\nlayout(location = 0) out float r;\n"
-                     "void main() { r = texelFetch(s, ivec2(0), 0).x; }\n");
-    struct aob_gpu_texture *a = texture(gpu, AOB_R8, NULL), *b = texture(gpu, AOB_R8, NULL);
-    struct aob_gpu_texture *small = aob_gpu_texture_create(gpu, AOB_R8, 4, 4, NULL, NULL);
-    const struct aob_gpu_texture *one[] = {a}, *sizes[] = {a, small}, *twice[] = {a, a}, *none[] = {NULL};
-    struct aob_gpu_pass_desc good = {.program = plain, .targets = one, .target_count = 1};
-    struct aob_gpu_pass_desc desc = good;
-#define REFUSE(why, ...)                                                                                     \
-    desc = good;                                                                                             \
-    __VA_ARGS__;                                                                                             \
-    refuse_pass(gpu, desc, why)
-    REFUSE("without a program", desc.program = NULL);
-    REFUSE("0 targets", desc.target_count = 0);
-    REFUSE("5 targets", desc.target_count = 5);
-    REFUSE("two sizes", desc.targets = sizes, desc.target_count = 2);
-    REFUSE("two targets", desc.targets = twice, desc.target_count = 2);
-    REFUSE("without a texture at target 0", desc.targets = none);
-    REFUSE("uniform block", desc.uniforms = one);
-    REFUSE("uniform block", desc.uniform_size = 4);
-    REFUSE("uniform block", desc.uniforms = one, desc.uniform_size = 1 << 20);
-    REFUSE("nothing at 4", desc.program = reader);
-    struct aob_gpu_bind binds[2] = {{.binding = 4, .texture = b}, {.binding = 5, .texture = b}};
-    good.binds = binds;
-    good.bind_count = 2;
-    REFUSE("binding 0", binds[1].binding = 0);
-    REFUSE("binding 16", binds[1].binding = 16);
-    REFUSE("two textures at binding 4", binds[1].binding = 4);
-    binds[1].binding = 5;
-    REFUSE("without a texture at binding 5", binds[1].texture = NULL);
-    REFUSE("reads and writes", binds[1].texture = a);
-    binds[1].texture = b;
-    REFUSE("kind 7", binds[1].kind = (enum aob_gpu_bind_kind)7);
-    binds[1].kind = AOB_GPU_SAMPLED;
-    REFUSE("filter 7", binds[1].filter = (enum aob_filter)7);
-#undef REFUSE
-    struct aob_gpu_texture *made[] = {a, b, small};
-    for (size_t i = 0; i < AOB_COUNT(made); i++)
-        aob_gpu_texture_destroy(gpu, made[i]);
-    aob_gpu_program_destroy(gpu, plain);
-    aob_gpu_program_destroy(gpu, reader);
-}
-
 static void survives_many_passes(void **state)
 {
     struct aob_gpu *gpu = *state;
@@ -437,27 +337,6 @@ static void survives_many_passes(void **state)
     run_pass(gpu, &desc, NULL);
     aob_gpu_texture_destroy(gpu, target);
     aob_gpu_program_destroy(gpu, drawer);
-}
-
-static void validation_fails_the_call(void **state)
-{
-    struct aob_gpu *gpu = *state;
-    if (strcmp(gpu->info.backend, "vulkan"))
-        skip();
-    struct aob_gpu_program *reader =
-        program(gpu, "layout(BIND(4)) uniform sampler2D s;\nlayout(location = 0) out float r;\n"
-                     "void main() { r = texelFetch(s, ivec2(0), 0).x; }\n");
-    struct aob_gpu_texture *source = texture(gpu, AOB_R32F, NULL), *target = texture(gpu, AOB_R32F, NULL);
-    const struct aob_gpu_texture *targets[] = {target};
-    struct aob_gpu_bind bind = {.kind = AOB_GPU_STORAGE, .binding = 4, .texture = source};
-    refuse_pass(
-        gpu,
-        (struct aob_gpu_pass_desc){
-            .program = reader, .binds = &bind, .bind_count = 1, .targets = targets, .target_count = 1},
-        "vulkan: validation, on the way to create a pipeline: ");
-    aob_gpu_texture_destroy(gpu, source);
-    aob_gpu_texture_destroy(gpu, target);
-    aob_gpu_program_destroy(gpu, reader);
 }
 
 static void describes_itself(void **state)
@@ -518,10 +397,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(passes_see_what_earlier_ones_wrote),
         cmocka_unit_test(gives_the_same_bits_twice_and_takes_time),
         cmocka_unit_test(explains_a_compile_error_in_one_line),
-        cmocka_unit_test(refuses_wrong_textures),
-        cmocka_unit_test(refuses_wrong_passes),
         cmocka_unit_test(survives_many_passes),
-        cmocka_unit_test(validation_fails_the_call),
     };
     return cmocka_run_group_tests(tests, open_device, close_device);
 }

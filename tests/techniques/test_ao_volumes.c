@@ -4,7 +4,6 @@
 #include "base/memory.h"
 #include "measure/score.h"
 #include "rig.h"
-#include "technique/registry.h"
 
 enum { W = 160, H = 90, PIXELS = W * H, SPP = 1024 };
 
@@ -191,52 +190,6 @@ static void test_tapered_is_its_definition(void **state)
     aob_gpu_close(gpu);
 }
 
-/* What culling leaves out adds nothing. The spheres hide half of their triangles. */
-static void test_culling_changes_nothing(void **state)
-{
-    (void)state;
-    enum { WIDE = W - 3, HIGH = H - 1 };
-    static float all[WIDE * HIGH], some[WIDE * HIGH];
-    static const struct {
-        const char *scene, *params;
-        int guard;
-        double fov_deg, ortho_height; /* 0: the scene's */
-    } rows[] = {{"cornell", "radius=0.1", 0, 0, 0},
-                {"cornell", "radius=0.5 falloff=1", 10, 0, 0},
-                {"cornell", "radius=0.5 divisor=4", 0, 0, 0},
-                {"cornell", "radius=0.3", 5, 150, 0},
-                {"cornell", "radius=0.3", 5, 0, 2.5},
-                {"cornell", "radius=0.3 depth_encoding=device24_reversed", 0, 0, 0},
-                {"cornell", "radius=0.3 depth_encoding=r16f divisor=2", 0, 0, 0},
-                {"corner", "radius=0.5 divisor=2", 10, 0, 0},
-                {"corner", "radius=5", 0, 0, 0}, /* volumes about the eye */
-                {"plates", "radius=0.1", 0, 0, 0},
-                {"spheres", "radius=0.05", 0, 0, 0}};
-    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
-    for (size_t r = 0; r < AOB_COUNT(rows); r++) {
-        const struct aob_scene_info *info = aob_scene_find(rows[r].scene);
-        struct aob_camera camera = aob_scene_view(info, NULL)->camera;
-        struct aob_mesh mesh = {0};
-        struct aob_rig rig;
-        char params[80];
-        float most = 0;
-        camera.fov_deg = rows[r].fov_deg > 0 ? rows[r].fov_deg : camera.fov_deg;
-        camera.ortho_height = rows[r].ortho_height;
-        info->build(&mesh);
-        aob_rig_init(&rig, &mesh, &camera, WIDE, HIGH, rows[r].guard);
-        snprintf(params, sizeof params, "%s cull=0", rows[r].params);
-        aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_SAMPLED, all);
-        snprintf(params, sizeof params, "%s cull=1", rows[r].params);
-        aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_STORAGE, some);
-        for (int i = 0; i < WIDE * HIGH; i++)
-            most = fmaxf(most, fabsf(all[i] - some[i]));
-        assert_true(most <= 1e-6F);
-        aob_rig_finish(&rig);
-        aob_mesh_finish(&mesh);
-    }
-    aob_gpu_close(gpu);
-}
-
 /* Sheets nearer to each other than half the radius hide behind one another, and each counts. */
 static void test_stacked_sheets_darken(void **state)
 {
@@ -319,59 +272,13 @@ static void test_divided_is_near_the_full_image(void **state)
     aob_gpu_close(gpu);
 }
 
-static void expect_refusal(struct aob_gpu *gpu, const struct aob_rig *rig,
-                           const struct aob_geometry *geometry, const char *says)
-{
-    struct aob_frame *frame = AOB_NEW(struct aob_frame);
-    struct aob_screen screen;
-    struct aob_error error = {{0}};
-    const struct {
-        float radius;
-        int32_t falloff, sides, cull, divisor;
-    } values = {1, 0, 8, 1, 1};
-    const struct aob_technique *const *t = aob_builtin_techniques;
-    while (strcmp((*t)->name, "ao_volumes") != 0)
-        t++;
-    assert_true(aob_screen_init(&screen, gpu, &rig->gbuffer, &(struct aob_options){0}, &error));
-    screen.geometry = geometry;
-    assert_false(aob_frame_init(frame, &screen, *t, &values, AOB_FETCH_SAMPLED, &error));
-    assert_true(frame->unfit);
-    assert_contains(error.text, says);
-    aob_screen_finish(&screen);
-    free(frame);
-}
-
-/* A capture has no triangles; a million of them as large as the image are too many. */
-static void test_what_does_not_fit_is_refused(void **state)
-{
-    (void)state;
-    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
-    struct aob_rig rig;
-    struct aob_mesh mesh = {0};
-    aob_rig_scene(&rig, "corner", NULL, W, H, 0);
-    expect_refusal(gpu, &rig, NULL, "a capture has none");
-    for (int i = 0; i < 500000; i++)
-        aob_mesh_add_quad(&mesh, aob_vec(-20, 0, 0), aob_vec(0, 0, 40), aob_vec(40, 0, 0));
-    struct aob_geometry large;
-    aob_geometry_init(&large, &mesh, &rig.camera);
-    assert_near(aob_geometry_fragments(&large, &rig.gbuffer.projection, 1, 1), 1e6 * PIXELS, 1);
-    assert_near(aob_geometry_fragments(&large, &rig.gbuffer.projection, 1, 2), 1e6 * PIXELS / 4, 1);
-    expect_refusal(gpu, &rig, &large, "1000000 triangles with a reach of 1.05");
-    aob_geometry_finish(&large);
-    aob_mesh_finish(&mesh);
-    aob_rig_finish(&rig);
-    aob_gpu_close(gpu);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_cornell),
                                        cmocka_unit_test(test_box_on_plane),
                                        cmocka_unit_test(test_tapered_is_its_definition),
-                                       cmocka_unit_test(test_culling_changes_nothing),
                                        cmocka_unit_test(test_stacked_sheets_darken),
                                        cmocka_unit_test(test_occluder_never_brightens),
-                                       cmocka_unit_test(test_divided_is_near_the_full_image),
-                                       cmocka_unit_test(test_what_does_not_fit_is_refused)};
+                                       cmocka_unit_test(test_divided_is_near_the_full_image)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

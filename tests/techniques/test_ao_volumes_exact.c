@@ -35,17 +35,16 @@ static void test_corner_is_exact(void **state)
     aob_gpu_close(gpu);
 }
 
-/* Every listed scene with a closed form, in each of its views. The ground is a quad of 40 m whose plane no pixel hits
+/* The other listed scenes with a closed form, in each of their views. The ground is a quad of 40 m whose plane no pixel hits
  * exactly. */
 static void test_closed_forms(void **state)
 {
     (void)state;
     static const struct {
         const char *scene;
-        double radius;
-        size_t pixels;
-    } rows[] = {{"plane", 0.5, 7000}, {"corner", 0.5, 9000}, {"wall", 0.5, 5000},
-                {"sheet", 0.5, 2000}, {"room", 0.5, PIXELS}, {"disc", 0.5, 1000}};
+        size_t pixels; /* with a closed form, at least */
+    } rows[] = {{"plane", 7000}, {"wall", 5000}, {"sheet", 5000}, {"room", PIXELS}, {"disc", 1000}};
+    const double radius = 0.5;
     static float ao[PIXELS];
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
     for (size_t i = 0; i < AOB_COUNT(rows); i++) {
@@ -53,17 +52,15 @@ static void test_closed_forms(void **state)
         for (size_t v = 0; v < info->view_count; v++) {
             struct aob_rig rig;
             struct aob_oracle_score score;
-            char params[40];
-            snprintf(params, sizeof params, "radius=%g", rows[i].radius);
             aob_rig_scene(&rig, rows[i].scene, info->views[v].name, W, H, 0);
-            aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_SAMPLED, ao);
+            aob_rig_run(&rig, gpu, "ao_volumes", "radius=0.5", AOB_FETCH_SAMPLED, ao);
             const struct aob_oracle_desc desc = {.oracle = aob_oracle_find(rows[i].scene),
                                                  .camera = &rig.camera,
                                                  .gbuffer = &rig.gbuffer,
-                                                 .radius = rows[i].radius};
+                                                 .radius = radius};
             aob_oracle_score(&desc, ao, &score);
             printf("ao_volumes on %s/%s R=%g: RMSE %.6f to the closed form over %zu pixels\n", rows[i].scene,
-                   info->views[v].name, rows[i].radius, score.rmse, score.pixels);
+                   info->views[v].name, radius, score.rmse, score.pixels);
             assert_true(score.pixels >= rows[i].pixels);
             assert_true(score.rmse <= 0.002);
             aob_rig_finish(&rig);
@@ -72,7 +69,7 @@ static void test_closed_forms(void **state)
     aob_gpu_close(gpu);
 }
 
-/* One quad of any size is open ground, wherever the eye is: no pixel is above its own plane by more than rounding. */
+/* One quad of any size is open ground, wherever the eye is: a pixel is in its plane, to rounding. */
 static void test_ground_is_open(void **state)
 {
     (void)state;

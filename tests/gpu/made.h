@@ -1,0 +1,26 @@
+/* What tests of devices make, or fail. */
+#ifndef AOB_TEST_MADE_H
+#define AOB_TEST_MADE_H
+#include "check.h"
+#include "gpu/gpu.h"
+
+enum { WIDTH = 37, HEIGHT = 11, TEXELS = WIDTH * HEIGHT };
+
+static inline struct aob_gpu_texture *texture(struct aob_gpu *gpu, enum aob_format format, const void *texels)
+{
+    struct aob_error error = {""};
+    struct aob_gpu_texture *made = aob_gpu_texture_create(gpu, format, WIDTH, HEIGHT, texels, &error);
+    if (!made)
+        fail_msg("%s", error.text);
+    return made;
+}
+
+static inline struct aob_gpu_program *program(struct aob_gpu *gpu, const char *glsl)
+{
+    struct aob_error error = {""};
+    struct aob_gpu_program *made = aob_gpu_program_create(gpu, glsl, &error);
+    if (!made)
+        fail_msg("%s", error.text);
+    return made;
+}
+#endif
