@@ -8,8 +8,8 @@ enum { INFINITE, SLAB, THIN, KINDS };
 static const char *const kind_names[KINDS] = {"infinite", "slab", "thin"};
 
 static inline void bound_shot(const struct shot *shot, const struct aob_screen_desc *desc,
-                       const struct aob_visibility_term *terms, size_t count, int spp,
-                       struct aob_visibility *result)
+                              const struct aob_visibility_term *terms, size_t count, int spp,
+                              struct aob_visibility *result)
 {
     struct aob_error error = {""};
     struct aob_screen *screen =
@@ -20,8 +20,9 @@ static inline void bound_shot(const struct shot *shot, const struct aob_screen_d
     aob_screen_destroy(screen);
 }
 
-static inline void bound_kinds(const struct shot *shot, double thickness, const struct aob_visibility_term *term,
-                        int spp, struct aob_visibility bound[KINDS])
+static inline void bound_kinds(const struct shot *shot, double thickness,
+                               const struct aob_visibility_term *term, int spp,
+                               struct aob_visibility bound[KINDS])
 {
     const struct aob_screen_desc descs[KINDS] = {
         {0}, {.kind = AOB_SCREEN_SLAB, .thickness = thickness}, {.kind = AOB_SCREEN_THIN}};
@@ -35,7 +36,8 @@ static inline void finish_kinds(struct aob_visibility bound[KINDS])
         aob_visibility_finish(&bound[k]);
 }
 
-static inline void scene_shot(struct shot *shot, const char *scene, struct aob_camera camera, int width, int height)
+static inline void scene_shot(struct shot *shot, const char *scene, struct aob_camera camera, int width,
+                              int height)
 {
     struct aob_mesh mesh = {0};
     aob_scene_find(scene)->build(&mesh);

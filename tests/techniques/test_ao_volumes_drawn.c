@@ -232,10 +232,9 @@ static void test_what_does_not_fit_is_refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_volumes_lie_in_their_rectangles),
- cmocka_unit_test(test_tight_rectangles_suffice),
-                                       cmocka_unit_test(test_culling_changes_nothing),
-                                       cmocka_unit_test(test_fragments_are_estimated),
-                                       cmocka_unit_test(test_what_does_not_fit_is_refused)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_volumes_lie_in_their_rectangles),
+        cmocka_unit_test(test_tight_rectangles_suffice), cmocka_unit_test(test_culling_changes_nothing),
+        cmocka_unit_test(test_fragments_are_estimated), cmocka_unit_test(test_what_does_not_fit_is_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
