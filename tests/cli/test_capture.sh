@@ -68,6 +68,6 @@ expect 2 "guard_band must be 0" "$program" plan config.yaml
 # The same depth and normals give the same image.
 if "${shot[@]:0:6}" --scene corner --backend gl-egl --reference-spp 2 --out G.exr >/dev/null 2>&1; then
   check "on a device" "$program" shot --technique gtao --backend gl-egl --scene capture:G.exr --out H.exr
-  check "the images are the same" "$AOBUDGET_BUILD/tests/compare_images" G.exr H.exr technique.AO Z N.X N.Y N.Z
+  check "the images are the same" "$AOBUDGET_BUILD/compare_images" G.exr H.exr technique.AO Z N.X N.Y N.Z
 fi
 finish
