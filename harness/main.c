@@ -5,14 +5,14 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
-#include "doctor.h"
-#include "flags.h"
-#include "list.h"
-#include "papers.h"
-#include "report.h"
-#include "run.h"
-#include "shot.h"
-#include "worker.h"
+#include "command/doctor.h"
+#include "command/flags.h"
+#include "command/list.h"
+#include "papers/papers.h"
+#include "command/report.h"
+#include "run/run.h"
+#include "command/shot.h"
+#include "worker/worker.h"
 
 struct command {
     const char *name, *help;

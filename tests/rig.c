@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
-#include "measure/score.h"
+#include "score/score.h"
 #include "technique/param.h"
 #include "technique/registry.h"
 

@@ -2,8 +2,8 @@
 #ifndef AOB_FRAME_FRAME_H
 #define AOB_FRAME_FRAME_H
 #include "base/error.h"
-#include "encoding.h"
-#include "gbuffer.h"
+#include "gbuffer/encoding.h"
+#include "gbuffer/gbuffer.h"
 #include "geometry.h"
 #include "gpu/gpu.h"
 #include "technique/graph.h"

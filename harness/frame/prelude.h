@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "base/text.h"
-#include "encoding.h"
+#include "gbuffer/encoding.h"
 #include "scene/camera.h"
 #include "technique/graph.h"
 #include "technique/option.h"

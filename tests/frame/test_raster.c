@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "frame/raster.h"
-#include "measure/score.h"
+#include "score/score.h"
 #include "rig.h"
 
 static const char *const backends[] = {"vulkan", "gl-egl", "gl-osmesa"};

@@ -1,6 +1,6 @@
 /* What tests of devices make, or fail. */
-#ifndef AOB_TEST_MADE_H
-#define AOB_TEST_MADE_H
+#ifndef AOB_TESTS_GPU_MADE_H
+#define AOB_TESTS_GPU_MADE_H
 #include "check.h"
 #include "gpu/gpu.h"
 

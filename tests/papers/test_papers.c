@@ -1,6 +1,6 @@
 /* The rules of the verdict, on figures and journals made by hand. */
 #include "check.h"
-#include "papers_row.h"
+#include "papers/row.h"
 
 static enum aob_paper_verdict judge(double a, double b)
 {

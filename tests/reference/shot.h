@@ -1,6 +1,6 @@
 /* One picture by the ray tracer, as several tests need it. */
-#ifndef AOB_TEST_SHOT_H
-#define AOB_TEST_SHOT_H
+#ifndef AOB_TESTS_REFERENCE_SHOT_H
+#define AOB_TESTS_REFERENCE_SHOT_H
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

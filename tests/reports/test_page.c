@@ -1,4 +1,4 @@
-#include "reports/page.h"
+#include "reports/page/page.h"
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/text.h"

@@ -1,5 +1,5 @@
 /* The page of techniques from a small run made by hand: what is there, what is missing, and hostile names. */
-#include "reports/techniques_page.h"
+#include "reports/page/techniques_page.h"
 #include <stdlib.h>
 #include <unistd.h>
 #include "base/file.h"

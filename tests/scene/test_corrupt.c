@@ -3,7 +3,7 @@
 #include <unistd.h>
 #include "base/file.h"
 #include "base/memory.h"
-#include "dispatch.h"
+#include "run/dispatch.h"
 
 /* Damaged mesh files, through the worker that loads them: the harness stays up, and every refusal is one line. */
 

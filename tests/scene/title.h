@@ -1,6 +1,6 @@
 /* The number of triangles that a scene's title states. */
-#ifndef AOB_TEST_TITLE_H
-#define AOB_TEST_TITLE_H
+#ifndef AOB_TESTS_SCENE_TITLE_H
+#define AOB_TESTS_SCENE_TITLE_H
 #include <ctype.h>
 #include <stddef.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Half-size images against full-size ones, for the tests of techniques. */
-#ifndef AOB_TESTS_HALF_H
-#define AOB_TESTS_HALF_H
+#ifndef AOB_TESTS_TECHNIQUES_HALF_H
+#define AOB_TESTS_TECHNIQUES_HALF_H
 #include <math.h>
 #include "rig.h"
 

@@ -1,6 +1,6 @@
 /* Mean and bounds of an image, for the tests of techniques. */
-#ifndef AOB_TESTS_SPREAD_H
-#define AOB_TESTS_SPREAD_H
+#ifndef AOB_TESTS_TECHNIQUES_SPREAD_H
+#define AOB_TESTS_TECHNIQUES_SPREAD_H
 #include <math.h>
 
 struct spread {

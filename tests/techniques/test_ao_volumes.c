@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/memory.h"
-#include "measure/score.h"
+#include "score/score.h"
 #include "rig.h"
 
 enum { W = 160, H = 90, PIXELS = W * H, SPP = 1024 };

@@ -2,7 +2,7 @@
 #include "check.h"
 #include <math.h>
 #include "base/memory.h"
-#include "measure/oracle_score.h"
+#include "score/oracle_score.h"
 #include "reference/oracle.h"
 #include "rig.h"
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/memory.h"
-#include "measure/score.h"
+#include "score/score.h"
 #include "reference/oracle.h"
 #include "rig.h"
 

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "reference/oracle.h"
-#include "reference/screen.h"
+#include "reference/bound.h"
 #include "rig.h"
 
 enum { W = 160, H = 90 };

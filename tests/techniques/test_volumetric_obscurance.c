@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "half.h"
-#include "measure/score.h"
+#include "score/score.h"
 #include "rig.h"
 #include "spread.h"
 #include "technique/registry.h"

@@ -1,0 +1,70 @@
+#include "statistics.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "memory.h"
+
+static int compare(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double *sorted(const double *x, size_t n)
+{
+    double *copy = AOB_NEW_ARRAY(double, n);
+    memcpy(copy, x, n * sizeof *x);
+    qsort(copy, n, sizeof *x, compare);
+    return copy;
+}
+
+double aob_quantile(const double *x, size_t n, double q)
+{
+    double *s = sorted(x, n), at = q * (double)(n - 1);
+    size_t i = (size_t)at, next = i + 1 < n ? i + 1 : i;
+    double value = s[i] + (s[next] - s[i]) * (at - (double)i);
+    free(s);
+    return value;
+}
+
+double aob_median(const double *x, size_t n)
+{
+    return aob_quantile(x, n, 0.5);
+}
+
+/* P(Bin(n, 1/2) <= k). */
+static double binomial_tail(size_t n, size_t k)
+{
+    double sum = 0;
+    for (size_t i = 0; i <= k; i++)
+        sum += exp(lgamma((double)n + 1) - lgamma((double)i + 1) - lgamma((double)(n - i) + 1) -
+                   (double)n * log(2.0));
+    return sum;
+}
+
+bool aob_median_interval(const double *x, size_t n, double *low, double *high)
+{
+    size_t k = 0; /* P(Bin < k) = P(Bin <= k-1) */
+    while (k < n / 2 && binomial_tail(n, k) <= 0.025)
+        k++;
+    double *s = sorted(x, n);
+    size_t first = k ? k - 1 : 0;
+    *low = s[first];
+    *high = s[n - 1 - first];
+    free(s);
+    return k > 0;
+}
+
+struct aob_ratio aob_paired_ratio(const double *a, const double *b, size_t n)
+{
+    struct aob_ratio result;
+    double *logs = AOB_NEW_ARRAY(double, n);
+    for (size_t i = 0; i < n; i++)
+        logs[i] = log(a[i] / b[i]);
+    result.bounded = aob_median_interval(logs, n, &result.low, &result.high);
+    result.ratio = exp(aob_median(logs, n));
+    result.low = exp(result.low);
+    result.high = exp(result.high);
+    free(logs);
+    return result;
+}

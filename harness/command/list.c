@@ -1,0 +1,218 @@
+#include "list.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/json.h"
+#include "run/captures.h"
+#include "config/config.h"
+#include "gpu/gpu.h"
+#include "run/measurement.h"
+#include "plan/plan.h"
+#include "scene/scene.h"
+#include "scene/scene_folder.h"
+#include "technique/option.h"
+#include "technique/param.h"
+
+static bool write_document(json_t *document, const char *json, struct aob_error *error)
+{
+    bool ok = aob_json_write(document, json, error);
+    json_decref(document);
+    return ok;
+}
+
+static json_t *params_to_json(const struct aob_param *params, size_t count)
+{
+    json_t *array = json_array();
+    for (size_t i = 0; i < count; i++)
+        json_array_append_new(array, aob_param_to_json(&params[i]));
+    return array;
+}
+
+static json_t *techniques_to_json(const struct aob_technique_list *list)
+{
+    json_t *array = json_array();
+    for (size_t i = 0; i < list->count; i++)
+        json_array_append_new(array, aob_technique_info_to_json(&list->items[i]));
+    return json_pack("{s:o, s:o}", "techniques", array, "options",
+                     params_to_json(aob_option_params, AOB_OPTION_COUNT));
+}
+
+static void print_params(const struct aob_param *params, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        struct aob_text text = {0};
+        aob_param_print(&params[i], params[i].initial, &text);
+        if (params[i].choices)
+            for (int c = 0; params[i].choices[c]; c++)
+                aob_text_add(&text, "%s%s", c ? "|" : "  of ", params[i].choices[c]);
+        else
+            aob_text_add(&text, "  in %g .. %g %s", params[i].min, params[i].max,
+                         aob_unit_name(params[i].unit));
+        printf("    %-12s %s\n                 %s\n", params[i].name, text.data, params[i].doc);
+        aob_text_finish(&text);
+    }
+}
+
+static void print_techniques(const struct aob_technique_list *list)
+{
+    for (size_t i = 0; i < list->count; i++) {
+        const struct aob_technique_info *t = &list->items[i];
+        printf("%s: %s (revision %u%s%s)\n    %s\n", t->name, t->title, t->revision, t->module ? ", " : "",
+               t->module ? t->module : "", t->citation);
+        if (t->summary)
+            printf("    %s\n", t->summary);
+        if (t->notes)
+            printf("    Notes: %s\n", t->notes);
+        print_params(t->params, t->param_count);
+    }
+    printf("options of every run\n");
+    print_params(aob_option_params, AOB_OPTION_COUNT);
+}
+
+static json_t *scene_to_json(const struct aob_scene_info *scene)
+{
+    json_t *views = json_array();
+    for (size_t i = 0; i < scene->view_count; i++) {
+        json_t *view = aob_camera_to_json(&scene->views[i].camera);
+        json_object_set_new(view, "name", json_string(scene->views[i].name));
+        json_array_append_new(views, view);
+    }
+    return json_pack("{s:s, s:s, s:f, s:s?, s:s?, s:s?, s:s?, s:b, s:o}", "name", scene->name, "geometry",
+                     scene->title, "metres_per_unit", scene->metres_per_unit, "file", scene->file, "package",
+                     scene->package, "licence", scene->licence, "sha256", scene->sha256, "available",
+                     !scene->file || aob_file_exists(scene->file), "views", views);
+}
+
+/* A file name that is not UTF-8 cannot be in JSON, nor in a plan: jansson packs no object then. */
+static json_t *scenes_to_json(const struct aob_scene_folder *folder)
+{
+    json_t *array = json_array(), *own = json_array(), *known = json_array();
+    for (const struct aob_scene_info *const *s = aob_scenes; *s; s++)
+        json_array_append_new(array, scene_to_json(*s));
+    for (size_t i = 0; i < folder->count; i++)
+        json_array_append_new(
+            own, json_pack("{s:s, s:s}", "name", folder->files[i].name, "file", folder->files[i].path));
+    for (const struct aob_known_scene *k = aob_known_scenes; k->name; k++)
+        json_array_append_new(known, json_pack("{s:s, s:s, s:s, s:s}", "name", k->name, "geometry", k->title,
+                                               "source", k->source, "licence", k->licence));
+    return json_pack("{s:o, s:o, s:o}", "scenes", array, "own", own, "known_elsewhere", known);
+}
+
+static void print_scene(const struct aob_scene_info *scene)
+{
+    printf("%s: %s\n    views:", scene->name, scene->title);
+    for (size_t i = 0; i < scene->view_count; i++)
+        printf(" %s", scene->views[i].name);
+    if (scene->file)
+        printf("\n    %s (package %s)%s\n    licence %s; sha256 %s", scene->file, scene->package,
+               aob_file_exists(scene->file) ? "" : ": not installed", scene->licence, scene->sha256);
+    printf("\n");
+}
+
+static void print_scenes(const struct aob_scene_folder *folder)
+{
+    for (const struct aob_scene_info *const *s = aob_scenes; *s; s++)
+        print_scene(*s);
+    if (folder->count)
+        printf("your own, in AOBUDGET_SCENES\n");
+    for (size_t i = 0; i < folder->count; i++)
+        printf("    %s: %s\n", folder->files[i].name, folder->files[i].path);
+    printf("known elsewhere: put a mesh into the folder AOBUDGET_SCENES to use it by its name\n");
+    for (const struct aob_known_scene *k = aob_known_scenes; k->name; k++)
+        printf("    %s: %s\n        %s; %s\n", k->name, k->title, k->source, k->licence);
+}
+
+static bool list_scenes(const char *json, struct aob_error *error)
+{
+    struct aob_scene_folder folder;
+    bool ok = aob_scene_folder_read(&folder, error);
+    if (ok && json)
+        ok = write_document(scenes_to_json(&folder), json, error);
+    else if (ok)
+        print_scenes(&folder);
+    aob_scene_folder_finish(&folder);
+    return ok;
+}
+
+static json_t *backends_to_json(void)
+{
+    json_t *array = json_array();
+    for (const struct aob_gpu_fns *const *b = aob_gpu_backends; *b; b++)
+        json_array_append_new(array, json_pack("{s:s, s:s}", "name", (*b)->name, "title", (*b)->title));
+    return json_pack("{s:o}", "backends", array);
+}
+
+static void print_backends(void)
+{
+    for (const struct aob_gpu_fns *const *b = aob_gpu_backends; *b; b++)
+        printf("%-12s %s\n", (*b)->name, (*b)->title);
+}
+
+static bool list_techniques(const struct aob_dispatch *dispatch, const char *json, struct aob_error *error)
+{
+    struct aob_technique_list list;
+    bool ok = aob_dispatch_describe(dispatch, &list, error);
+    if (ok && json)
+        ok = write_document(techniques_to_json(&list), json, error);
+    else if (ok)
+        print_techniques(&list);
+    aob_technique_list_finish(&list);
+    return ok;
+}
+
+enum aob_exit aob_list(const struct aob_dispatch *dispatch, const char *what, const char *json,
+                       struct aob_error *error)
+{
+    bool ok = true;
+    if (strcmp(what, "techniques") == 0)
+        ok = list_techniques(dispatch, json, error);
+    else if (strcmp(what, "scenes") == 0)
+        ok = list_scenes(json, error);
+    else if (strcmp(what, "backends") == 0)
+        json ? (void)(ok = write_document(backends_to_json(), json, error)) : print_backends();
+    else
+        ok = aob_fail(error, "list: '%s' is not one of techniques, scenes, backends", what);
+    return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
+}
+
+static json_t *plan_to_json(struct aob_plan *plan)
+{
+    const struct aob_measurement unmeasured = {.plan = plan};
+    json_t *cases = json_array();
+    for (size_t i = 0; i < plan->case_count; i++)
+        json_array_append_new(cases, aob_record_create(&unmeasured, i, "planned", NULL, NULL));
+    return json_pack("{s:s, s:f, s:o}", "name", plan->config->name, "estimated_s", aob_plan_estimate_s(plan),
+                     "cases", cases);
+}
+
+static void print_plan(const struct aob_plan *plan, bool quiet)
+{
+    for (size_t i = 0; i < plan->case_count && !quiet; i++) {
+        struct aob_text text = {0};
+        aob_case_describe(&plan->cases[i], &text);
+        printf("%s\n", text.data);
+        aob_text_finish(&text);
+    }
+    long seconds = (long)aob_plan_estimate_s(plan);
+    printf("%zu cases, about %ld:%02ld minutes\n", plan->case_count, seconds / 60, seconds % 60);
+}
+
+enum aob_exit aob_plan_print(const struct aob_dispatch *dispatch, const char *path, const char *json,
+                             bool quiet, struct aob_error *error)
+{
+    struct aob_config config;
+    struct aob_technique_list techniques = {0};
+    struct aob_plan plan = {0};
+    bool ok = aob_config_read(&config, path, error) && aob_dispatch_describe(dispatch, &techniques, error) &&
+              aob_captures_load(&config, dispatch, error) &&
+              aob_plan_create(&plan, &config, &techniques, error);
+    if (ok && json)
+        ok = write_document(plan_to_json(&plan), json, error);
+    else if (ok)
+        print_plan(&plan, quiet);
+    aob_plan_finish(&plan);
+    aob_technique_list_finish(&techniques);
+    aob_config_finish(&config);
+    return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
+}

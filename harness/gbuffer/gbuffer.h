@@ -1,0 +1,40 @@
+/* The canonical G-buffer: what the ray tracer sees at pixel centres, in the form that shaders and scores
+ * read. It travels between processes as an EXR file (Z, N.X N.Y N.Z, S.X S.Y S.Z, primitive; V.X V.Y if the
+ * camera moves; material, albedo.R albedo.G albedo.B if the mesh has other materials than the default; Z = 0 and
+ * primitive = material = -1 where sky). */
+#ifndef AOB_GBUFFER_GBUFFER_H
+#define AOB_GBUFFER_GBUFFER_H
+#include <stdbool.h>
+#include "base/error.h"
+#include "reference/tracer.h"
+#include "scene/camera.h"
+#include "store/image.h"
+
+struct aob_gbuffer {
+    struct aob_projection projection; /* guard band included */
+    int guard;
+    float *depth;  /* scene units along the view axis; AOB_GBUFFER_SKY where sky */
+    float *normal; /* four floats a pixel: geometric normal, view space, towards the camera; 0 */
+    float *
+        shading; /* likewise, interpolated normals on the geometric one's side; that one where there are none */
+    float
+        *velocity; /* two floats a pixel, as struct aob_hits has them; NULL: the camera is still, all are 0 */
+    float *albedo; /* three floats a pixel: base colour, linear, 0 where sky; NULL: the default throughout */
+};
+#define AOB_GBUFFER_SKY 1e9f /* far beyond any scene, and its square is finite; AOB_SKY_Z in shaders */
+
+/* From hits, of the tracer or of a rasteriser (frame/raster.h): depth and normals. Allocates; aob_gbuffer_finish frees. */
+void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,
+                      const struct aob_projection *projection, int guard);
+
+/* Into a file, with the materials of the mesh that was cast (an empty one of a capture) / from such a file; that allocates too. */
+bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh, const char *path,
+                       struct aob_error *error);
+bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,
+                      int width, int height, int guard, struct aob_error *error);
+
+/* The other way: what was seen, for the screen-space bound of a capture (reference/screen.h). Depth, normals and which
+ * pixels are sky (primitive 0 or none); no place on a triangle. Allocates; aob_hits_finish frees. */
+void aob_gbuffer_hits(const struct aob_gbuffer *gbuffer, struct aob_hits *hits);
+void aob_gbuffer_finish(struct aob_gbuffer *gbuffer);
+#endif

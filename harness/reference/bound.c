@@ -1,0 +1,96 @@
+#include "bound.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "bound_mesh.h"
+
+const char aob_screen_version[] = "2";
+
+struct aob_screen {
+    struct aob_camera camera;
+    struct aob_tracer *tracer; /* NULL: nothing could be rebuilt */
+    struct aob_hits hits;      /* the pixels' points as hits of the rebuilt mesh */
+};
+
+static void copy_hits(struct aob_hits *hits, const struct aob_hits *from)
+{
+    size_t pixels = (size_t)from->width * (size_t)from->height;
+    hits->width = from->width;
+    hits->height = from->height;
+    hits->primitive = aob_alloc(pixels, sizeof *hits->primitive);
+    hits->u = aob_alloc(pixels, sizeof *hits->u);
+    hits->v = aob_alloc(pixels, sizeof *hits->v);
+    hits->normal = aob_alloc(pixels, sizeof *hits->normal);
+    memcpy(hits->normal, from->normal, pixels * sizeof *hits->normal);
+    for (size_t i = 0; i < pixels; i++)
+        hits->primitive[i] = from->depth[i] > 0 ? (uint32_t)i : AOB_NO_PRIMITIVE;
+}
+
+/* Thin surfaces may have no whole cell: then only points are known, and nothing occludes. */
+static bool has_area(const struct aob_mesh *mesh)
+{
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        const uint32_t *t = mesh->triangles[i];
+        struct aob_vec3 a = mesh->positions[t[0]];
+        struct aob_vec3 n =
+            aob_vec_cross(aob_vec_sub(mesh->positions[t[1]], a), aob_vec_sub(mesh->positions[t[2]], a));
+        if (aob_vec_length(n) > 0)
+            return true;
+    }
+    return false;
+}
+
+struct aob_screen *aob_screen_create(const struct aob_camera *camera, const struct aob_projection *projection,
+                                     const struct aob_hits *hits, const struct aob_screen_desc *desc,
+                                     struct aob_error *error)
+{
+    if (desc->kind == AOB_SCREEN_SLAB && !(desc->thickness > 0)) {
+        aob_fail(error, "screen-space bound: thickness %g: must be more than 0", desc->thickness);
+        return NULL;
+    }
+    struct aob_screen *screen = AOB_NEW(struct aob_screen);
+    struct aob_mesh mesh = {0};
+    screen->camera = *camera;
+    copy_hits(&screen->hits, hits);
+    bool solid = aob_screen_mesh(camera, projection, hits, desc, &mesh) && has_area(&mesh);
+    if (solid)
+        screen->tracer = aob_tracer_create(&mesh, error);
+    aob_mesh_finish(&mesh);
+    if (!solid || screen->tracer)
+        return screen;
+    aob_fail_in(error, "screen-space bound of %dx%d pixels", hits->width, hits->height);
+    aob_screen_destroy(screen);
+    return NULL;
+}
+
+void aob_screen_destroy(struct aob_screen *screen)
+{
+    if (!screen)
+        return;
+    aob_tracer_destroy(screen->tracer);
+    aob_hits_finish(&screen->hits);
+    free(screen);
+}
+
+/* Nothing could be rebuilt, so nothing occludes. */
+static void fill_open(const struct aob_screen *screen, const struct aob_visibility_desc *desc,
+                      struct aob_visibility *result)
+{
+    bool all = desc->width == 0 || desc->height == 0;
+    size_t count = all ? (size_t)screen->hits.width * (size_t)screen->hits.height
+                       : (size_t)desc->width * (size_t)desc->height;
+    for (size_t t = 0; t < desc->term_count; t++) {
+        result[t] = (struct aob_visibility){AOB_NEW_ARRAY(float, count), AOB_NEW_ARRAY(float, count)};
+        for (size_t i = 0; i < count; i++)
+            result[t].ao[i] = 1;
+    }
+}
+
+bool aob_screen_visibility(const struct aob_screen *screen, const struct aob_visibility_desc *desc,
+                           struct aob_visibility *result, struct aob_error *error)
+{
+    if (screen->tracer)
+        return aob_tracer_visibility(screen->tracer, &screen->camera, &screen->hits, desc, result, error);
+    fill_open(screen, desc, result);
+    return true;
+}

@@ -1,0 +1,50 @@
+/* The screen-space bound: the visibility that is left when the scene is only what the depth buffer shows. The
+ * surface is rebuilt from depth and geometric normal of all pixels, guard band included, and the rays of
+ * aob_tracer_visibility are traced against it: the same directions, from the same points (to the rounding of
+ * the depth). What separates it from the ray-traced truth is information that no screen-space technique has.
+ *
+ * The rebuilt surface. A *cell* lies between four neighbouring pixel centres. Two neighbours a and b are
+ * *joined* if max(|d.n_a|, |d.n_b|) <= 2 w, with d the vector between their points and w a pixel's width at
+ * the nearer one: each lies in the other's tangent plane, nearly. Lengths only enter as ratios.
+ *   whole cell (all four sides joined): two triangles between the four points, split along the diagonal
+ *     whose middle is farther away.
+ *   cut cell: each pixel has its own quarter, on its tangent plane, clamped to the depths in the cell; in a
+ *     cell with sky, to half and twice those. Joined neighbours share the middle of their side and the
+ *     quarter's corner, so that a gap opens along the cut only.
+ * With Z(q) the depth of that surface at image position q:
+ *   infinite: all that lies behind it is solid, {z >= Z(q)}: cuts are closed by walls along the view rays.
+ *     Against the sky walls end at 4 times the view's farthest depth.
+ *   slab: {Z(q) <= z <= Z(q) + thickness}, closed on all sides; not beyond those 4 times.
+ *   thin: the whole cells alone, without thickness: what is known to be there. A feature one pixel wide has
+ *     no whole cell, and is in the other two only.
+ * So thin, slab and infinite each contain the one before: with the same rays each is no brighter than the one
+ * before; of a slab to rounding, which lets single rays through. Outside the rectangle of the outermost pixel
+ * centres, and in the sky, there is nothing. */
+#ifndef AOB_REFERENCE_BOUND_H
+#define AOB_REFERENCE_BOUND_H
+#include "tracer.h"
+
+enum aob_screen_kind { AOB_SCREEN_INFINITE, AOB_SCREEN_THIN, AOB_SCREEN_SLAB };
+
+struct aob_screen_desc {
+    enum aob_screen_kind kind;
+    double thickness; /* slab: along the view axis, scene units, > 0; else unused */
+};
+
+struct aob_screen;
+
+/* Reads `depth` (0: sky) and `normal` of the hits, and keeps nothing of them. NULL after one line: a thickness that is
+ * not positive, or what aob_tracer_create says. A picture of nothing but sky, or of nothing that can be joined, is open everywhere. Threads: as a
+ * tracer. */
+struct aob_screen *aob_screen_create(const struct aob_camera *camera, const struct aob_projection *projection,
+                                     const struct aob_hits *hits, const struct aob_screen_desc *desc,
+                                     struct aob_error *error);
+void aob_screen_destroy(struct aob_screen *screen);
+
+/* As aob_tracer_visibility, all its terms included: with the same desc the same rays as the truth. */
+bool aob_screen_visibility(const struct aob_screen *screen, const struct aob_visibility_desc *desc,
+                           struct aob_visibility *result, struct aob_error *error);
+
+/* Raised when any value of the bound could change for the same truth; part of cache keys. */
+extern const char aob_screen_version[];
+#endif

@@ -1,0 +1,17 @@
+/* Progress with an estimate of the time left, on standard error and only if that is a terminal. */
+#ifndef AOB_RUN_PROGRESS_H
+#define AOB_RUN_PROGRESS_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct aob_progress {
+    bool shown;
+    size_t done, total;
+    int64_t start_ns;
+};
+void aob_progress_init(struct aob_progress *progress, size_t total, bool quiet);
+void aob_progress_step(struct aob_progress *progress,
+                       const char *what);                /* one more done; `what` comes next */
+void aob_progress_finish(struct aob_progress *progress); /* clears the line */
+#endif

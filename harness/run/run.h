@@ -1,0 +1,25 @@
+/* `aobudget run`: a sweep from its config to the page. */
+#ifndef AOB_RUN_RUN_H
+#define AOB_RUN_RUN_H
+#include <stdbool.h>
+#include "base/error.h"
+#include "dispatch.h"
+
+struct aob_run_desc {
+    struct aob_dispatch dispatch;
+    const char *config; /* path */
+    const char *out;    /* folder; NULL: results/NAME */
+    const char *filter; /* only cases whose description holds this text; NULL: all */
+    const char *json;   /* summary document to this file, "-": standard output; NULL: none */
+    bool fresh, quiet;  /* fresh: what the folder held of an earlier run is removed first */
+    bool no_page;       /* the journal only; `aobudget report` can make the page later */
+    int max_width; /* pixels; of wider pictures only the middle columns, at their scale, so that a pixel costs what
+                           it did; 0: as the config says */
+    double max_seconds; /* of timing a case; 0: as the config says */
+    int max_spp;        /* rays a pixel of the reference, even; 0: as the config says */
+};
+
+/* OK: every case of the plan is measured. PART: some are not; each has its reason in the journal. USAGE:
+ * nothing could run, and the line says why. */
+enum aob_exit aob_run(const struct aob_run_desc *desc, struct aob_error *error);
+#endif

@@ -1,0 +1,111 @@
+#include "score.h"
+#include <math.h>
+#include <stdlib.h>
+#include "base/memory.h"
+#include "base/statistics.h"
+
+bool aob_score_is_sky(const struct aob_score_desc *desc, size_t i)
+{
+    return !(desc->depth[i] < desc->sky_depth);
+}
+
+static bool near_border(const struct aob_score_desc *desc, int x, int y, size_t i)
+{
+    double reach = desc->radius / (desc->pixel_scale * (desc->perspective ? desc->depth[i] : 1));
+    double horizontal = fmin(x + 0.5, desc->width - x - 0.5),
+           vertical = fmin(y + 0.5, desc->height - y - 0.5);
+    return fmin(horizontal, vertical) < reach;
+}
+
+static bool judge_values(const struct aob_score_desc *desc, struct aob_error *error)
+{
+    for (size_t i = 0; i < (size_t)desc->width * (size_t)desc->height; i++)
+        if (!aob_score_is_sky(desc, i) && !(desc->image[i] >= 0 && desc->image[i] <= 1))
+            return aob_fail(error, "pixel (%zu, %zu) is %g: visibility must be finite and within 0..1",
+                            i % (size_t)desc->width, i / (size_t)desc->width, (double)desc->image[i]);
+    return true;
+}
+
+bool aob_score_judge_drawn(const struct aob_score_desc *desc, struct aob_error *error)
+{
+    float low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    const float *images[2] = {desc->image, desc->truth};
+    for (size_t i = 0; i < (size_t)desc->width * (size_t)desc->height; i++)
+        for (int k = 0; k < 2 && !aob_score_is_sky(desc, i); k++) {
+            low[k] = fminf(low[k], images[k][i]);
+            high[k] = fmaxf(high[k], images[k][i]);
+        }
+    return low[0] != high[0] || !(high[1] - low[1] > 0.05f) ||
+           aob_fail(error, "draws nothing: %g in every pixel, where the truth spans %.3f .. %.3f",
+                    (double)low[0], (double)low[1], (double)high[1]);
+}
+
+struct sums {
+    double square, band, border, se, bias;
+    size_t count, band_count, border_count;
+};
+
+static void add_pixel(const struct aob_score_desc *desc, int x, int y, struct sums *sums, double *errors)
+{
+    size_t i = (size_t)y * (size_t)desc->width + (size_t)x;
+    if (aob_score_is_sky(desc, i))
+        return;
+    double e = (double)desc->image[i] - desc->truth[i];
+    sums->square += e * e;
+    sums->bias += e;
+    sums->se += desc->truth_se ? (double)desc->truth_se[i] * desc->truth_se[i] : 0;
+    if (desc->truth[i] < AOB_BAND_LIMIT) {
+        sums->band += e * e;
+        sums->band_count++;
+    }
+    if (near_border(desc, x, y, i)) {
+        sums->border += e * e;
+        sums->border_count++;
+    }
+    errors[sums->count++] = fabs(e);
+}
+
+static double mean(double sum, size_t count)
+{
+    return count ? sum / (double)count : NAN;
+}
+
+bool aob_score(const struct aob_score_desc *desc, struct aob_score *score, struct aob_error *error)
+{
+    if (!judge_values(desc, error))
+        return false;
+    struct sums sums = {0};
+    double *errors = AOB_NEW_ARRAY(double, (size_t)desc->width *(size_t)desc->height);
+    for (int y = 0; y < desc->height; y++)
+        for (int x = 0; x < desc->width; x++)
+            add_pixel(desc, x, y, &sums, errors);
+    double total = 0;
+    for (size_t i = 0; i < sums.count; i++)
+        total += errors[i];
+    *score = (struct aob_score){.rmse = sqrt(mean(sums.square, sums.count)),
+                                .mae = mean(total, sums.count),
+                                .bias = mean(sums.bias, sums.count),
+                                .p95 = sums.count ? aob_quantile(errors, sums.count, 0.95) : NAN,
+                                .max = sums.count ? aob_quantile(errors, sums.count, 1) : NAN,
+                                .band_rmse = sqrt(mean(sums.band, sums.band_count)),
+                                .border_rmse = sqrt(mean(sums.border, sums.border_count)),
+                                .border_share = sums.square > 0 ? sums.border / sums.square : 0,
+                                .reference_se = sqrt(mean(sums.se, sums.count)),
+                                .pixels = sums.count,
+                                .band_pixels = sums.band_count};
+    free(errors);
+    return true;
+}
+
+double aob_score_rmse(const struct aob_score_desc *desc, const float *a, const float *b)
+{
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 0; i < (size_t)desc->width * (size_t)desc->height; i++)
+        if (!aob_score_is_sky(desc, i)) {
+            double e = (double)a[i] - b[i];
+            sum += e * e;
+            count++;
+        }
+    return sqrt(mean(sum, count));
+}

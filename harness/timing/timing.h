@@ -1,0 +1,41 @@
+/* Timing of a block: its cases' frames interleaved with the fixed reference pass, round by round, so that
+ * drift and load fall on both sides of every ratio (docs/measuring.md says why). */
+#ifndef AOB_TIMING_TIMING_H
+#define AOB_TIMING_TIMING_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "base/error.h"
+#include "frame/frame.h"
+#include "base/statistics.h"
+
+struct aob_timing_desc {
+    struct aob_frame *fixed; /* the fixed reference pass; run twice a round (the second is the A/A control) */
+    struct aob_frame *const *frames; /* frame_count cases, 1..AOB_BLOCK_MAX */
+    size_t frame_count;
+    double seconds; /* a case; timing stops there even if the interval is still wide */
+    uint32_t seed;  /* of the order within rounds */
+    bool wall;      /* judge by wall time (a real GPU), else by processor time */
+};
+enum { AOB_BLOCK_MAX = 6, AOB_ROUNDS_MAX = 230 };
+
+struct aob_timing {                   /* of one case; milliseconds a frame */
+    double cpu_ms, wall_ms;           /* medians over rounds; wall over clean rounds, NAN if there is none */
+    struct aob_ratio to_fixed;        /* paired ratio to the fixed pass */
+    size_t rounds, clean_rounds;      /* clean: no involuntary context switch during the case's frames */
+    double pass_cpu_ms[AOB_MAX_PASS]; /* medians */
+    double measured_s;                /* wall time inside measured frames, all rounds */
+};
+struct aob_block_timing {
+    struct aob_timing cases[AOB_BLOCK_MAX];
+    struct aob_ratio control; /* fixed pass against itself: what this block cannot resolve */
+    double fixed_cpu_ms;
+    double fixed_s; /* wall time inside the fixed pass, all rounds */
+};
+
+/* Warm-up (two rounds, then the fixed pass until it is steady; drivers compile at the first draw), then
+ * rounds in a seeded cyclic order until every ratio's 95 % interval is within 3 % at a check point (20, 30,
+ * 45, 67, 101, 151, 227 rounds) or time is up. */
+bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_block_timing *result,
+                    struct aob_error *error);
+#endif

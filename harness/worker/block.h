@@ -1,0 +1,43 @@
+/* The inside of a block job (worker.h): what its timing and its scoring share. */
+#ifndef AOB_WORKER_BLOCK_H
+#define AOB_WORKER_BLOCK_H
+#include <jansson.h>
+#include "frame/frame.h"
+#include "timing/timing.h"
+#include "worker.h"
+
+/* One block while it is worked on. */
+struct aob_block {
+    const json_t *job, *cases;
+    struct aob_registry registry;
+    struct aob_gbuffer gbuffer;   /* canonical: what scores know of the view */
+    struct aob_gbuffer drawn;     /* by the device, where the job says raster; else empty */
+    struct aob_mesh mesh;         /* where the job says raster or triangles; else empty */
+    struct aob_geometry geometry; /* where it says triangles; else empty */
+    json_t *difference;           /* of the two; NULL where there is but one */
+    struct aob_gpu *gpu;
+    struct aob_screen screens[AOB_BLOCK_MAX + 1]; /* one for each encoding; the first is the fixed pass's */
+    struct aob_options screen_options[AOB_BLOCK_MAX + 1];
+    size_t screen_count;
+    struct aob_frame fixed, frames[AOB_BLOCK_MAX];
+    size_t case_of_frame[AOB_BLOCK_MAX], frame_count;
+    double setup_ms[AOB_BLOCK_MAX];
+    struct aob_camera camera;
+    int width, height, guard;
+    double seconds;
+    int time, error;
+    struct aob_block_timing timing[AOB_BLOCK_MAX]; /* of each frame, as cases[0] */
+    double images_s, measured_s, warmup_s;
+};
+
+/* Runs the frame once more, scores its image against the references and writes the EXR that the case asks for. Puts
+ * `error` into the answer, and `status` invalid where the image is no visibility. */
+bool aob_block_finish_case(struct aob_block *block, size_t f, json_t *answer, struct aob_error *error);
+
+/* Where the job says so: draws the mesh on the block's device into `drawn`, for the techniques to read, and fills
+ * `difference`. */
+bool aob_block_draw(struct aob_block *block, struct aob_error *error);
+
+/* What the cache holds can be made again: a damaged file goes, so that the next run makes it. Always false. */
+bool aob_block_drop_damaged(const char *path, struct aob_error *error);
+#endif

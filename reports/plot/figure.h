@@ -1,0 +1,37 @@
+/* Figures as JSON objects, drawn by the viz library. A job for aobudget-plot is {"figures": [FIGURE...]}; each has
+ *   kind                  "map" | "triptych" | "split" | "height" | "chart" | "vti"
+ *   out                   path of the file to write; a chart's must end in .svg or .png
+ *   title, subtitle       all but vti; may be left out
+ *   image                 path of an EXR file: all but chart
+ *   technique, reference, error
+ *                         names of its channels; default technique.AO, reference.AO, error.AO
+ *   limit                 where the colours end, or
+ *   limit_group           a name: figures of one name share one limit, a round number near the median of their
+ *                         images' 99.5th percentiles of |error|. map, triptych, split, height
+ *   parts                 three headings of a split
+ *   alone                 true: the technique without reference and error, where there are none. triptych, vti
+ *   technique_name, reference_name
+ *                         headings of a triptych
+ *   x, y                  {"label": TEXT, "log": BOOL}: chart
+ *   series                [{"name": TEXT, "style": "curve" | "points" | "front", "colour": NUMBER, "x": [...],
+ *                         "y": [...], "low": [...], "high": [...]}]: chart; null leaves a point out
+ * A split needs definition.AO and screen.AO in the image; a .vti has the parts where they are there. */
+#ifndef AOB_REPORTS_PLOT_FIGURE_H
+#define AOB_REPORTS_PLOT_FIGURE_H
+#include <jansson.h>
+#include <stdbool.h>
+#include "base/error.h"
+#include "store/image.h"
+
+/* The image drawn last, since the next figure often shows it again. Zero it first. */
+struct aob_figure_cache {
+    char *path;
+    struct aob_image image;
+};
+void aob_figure_cache_finish(struct aob_figure_cache *cache);
+
+/* Gives every figure with a limit_group its limit. An image that cannot be read does not take part. */
+void aob_figure_limits(json_t *figures);
+
+bool aob_figure_draw(const json_t *figure, struct aob_figure_cache *cache, struct aob_error *error);
+#endif

@@ -1,0 +1,71 @@
+#include "check.h"
+#include <math.h>
+#include <stdlib.h>
+#include "base/statistics.h"
+
+static void test_median_and_quantile(void **state)
+{
+    (void)state;
+    assert_true(aob_median((const double[]){3, 1, 2}, 3) == 2);
+    assert_true(aob_median((const double[]){4, 1, 2, 3}, 4) == 2.5);
+    assert_true(aob_quantile((const double[]){0, 10}, 2, 0.25) == 2.5);
+    assert_true(aob_quantile((const double[]){5}, 1, 0.9) == 5);
+}
+
+/* k of the published table of the sign test's 95 % interval (two-sided, e.g. Conover, table A3). */
+static void test_interval_against_table(void **state)
+{
+    (void)state;
+    const struct {
+        size_t n, k;
+    } rows[] = {{6, 1},  {8, 1},  {9, 2},   {10, 2},  {12, 3},  {15, 4},
+                {20, 6}, {25, 8}, {30, 10}, {50, 18}, {100, 40}};
+    double x[100], low, high;
+    for (size_t i = 0; i < 100; i++)
+        x[i] = (double)i + 1;
+    for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
+        assert_true(aob_median_interval(x, rows[r].n, &low, &high));
+        assert_true(low == (double)rows[r].k);
+        assert_true(high == (double)(rows[r].n + 1 - rows[r].k));
+    }
+    assert_false(aob_median_interval(x, 5, &low, &high));
+    assert_true(low == 1 && high == 5);
+}
+
+static double uniform(unsigned *seed)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    return (double)(*seed >> 8) / 16777216.0;
+}
+
+/* Skewed times with a drift that both sides share: the interval must cover the true ratio in about 95 % of
+ * trials. */
+static void test_ratio_covers_the_truth(void **state)
+{
+    (void)state;
+    unsigned seed = 12345;
+    int covered = 0, trials = 2000;
+    double a[30], b[30], worst = 0;
+    for (int t = 0; t < trials; t++) {
+        double level = 1;
+        for (int i = 0; i < 30; i++) {
+            level *= 0.9 + 0.25 * uniform(&seed);
+            a[i] = 1.25 * level * (1 - 0.1 * log(1 - uniform(&seed)));
+            b[i] = level * (1 - 0.1 * log(1 - uniform(&seed)));
+        }
+        struct aob_ratio r = aob_paired_ratio(a, b, 30);
+        assert_true(r.bounded && r.low <= r.ratio && r.ratio <= r.high);
+        covered += r.low <= 1.25 && 1.25 <= r.high;
+        worst = fmax(worst, fabs(log(r.ratio / 1.25)));
+    }
+    assert_in_range(covered, trials * 93 / 100, trials * 99 / 100);
+    assert_true(worst < 0.15);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_median_and_quantile),
+                                       cmocka_unit_test(test_interval_against_table),
+                                       cmocka_unit_test(test_ratio_covers_the_truth)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
