@@ -33,7 +33,7 @@ bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh,
 bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,
                       int width, int height, int guard, struct aob_error *error);
 
-/* The other way: what was seen, for the screen-space bound of a capture (reference/screen.h). Depth, normals and which
+/* The other way: what was seen, for the screen-space bound of a capture (reference/bound.h). Depth, normals and which
  * pixels are sky (primitive 0 or none); no place on a triangle. Allocates; aob_hits_finish frees. */
 void aob_gbuffer_hits(const struct aob_gbuffer *gbuffer, struct aob_hits *hits);
 void aob_gbuffer_finish(struct aob_gbuffer *gbuffer);

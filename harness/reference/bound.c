@@ -4,9 +4,9 @@
 #include "base/memory.h"
 #include "bound_mesh.h"
 
-const char aob_screen_version[] = "2";
+const char aob_bound_version[] = "2";
 
-struct aob_screen {
+struct aob_bound {
     struct aob_camera camera;
     struct aob_tracer *tracer; /* NULL: nothing could be rebuilt */
     struct aob_hits hits;      /* the pixels' points as hits of the rebuilt mesh */
@@ -40,44 +40,44 @@ static bool has_area(const struct aob_mesh *mesh)
     return false;
 }
 
-struct aob_screen *aob_screen_create(const struct aob_camera *camera, const struct aob_projection *projection,
-                                     const struct aob_hits *hits, const struct aob_screen_desc *desc,
-                                     struct aob_error *error)
+struct aob_bound *aob_bound_create(const struct aob_camera *camera, const struct aob_projection *projection,
+                                   const struct aob_hits *hits, const struct aob_bound_desc *desc,
+                                   struct aob_error *error)
 {
-    if (desc->kind == AOB_SCREEN_SLAB && !(desc->thickness > 0)) {
+    if (desc->kind == AOB_BOUND_SLAB && !(desc->thickness > 0)) {
         aob_fail(error, "screen-space bound: thickness %g: must be more than 0", desc->thickness);
         return NULL;
     }
-    struct aob_screen *screen = AOB_NEW(struct aob_screen);
+    struct aob_bound *bound = AOB_NEW(struct aob_bound);
     struct aob_mesh mesh = {0};
-    screen->camera = *camera;
-    copy_hits(&screen->hits, hits);
-    bool solid = aob_screen_mesh(camera, projection, hits, desc, &mesh) && has_area(&mesh);
+    bound->camera = *camera;
+    copy_hits(&bound->hits, hits);
+    bool solid = aob_bound_mesh(camera, projection, hits, desc, &mesh) && has_area(&mesh);
     if (solid)
-        screen->tracer = aob_tracer_create(&mesh, error);
+        bound->tracer = aob_tracer_create(&mesh, error);
     aob_mesh_finish(&mesh);
-    if (!solid || screen->tracer)
-        return screen;
+    if (!solid || bound->tracer)
+        return bound;
     aob_fail_in(error, "screen-space bound of %dx%d pixels", hits->width, hits->height);
-    aob_screen_destroy(screen);
+    aob_bound_destroy(bound);
     return NULL;
 }
 
-void aob_screen_destroy(struct aob_screen *screen)
+void aob_bound_destroy(struct aob_bound *bound)
 {
-    if (!screen)
+    if (!bound)
         return;
-    aob_tracer_destroy(screen->tracer);
-    aob_hits_finish(&screen->hits);
-    free(screen);
+    aob_tracer_destroy(bound->tracer);
+    aob_hits_finish(&bound->hits);
+    free(bound);
 }
 
 /* Nothing could be rebuilt, so nothing occludes. */
-static void fill_open(const struct aob_screen *screen, const struct aob_visibility_desc *desc,
+static void fill_open(const struct aob_bound *bound, const struct aob_visibility_desc *desc,
                       struct aob_visibility *result)
 {
     bool all = desc->width == 0 || desc->height == 0;
-    size_t count = all ? (size_t)screen->hits.width * (size_t)screen->hits.height
+    size_t count = all ? (size_t)bound->hits.width * (size_t)bound->hits.height
                        : (size_t)desc->width * (size_t)desc->height;
     for (size_t t = 0; t < desc->term_count; t++) {
         result[t] = (struct aob_visibility){AOB_NEW_ARRAY(float, count), AOB_NEW_ARRAY(float, count)};
@@ -86,11 +86,11 @@ static void fill_open(const struct aob_screen *screen, const struct aob_visibili
     }
 }
 
-bool aob_screen_visibility(const struct aob_screen *screen, const struct aob_visibility_desc *desc,
-                           struct aob_visibility *result, struct aob_error *error)
+bool aob_bound_visibility(const struct aob_bound *bound, const struct aob_visibility_desc *desc,
+                          struct aob_visibility *result, struct aob_error *error)
 {
-    if (screen->tracer)
-        return aob_tracer_visibility(screen->tracer, &screen->camera, &screen->hits, desc, result, error);
-    fill_open(screen, desc, result);
+    if (bound->tracer)
+        return aob_tracer_visibility(bound->tracer, &bound->camera, &bound->hits, desc, result, error);
+    fill_open(bound, desc, result);
     return true;
 }

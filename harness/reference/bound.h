@@ -24,27 +24,27 @@
 #define AOB_REFERENCE_BOUND_H
 #include "tracer.h"
 
-enum aob_screen_kind { AOB_SCREEN_INFINITE, AOB_SCREEN_THIN, AOB_SCREEN_SLAB };
+enum aob_bound_kind { AOB_BOUND_INFINITE, AOB_BOUND_THIN, AOB_BOUND_SLAB };
 
-struct aob_screen_desc {
-    enum aob_screen_kind kind;
+struct aob_bound_desc {
+    enum aob_bound_kind kind;
     double thickness; /* slab: along the view axis, scene units, > 0; else unused */
 };
 
-struct aob_screen;
+struct aob_bound;
 
 /* Reads `depth` (0: sky) and `normal` of the hits, and keeps nothing of them. NULL after one line: a thickness that is
  * not positive, or what aob_tracer_create says. A picture of nothing but sky, or of nothing that can be joined, is open everywhere. Threads: as a
  * tracer. */
-struct aob_screen *aob_screen_create(const struct aob_camera *camera, const struct aob_projection *projection,
-                                     const struct aob_hits *hits, const struct aob_screen_desc *desc,
-                                     struct aob_error *error);
-void aob_screen_destroy(struct aob_screen *screen);
+struct aob_bound *aob_bound_create(const struct aob_camera *camera, const struct aob_projection *projection,
+                                   const struct aob_hits *hits, const struct aob_bound_desc *desc,
+                                   struct aob_error *error);
+void aob_bound_destroy(struct aob_bound *bound);
 
 /* As aob_tracer_visibility, all its terms included: with the same desc the same rays as the truth. */
-bool aob_screen_visibility(const struct aob_screen *screen, const struct aob_visibility_desc *desc,
-                           struct aob_visibility *result, struct aob_error *error);
+bool aob_bound_visibility(const struct aob_bound *bound, const struct aob_visibility_desc *desc,
+                          struct aob_visibility *result, struct aob_error *error);
 
 /* Raised when any value of the bound could change for the same truth; part of cache keys. */
-extern const char aob_screen_version[];
+extern const char aob_bound_version[];
 #endif

@@ -15,7 +15,7 @@ struct rebuild {
     const struct aob_camera *camera;
     const struct aob_projection *projection;
     const struct aob_hits *hits;
-    const struct aob_screen_desc *desc;
+    const struct aob_bound_desc *desc;
     struct aob_frame_axes axes;
     double end;
     struct aob_mesh *mesh;
@@ -193,7 +193,7 @@ static struct place back_of(const struct rebuild *r, struct place p)
 
 static void add_back(const struct rebuild *r, const struct place p[CORNERS])
 {
-    if (r->desc->kind != AOB_SCREEN_SLAB)
+    if (r->desc->kind != AOB_BOUND_SLAB)
         return;
     struct place back[CORNERS];
     for (int k = 0; k < CORNERS; k++)
@@ -220,7 +220,7 @@ static void add_whole(const struct rebuild *r, const struct cell *cell)
 /* How far a wall at `p` has to go so that nothing gets in behind it: what lies behind `other` is solid too. */
 static struct place wall_foot(const struct rebuild *r, struct place p, const struct place *other)
 {
-    if (r->desc->kind == AOB_SCREEN_SLAB)
+    if (r->desc->kind == AOB_BOUND_SLAB)
         return back_of(r, p);
     p.depth = other ? fmax(p.depth, other->depth) : r->end;
     return p;
@@ -273,7 +273,7 @@ static void add_cell(const struct rebuild *r, int x, int y)
     cell_init(r, x, y, &cell);
     if (cell.joined[0] && cell.joined[1] && cell.joined[2] && cell.joined[3])
         add_whole(r, &cell);
-    else if (r->desc->kind != AOB_SCREEN_THIN)
+    else if (r->desc->kind != AOB_BOUND_THIN)
         add_cut(r, &cell);
 }
 
@@ -299,8 +299,8 @@ static void add_bounds(const struct rebuild *r)
     }
 }
 
-bool aob_screen_mesh(const struct aob_camera *camera, const struct aob_projection *projection,
-                     const struct aob_hits *hits, const struct aob_screen_desc *desc, struct aob_mesh *mesh)
+bool aob_bound_mesh(const struct aob_camera *camera, const struct aob_projection *projection,
+                    const struct aob_hits *hits, const struct aob_bound_desc *desc, struct aob_mesh *mesh)
 {
     struct rebuild r = {camera, projection, hits, desc, aob_camera_axes(camera), 0, mesh};
     size_t pixels = (size_t)hits->width * (size_t)hits->height;

@@ -1,4 +1,4 @@
-/* The mesh of a screen-space bound; screen.h defines it. */
+/* The mesh of a screen-space bound; bound.h defines it. */
 #ifndef AOB_REFERENCE_BOUND_MESH_H
 #define AOB_REFERENCE_BOUND_MESH_H
 #include "bound.h"
@@ -6,6 +6,6 @@
 /* World space. Vertex i and triangle i, of no area, are the point of pixel i, so that a pixel is named as a
  * hit is: primitive i, u = v = 0. All kinds have the same bounds, so that a tracer rounds them alike. False, and
  * an empty mesh, if no pixel shows a surface. */
-bool aob_screen_mesh(const struct aob_camera *camera, const struct aob_projection *projection,
-                     const struct aob_hits *hits, const struct aob_screen_desc *desc, struct aob_mesh *mesh);
+bool aob_bound_mesh(const struct aob_camera *camera, const struct aob_projection *projection,
+                    const struct aob_hits *hits, const struct aob_bound_desc *desc, struct aob_mesh *mesh);
 #endif

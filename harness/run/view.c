@@ -97,7 +97,7 @@ static char *term_path(const struct aob_measurement *m, const struct aob_case *c
     bool screen = json_object_get(term, "screen");
     /* Neither guard band nor motion changes the truth; the screen-space bound ends with the guard band. */
     describe_view(c, screen ? aob_case_options(c).guard_band : 0, false, &text);
-    aob_text_add(&text, " %d %s %s", m->plan->config->spp, screen ? aob_screen_version : "", line);
+    aob_text_add(&text, " %d %s %s", m->plan->config->spp, screen ? aob_bound_version : "", line);
     char *path = cache_path(m, "visibility", text.data, ".exr");
     free(line);
     aob_text_finish(&text);

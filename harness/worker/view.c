@@ -137,13 +137,13 @@ static bool compute(const struct view *view, const struct trace *trace, struct a
         return aob_tracer_visibility(view->tracer, &view->camera, &view->hits, &desc, result, error);
     struct aob_projection projection =
         aob_camera_projection(&view->camera, view->width, view->height, view->guard);
-    struct aob_screen_desc kind = {.kind = isinf(trace->thickness) ? AOB_SCREEN_INFINITE
-                                           : trace->thickness > 0  ? AOB_SCREEN_SLAB
-                                                                   : AOB_SCREEN_THIN,
-                                   .thickness = trace->thickness};
-    struct aob_screen *screen = aob_screen_create(&view->camera, &projection, &view->hits, &kind, error);
-    bool ok = screen && aob_screen_visibility(screen, &desc, result, error);
-    aob_screen_destroy(screen);
+    struct aob_bound_desc kind = {.kind = isinf(trace->thickness) ? AOB_BOUND_INFINITE
+                                          : trace->thickness > 0  ? AOB_BOUND_SLAB
+                                                                  : AOB_BOUND_THIN,
+                                  .thickness = trace->thickness};
+    struct aob_bound *bound = aob_bound_create(&view->camera, &projection, &view->hits, &kind, error);
+    bool ok = bound && aob_bound_visibility(bound, &desc, result, error);
+    aob_bound_destroy(bound);
     return ok;
 }
 

@@ -7,25 +7,24 @@
 enum { INFINITE, SLAB, THIN, KINDS };
 static const char *const kind_names[KINDS] = {"infinite", "slab", "thin"};
 
-static inline void bound_shot(const struct shot *shot, const struct aob_screen_desc *desc,
+static inline void bound_shot(const struct shot *shot, const struct aob_bound_desc *desc,
                               const struct aob_visibility_term *terms, size_t count, int spp,
                               struct aob_visibility *result)
 {
     struct aob_error error = {""};
-    struct aob_screen *screen =
-        aob_screen_create(&shot->camera, &shot->projection, &shot->hits, desc, &error);
+    struct aob_bound *bound = aob_bound_create(&shot->camera, &shot->projection, &shot->hits, desc, &error);
     assert_string_equal(error.text, "");
     struct aob_visibility_desc trace = {.terms = terms, .term_count = count, .spp = spp, .seed = 7};
-    assert_true(aob_screen_visibility(screen, &trace, result, &error));
-    aob_screen_destroy(screen);
+    assert_true(aob_bound_visibility(bound, &trace, result, &error));
+    aob_bound_destroy(bound);
 }
 
 static inline void bound_kinds(const struct shot *shot, double thickness,
                                const struct aob_visibility_term *term, int spp,
                                struct aob_visibility bound[KINDS])
 {
-    const struct aob_screen_desc descs[KINDS] = {
-        {0}, {.kind = AOB_SCREEN_SLAB, .thickness = thickness}, {.kind = AOB_SCREEN_THIN}};
+    const struct aob_bound_desc descs[KINDS] = {
+        {0}, {.kind = AOB_BOUND_SLAB, .thickness = thickness}, {.kind = AOB_BOUND_THIN}};
     for (int k = 0; k < KINDS; k++)
         bound_shot(shot, &descs[k], term, 1, spp, &bound[k]);
 }

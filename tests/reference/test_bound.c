@@ -51,8 +51,8 @@ static void a_sheet_from_above_is_a_wall(void **state)
     sheet_shot(&shot);
     trace_shot(&shot, terms, 2, 64);
     check_open(&shot, &shot.visibility[1]); /* the sheet hangs farther away than the radius */
-    const struct aob_screen_desc solid[] = {
-        {0}, {.kind = AOB_SCREEN_SLAB, .thickness = 1.6}, {.kind = AOB_SCREEN_SLAB, .thickness = 1e9}};
+    const struct aob_bound_desc solid[] = {
+        {0}, {.kind = AOB_BOUND_SLAB, .thickness = 1.6}, {.kind = AOB_BOUND_SLAB, .thickness = 1e9}};
     for (size_t k = 0; k < AOB_COUNT(solid); k++) {
         bound_shot(&shot, &solid[k], terms, 2, 1024, bound);
         check_wall(&shot, &bound[0], 0.5);
@@ -60,8 +60,8 @@ static void a_sheet_from_above_is_a_wall(void **state)
         aob_visibility_finish(&bound[0]);
         aob_visibility_finish(&bound[1]);
     }
-    const struct aob_screen_desc open[] = {{.kind = AOB_SCREEN_THIN},
-                                           {.kind = AOB_SCREEN_SLAB, .thickness = 0.45}};
+    const struct aob_bound_desc open[] = {{.kind = AOB_BOUND_THIN},
+                                          {.kind = AOB_BOUND_SLAB, .thickness = 0.45}};
     for (size_t k = 0; k < AOB_COUNT(open); k++) {
         bound_shot(&shot, &open[k], terms, 2, 64, bound);
         check_open(&shot, &bound[0]);
@@ -182,8 +182,8 @@ static void bad_input_is_refused(void **state)
     struct shot shot;
     struct aob_error error = {""};
     scene_shot(&shot, "plane", aob_scene_find("plane")->views[0].camera, 8, 8);
-    const struct aob_screen_desc slab = {.kind = AOB_SCREEN_SLAB}, infinite = {0};
-    assert_null(aob_screen_create(&shot.camera, &shot.projection, &shot.hits, &slab, &error));
+    const struct aob_bound_desc slab = {.kind = AOB_BOUND_SLAB}, infinite = {0};
+    assert_null(aob_bound_create(&shot.camera, &shot.projection, &shot.hits, &slab, &error));
     assert_non_null(strstr(error.text, "thickness"));
     memset(shot.hits.depth, 0, pixel_count(&shot) * sizeof *shot.hits.depth);
     struct aob_visibility_term term = {.radius = 1};

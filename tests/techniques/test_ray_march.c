@@ -195,12 +195,12 @@ static void test_between_the_screen_space_bounds(void **state)
                     ao);
         assert_true(aob_tracer_visibility(rig.tracer, &rig.camera, &rig.hits, &desc, &traced, &error));
         for (int b = 0; b < 2; b++) {
-            struct aob_screen *screen = aob_screen_create(
+            struct aob_bound *bound = aob_bound_create(
                 &rig.camera, &rig.gbuffer.projection, &rig.hits,
-                &(struct aob_screen_desc){.kind = b ? AOB_SCREEN_THIN : AOB_SCREEN_INFINITE}, &error);
-            assert_non_null(screen);
-            assert_true(aob_screen_visibility(screen, &desc, &bounds[b], &error));
-            aob_screen_destroy(screen);
+                &(struct aob_bound_desc){.kind = b ? AOB_BOUND_THIN : AOB_BOUND_INFINITE}, &error);
+            assert_non_null(bound);
+            assert_true(aob_bound_visibility(bound, &desc, &bounds[b], &error));
+            aob_bound_destroy(bound);
         }
         printf("%s: mean of the infinite bound %.4f, of the march %.4f, of the thin bound %.4f; RMSE against "
                "them "
