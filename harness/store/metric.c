@@ -1,0 +1,102 @@
+#include "metric.h"
+#include <math.h>
+#include <string.h>
+#include "base/json.h"
+
+#define METRIC(field, ...)                                                                                   \
+    {                                                                                                        \
+        .name = #field, .offset = offsetof(struct aob_metrics, field), __VA_ARGS__                           \
+    }
+
+const struct aob_metric aob_metric_table[] = {
+    METRIC(rmse, .title = "RMSE", .better = AOB_BETTER_LESS,
+           .doc = "Root of the mean squared error of visibility, 0 to 1, against the target."),
+    METRIC(band_rmse, .title = "RMSE in band", .better = AOB_BETTER_LESS,
+           .doc = "RMSE over the pixels whose true visibility is below 0.995: where there is occlusion."),
+    METRIC(border_rmse, .title = "RMSE at the border", .better = AOB_BETTER_LESS,
+           .doc = "RMSE over the pixels that lie nearer to the view's edge than the target's radius reaches."),
+    METRIC(border_share, .title = "border share", .better = AOB_BETTER_NONE,
+           .doc = "Share of the squared error that lies in those pixels."),
+    METRIC(mae, .title = "MAE", .better = AOB_BETTER_LESS, .doc = "Mean of the absolute error."),
+    METRIC(bias, .title = "bias", .better = AOB_BETTER_ZERO,
+           .doc = "Mean of technique minus reference; a negative one is too dark."),
+    METRIC(p95, .title = "p95", .better = AOB_BETTER_LESS, .doc = "95th percentile of the absolute error."),
+    METRIC(max, .title = "max", .better = AOB_BETTER_LESS, .doc = "Largest absolute error of a pixel."),
+    METRIC(reference_se, .title = "reference SE", .better = AOB_BETTER_NONE,
+           .doc = "Standard error of the reference itself, as an RMS over the pixels."),
+    METRIC(flip, .title = "FLIP", .better = AOB_BETTER_LESS,
+           .doc = "Mean difference that one notices between the two images: 0 none, 1 most."),
+    METRIC(ssim, .title = "SSIM", .better = AOB_BETTER_MORE,
+           .doc = "Mean structural similarity: 1 where the two images are equal."),
+    METRIC(pixels, .title = "pixels", .unit = "pixels", .whole = true, .better = AOB_BETTER_NONE,
+           .doc = "Pixels that are scored; the sky is not."),
+    METRIC(band_pixels, .title = "pixels in band", .unit = "pixels", .whole = true,
+           .better = AOB_BETTER_NONE, .doc = "Those of them whose true visibility is below 0.995."),
+    METRIC(definition_rmse, .title = "definition", .better = AOB_BETTER_LESS,
+           .doc = "RMS of the part of the error that the technique's definition asks for."),
+    METRIC(missing_rmse, .title = "missing", .better = AOB_BETTER_LESS,
+           .doc = "RMS of the part that the depth buffer does not know."),
+    METRIC(estimator_rmse, .title = "estimator", .better = AOB_BETTER_LESS,
+           .doc = "RMS of the part that the technique could still gain from the same depth buffer."),
+    METRIC(definition_missing, .group = "covariance", .title = "definition x missing",
+           .better = AOB_BETTER_NONE, .doc = "Mean product of these two parts of the error."),
+    METRIC(definition_estimator, .group = "covariance", .title = "definition x estimator",
+           .better = AOB_BETTER_NONE, .doc = "Mean product of these two parts of the error."),
+    METRIC(missing_estimator, .group = "covariance", .title = "missing x estimator",
+           .better = AOB_BETTER_NONE, .doc = "Mean product of these two parts of the error."),
+    {.name = NULL},
+};
+
+const struct aob_metric *aob_metric_find(const char *name)
+{
+    for (const struct aob_metric *m = aob_metric_table; m->name; m++)
+        if (strcmp(m->name, name) == 0)
+            return m;
+    return NULL;
+}
+
+double aob_metric_get(const struct aob_metrics *metrics, const struct aob_metric *metric)
+{
+    double value;
+    memcpy(&value, (const char *)metrics + metric->offset, sizeof value);
+    return value;
+}
+
+void aob_metric_set(struct aob_metrics *metrics, const struct aob_metric *metric, double value)
+{
+    memcpy((char *)metrics + metric->offset, &value, sizeof value);
+}
+
+void aob_metrics_init(struct aob_metrics *metrics)
+{
+    for (const struct aob_metric *m = aob_metric_table; m->name; m++)
+        aob_metric_set(metrics, m, NAN);
+}
+
+static json_t *value_to_json(const struct aob_metric *metric, double value)
+{
+    return metric->whole && isfinite(value) ? json_integer((json_int_t)value) : aob_json_number(value);
+}
+
+void aob_metrics_to_json(const struct aob_metrics *metrics, unsigned outputs, json_t *object)
+{
+    for (const struct aob_metric *m = aob_metric_table; m->name; m++) {
+        json_t *into = object;
+        if (!(outputs >> m->output & 1))
+            continue;
+        if (m->group) {
+            into = json_object_get(object, m->group);
+            if (!into)
+                json_object_set_new(object, m->group, into = json_object());
+        }
+        json_object_set_new(into, m->name, value_to_json(m, aob_metric_get(metrics, m)));
+    }
+}
+
+void aob_metrics_from_json(struct aob_metrics *metrics, const json_t *object)
+{
+    for (const struct aob_metric *m = aob_metric_table; m->name; m++) {
+        const json_t *from = m->group ? json_object_get(object, m->group) : object;
+        aob_metric_set(metrics, m, aob_json_to_number(json_object_get(from, m->name)));
+    }
+}

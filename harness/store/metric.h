@@ -1,0 +1,53 @@
+/* The table of metrics: what a case's image is scored by, against one target. Scores fill a struct aob_metrics; the
+ * record, the page, its CSV file and the docs are written from the table, so a new metric is a field and a row, and the
+ * metrics of a second output are rows too. Units and meanings are in the rows. Threads: const data. */
+#ifndef AOB_STORE_METRIC_H
+#define AOB_STORE_METRIC_H
+#include <aobudget/technique.h>
+#include <jansson.h>
+#include <stddef.h>
+
+enum aob_better { /* what of two values a reader should prefer */
+                  AOB_BETTER_NONE, /* it describes; neither is better */
+                  AOB_BETTER_LESS,
+                  AOB_BETTER_MORE,
+                  AOB_BETTER_ZERO, /* the one nearer to 0 */
+};
+
+/* A score of one image against one target; NAN where a value is not known. Docs: the table. */
+struct aob_metrics {
+    double rmse, band_rmse, border_rmse, border_share, mae, bias, p95, max, reference_se;
+    double definition_rmse, missing_rmse, estimator_rmse;
+    double definition_missing, definition_estimator, missing_estimator;
+    double flip, ssim, pixels, band_pixels;
+};
+
+struct aob_metric {
+    const char *name;       /* of the JSON field, lower_snake; the column of the CSV file */
+    const char *title;      /* the head of a table's column: "RMSE in band" */
+    const char *unit;       /* "pixels"; NULL: a number without one */
+    const char *doc;        /* one sentence */
+    enum aob_better better;
+    enum aob_output output; /* whose image is scored */
+    bool whole;             /* a count: written without a fraction */
+    const char *group;      /* NULL, or the JSON object below the target's that holds it: "covariance" */
+    size_t offset;          /* of the double in struct aob_metrics */
+};
+
+/* Ended by a NULL name; in the order in which records and tables have them. */
+extern const struct aob_metric aob_metric_table[];
+const struct aob_metric *aob_metric_find(const char *name); /* or NULL */
+
+double aob_metric_get(const struct aob_metrics *metrics, const struct aob_metric *metric);
+void aob_metric_set(struct aob_metrics *metrics, const struct aob_metric *metric, double value);
+
+/* All NAN. */
+void aob_metrics_init(struct aob_metrics *metrics);
+
+/* Into an object that is there already: the metrics of the outputs in `outputs` (bits 1 << enum aob_output), NAN as
+ * null. */
+void aob_metrics_to_json(const struct aob_metrics *metrics, unsigned outputs, json_t *object);
+
+/* What the object lacks, or has as another type, is NAN. `object` may be NULL. */
+void aob_metrics_from_json(struct aob_metrics *metrics, const json_t *object);
+#endif
