@@ -350,7 +350,7 @@ static void gather_blocks(struct aob_plan *plan)
 bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
                      const struct aob_technique_list *techniques, struct aob_error *error)
 {
-    *plan = (struct aob_plan){.config = config};
+    *plan = (struct aob_plan){.config = config, .techniques = techniques};
     if (!choose_scenes(plan, error) || !expand(plan, techniques, error)) {
         aob_plan_finish(plan);
         return false;

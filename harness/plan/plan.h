@@ -34,14 +34,15 @@ struct aob_case {
     char key[AOB_KEY_SIZE];           /* of everything that decides the result; the same in every run */
 };
 struct aob_plan {
-    const struct aob_config *config; /* must outlive the plan, like the technique list */
+    const struct aob_config *config;             /* must outlive the plan, */
+    const struct aob_technique_list *techniques; /* and so must this */
     struct aob_plan_scene *scenes;
     size_t scene_count;
     struct aob_case *cases; /* cases of one block lie together; no two have the same key */
     size_t case_count, case_capacity;
 };
 
-enum { AOB_PLAN_MAX_CASES = 20000 };
+enum { AOB_PLAN_MAX_CASES = 20000, AOB_BLOCK_MAX = 6 }; /* cases of a sweep; of a block */
 
 /* Captures must be loaded (captures.h). False: one line, FILE:LINE:COLUMN where the config has a position. */
 bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
