@@ -8,13 +8,14 @@
 enum { MAX_FLAGS = 64 };
 
 static const struct aob_flag common_flags[] = {
-    {"json", "FILE", "write one JSON document ('-': standard output)", AOB_FLAG_TEXT, offsetof(struct aob_common, json)},
+    {"json", "FILE", "write one JSON document ('-': standard output)", AOB_FLAG_TEXT,
+     offsetof(struct aob_common, json)},
     {"quiet", NULL, "no progress, no summary", AOB_FLAG_SWITCH, offsetof(struct aob_common, quiet)},
     {"help", NULL, "this text", AOB_FLAG_SWITCH, offsetof(struct aob_common, help)},
 };
 static const struct aob_flag module_flag = {"module", "FILE.so",
-                                            "load the techniques of a module as well; may be repeated", AOB_FLAG_MANY,
-                                            offsetof(struct aob_common, modules)};
+                                            "load the techniques of a module as well; may be repeated",
+                                            AOB_FLAG_MANY, offsetof(struct aob_common, modules)};
 
 /* Its own first, then those of every command; ended by a NULL name. */
 static void gather_flags(const struct aob_command *command, struct aob_flag all[MAX_FLAGS])
@@ -49,7 +50,8 @@ static bool read_flags(const struct aob_command *command, const struct aob_flag 
     return true;
 }
 
-enum aob_exit aob_command_run(const struct aob_command *command, int argc, char **argv, struct aob_error *error)
+enum aob_exit aob_command_run(const struct aob_command *command, int argc, char **argv,
+                              struct aob_error *error)
 {
     struct aob_flag all[MAX_FLAGS];
     gather_flags(command, all);

@@ -27,7 +27,8 @@ struct aob_command {
 
 /* Reads the flags, prints the help if that is asked for, else runs the command. A line in `error` if the code is not
  * AOB_EXIT_OK, where there is one to say. */
-enum aob_exit aob_command_run(const struct aob_command *command, int argc, char **argv, struct aob_error *error);
+enum aob_exit aob_command_run(const struct aob_command *command, int argc, char **argv,
+                              struct aob_error *error);
 
 /* Whether a summary for people may be printed on standard output: not if --quiet or if the document goes there. */
 bool aob_common_speaks(const struct aob_common *common);

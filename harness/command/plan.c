@@ -9,9 +9,8 @@ static bool write_plan(const struct aob_plan *plan, const char *json, struct aob
 {
     json_t *cases = json_array();
     for (size_t i = 0; i < plan->case_count; i++)
-        json_array_append_new(cases, aob_record_create(&(struct aob_record_desc){.config = plan->config,
-                                                                                .c = &plan->cases[i],
-                                                                                .status = "planned"}));
+        json_array_append_new(cases, aob_record_create(&(struct aob_record_desc){
+                                         .config = plan->config, .c = &plan->cases[i], .status = "planned"}));
     json_t *document = json_pack("{s:s, s:f, s:o}", "name", plan->config->name, "estimated_s",
                                  aob_plan_estimate_s(plan), "cases", cases);
     bool ok = aob_json_write(document, json, error);

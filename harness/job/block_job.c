@@ -87,9 +87,9 @@ static bool read_cases(const json_t *array, struct aob_block_job *job, struct ao
 static bool read_flags(const json_t *object, struct aob_block_job *job, struct aob_error *error)
 {
     int validate, raster, triangles, time, score;
-    if (json_unpack((json_t *)(uintptr_t)object, "{s:s, s:b, s:b, s:b, s:b, s:b, s:F}", "backend", &job->backend,
-                    "validate", &validate, "raster", &raster, "triangles", &triangles, "time", &time, "error",
-                    &score, "seconds", &job->seconds) != 0)
+    if (json_unpack((json_t *)(uintptr_t)object, "{s:s, s:b, s:b, s:b, s:b, s:b, s:F}", "backend",
+                    &job->backend, "validate", &validate, "raster", &raster, "triangles", &triangles, "time",
+                    &time, "error", &score, "seconds", &job->seconds) != 0)
         return aob_fail(error, "a block job lacks a field");
     job->validate = validate;
     job->raster = raster;
@@ -129,9 +129,8 @@ json_t *aob_block_shares_to_json(const struct aob_block_shares *shares)
 bool aob_block_shares_from_json(const json_t *object, struct aob_block_shares *shares)
 {
     const json_t *s = json_object_get(object, "shares");
-    *shares =
-        (struct aob_block_shares){.measured = json_number_value(json_object_get(s, "measured_s")),
-                                  .warmup = json_number_value(json_object_get(s, "warmup_s")),
-                                  .images = json_number_value(json_object_get(s, "images_s"))};
+    *shares = (struct aob_block_shares){.measured = json_number_value(json_object_get(s, "measured_s")),
+                                        .warmup = json_number_value(json_object_get(s, "warmup_s")),
+                                        .images = json_number_value(json_object_get(s, "images_s"))};
     return json_is_object(s);
 }

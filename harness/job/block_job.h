@@ -11,7 +11,6 @@
 #include "technique/option.h"
 #include "view_job.h"
 
-
 struct aob_block_target { /* what every case of the block is compared with */
     double radius;        /* scene units; INFINITY allowed */
     bool uniform;         /* weighting of directions: the bare solid angle, else the cosine */
@@ -23,8 +22,9 @@ struct aob_block_case {
     size_t param_count;
     double options[AOB_OPTION_COUNT];
     size_t target; /* of the targets: the one that its image file and its `error` are against */
-    const char *definition, *screen; /* its definition, traced freely and against the bound; NULL: it has none */
-    const char *image;               /* EXR file to write; NULL: none */
+    const char *definition,
+        *screen;       /* its definition, traced freely and against the bound; NULL: it has none */
+    const char *image; /* EXR file to write; NULL: none */
 };
 struct aob_block_job {
     struct aob_modules modules;
@@ -49,5 +49,6 @@ struct aob_block_shares { /* where the job's wall time went, in seconds */
     double measured, warmup, images;
 };
 json_t *aob_block_shares_to_json(const struct aob_block_shares *shares);
-bool aob_block_shares_from_json(const json_t *object, struct aob_block_shares *shares); /* false: it holds none */
+bool aob_block_shares_from_json(const json_t *object,
+                                struct aob_block_shares *shares); /* false: it holds none */
 #endif

@@ -25,5 +25,6 @@ struct aob_capture_answer {
     const json_t *warnings; /* an array of texts; NULL: none */
 };
 json_t *aob_capture_answer_to_json(const struct aob_capture_answer *answer);
-bool aob_capture_answer_from_json(const json_t *object, struct aob_capture_answer *answer); /* false: of another form */
+bool aob_capture_answer_from_json(const json_t *object,
+                                  struct aob_capture_answer *answer); /* false: of another form */
 #endif

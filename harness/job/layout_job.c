@@ -21,7 +21,7 @@ bool aob_layout_job_from_json(const json_t *object, struct aob_layout_job *job, 
                                    .param_count = json_array_size(json_array_get(cases, 0))};
     if (!job->technique)
         return aob_fail(error, "a layout job names no technique");
-    job->params = AOB_NEW_ARRAY(double, job->case_count *job->param_count);
+    job->params = AOB_NEW_ARRAY(double, job->case_count * job->param_count);
     for (size_t i = 0; i < job->case_count; i++)
         if (!aob_json_to_vector(json_array_get(cases, i), job->params + i * job->param_count,
                                 job->param_count)) {
@@ -50,13 +50,12 @@ json_t *aob_layout_answer_to_json(const struct aob_layout_answer *answer)
 bool aob_layout_answer_from_json(const json_t *object, struct aob_layout_answer *answer)
 {
     const json_t *definition = json_object_get(object, "definition");
-    *answer =
-        (struct aob_layout_answer){.status = json_string_value(json_object_get(object, "status")),
-                                   .reason = json_string_value(json_object_get(object, "reason")),
-                                   .graph = json_string_value(json_object_get(object, "graph")),
-                                   .dot = json_string_value(json_object_get(object, "dot")),
-                                   .triangles = json_is_true(json_object_get(object, "triangles")),
-                                   .definition = json_is_object(definition) ? definition : NULL,
-                                   .mapped = json_is_true(json_object_get(object, "mapped"))};
+    *answer = (struct aob_layout_answer){.status = json_string_value(json_object_get(object, "status")),
+                                         .reason = json_string_value(json_object_get(object, "reason")),
+                                         .graph = json_string_value(json_object_get(object, "graph")),
+                                         .dot = json_string_value(json_object_get(object, "dot")),
+                                         .triangles = json_is_true(json_object_get(object, "triangles")),
+                                         .definition = json_is_object(definition) ? definition : NULL,
+                                         .mapped = json_is_true(json_object_get(object, "mapped"))};
     return answer->status != NULL;
 }

@@ -29,5 +29,6 @@ struct aob_layout_answer {
     bool mapped;              /* the definition's value is mapped */
 };
 json_t *aob_layout_answer_to_json(const struct aob_layout_answer *answer);
-bool aob_layout_answer_from_json(const json_t *object, struct aob_layout_answer *answer); /* false: of another form */
+bool aob_layout_answer_from_json(const json_t *object,
+                                 struct aob_layout_answer *answer); /* false: of another form */
 #endif

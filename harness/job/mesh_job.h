@@ -18,5 +18,6 @@ struct aob_mesh_answer {
     const json_t *warnings; /* an array of texts; NULL: none */
 };
 json_t *aob_mesh_answer_to_json(const struct aob_mesh_answer *answer);
-bool aob_mesh_answer_from_json(const json_t *object, struct aob_mesh_answer *answer); /* false: of another form */
+bool aob_mesh_answer_from_json(const json_t *object,
+                               struct aob_mesh_answer *answer); /* false: of another form */
 #endif

@@ -21,6 +21,8 @@ json_t *aob_term_to_json(const struct aob_term *term)
                                term->uniform, "falloff", falloff, "of_triangle", term->of_triangle);
     if (term->bound)
         aob_term_set_bound(object, term->thickness);
+    if (term->bent)
+        json_object_set_new(object, "bent", json_true());
     return object;
 }
 
@@ -53,6 +55,7 @@ bool aob_term_from_json(const json_t *object, struct aob_term *term, struct aob_
     *term = (struct aob_term){.radius = aob_json_to_number(json_object_get(object, "radius")),
                               .uniform = json_is_true(json_object_get(object, "uniform")),
                               .of_triangle = json_is_true(json_object_get(object, "of_triangle")),
+                              .bent = json_is_true(json_object_get(object, "bent")),
                               .bound = thickness != NULL,
                               .thickness = thickness ? aob_json_to_number(thickness) : 0};
     if (!(term->radius > 0))

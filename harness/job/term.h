@@ -1,5 +1,6 @@
 /* One visibility that a case is compared with, as it travels between processes: {radius, uniform, falloff, of_triangle,
- * screen}. `screen` is there for what is traced against the screen-space bound only. The text of this object, keys in
+ * screen, bent}. `screen` is there for what is traced against the screen-space bound only, `bent` where the mean open
+ * direction is wanted too. The text of this object, keys in
  * this order, is a part of the name of the cached file, so the run hands it on as it is. */
 #ifndef AOB_JOB_TERM_H
 #define AOB_JOB_TERM_H
@@ -9,12 +10,14 @@
 #include "base/error.h"
 
 struct aob_term {
-    double radius;              /* scene units; INFINITY allowed */
-    bool uniform, of_triangle;  /* weighting of directions; how the distance of an occluder is meant (tracer.h) */
-    const float *falloff;       /* what an occluder counts, over the root of its share of the radius; NULL: 1 */
-    size_t falloff_count;       /* rows of that table, 2 or more */
-    bool bound;                 /* traced against the screen-space bound, */
-    double thickness;           /* whose surfaces are so thick; 0: thin, INFINITY: as far as they go */
+    double radius; /* scene units; INFINITY allowed */
+    bool uniform,
+        of_triangle;      /* weighting of directions; how the distance of an occluder is meant (tracer.h) */
+    const float *falloff; /* what an occluder counts, over the root of its share of the radius; NULL: 1 */
+    size_t falloff_count; /* rows of that table, 2 or more */
+    bool bent;            /* the mean open direction is wanted too: channels B.X B.Y B.Z of its file */
+    bool bound;           /* traced against the screen-space bound, */
+    double thickness;     /* whose surfaces are so thick; 0: thin, INFINITY: as far as they go */
 };
 
 /* Whether one set of rays serves both: same weighting, distance and surface. A cosine term that is traced beside a

@@ -22,7 +22,7 @@ bool aob_job_view_from_json(const json_t *job, struct aob_job_view *view, struct
 {
     int captured;
     *view = (struct aob_job_view){.mesh = json_string_value(json_object_get(job, "mesh")),
-                              .scene = json_string_value(json_object_get(job, "scene"))};
+                                  .scene = json_string_value(json_object_get(job, "scene"))};
     if (json_unpack((json_t *)(uintptr_t)job, "{s:i, s:i, s:i, s:b, s:s}", "width", &view->width, "height",
                     &view->height, "guard", &view->guard, "captured", &captured, "gbuffer",
                     &view->gbuffer) != 0)

@@ -26,8 +26,8 @@ struct aob_view_term {
 };
 struct aob_view_job {
     struct aob_job_view view;
-    int spp; /* rays a pixel; even */
-    struct aob_view_term *terms;  /* term_count */
+    int spp;                     /* rays a pixel; even */
+    struct aob_view_term *terms; /* term_count */
     size_t term_count;
 };
 /* `terms`: an array of terms, each with its file as the member "out"; the reference is taken. */

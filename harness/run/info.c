@@ -30,7 +30,8 @@ static json_t *probe_devices(const struct aob_sweep *sweep, const struct aob_dis
     json_t *devices = json_object();
     for (size_t i = 0; i < sweep->config.backend_count; i++) {
         const char *backend = sweep->config.backends[i].text;
-        json_t *device = json_object_get(devices, backend) ? NULL : aob_dispatch_probe(dispatch, backend, NULL);
+        json_t *device =
+            json_object_get(devices, backend) ? NULL : aob_dispatch_probe(dispatch, backend, NULL);
         if (!json_object_get(devices, backend))
             json_object_set_new(devices, backend, device ? device : json_null());
     }
@@ -45,8 +46,8 @@ json_t *aob_run_info_create(const struct aob_sweep *sweep, const struct aob_disp
     if (!aob_hash_file(dispatch->program, build, error))
         return NULL;
     strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:o}", "name", sweep->config.name, "config_hash",
-                     sweep->config.hash, "build", build, "program", AOBUDGET_VERSION, "date", date, "cases",
-                     (int)sweep->plan.case_count, "keys", keys_to_json(&sweep->plan), "techniques",
-                     techniques_to_json(sweep), "devices", probe_devices(sweep, dispatch));
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:o}", "name", sweep->config.name,
+                     "config_hash", sweep->config.hash, "build", build, "program", AOBUDGET_VERSION, "date",
+                     date, "cases", (int)sweep->plan.case_count, "keys", keys_to_json(&sweep->plan),
+                     "techniques", techniques_to_json(sweep), "devices", probe_devices(sweep, dispatch));
 }

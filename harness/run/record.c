@@ -59,10 +59,9 @@ static json_t *definition_to_json(const struct aob_state *state)
     json_t *falloff = json_array();
     for (int i = 0; i <= 4; i++)
         json_array_append_new(falloff, aob_json_number(aob_term_falloff(&term, i / 4.0)));
-    json_t *object =
-        json_pack("{s:o, s:s, s:o, s:s, s:b}", "radius", aob_json_number(term.radius), "weighting",
-                  term.uniform ? "uniform" : "cosine", "falloff", falloff, "distance",
-                  term.of_triangle ? "triangle" : "ray", "mapped", state->mapped);
+    json_t *object = json_pack("{s:o, s:s, s:o, s:s, s:b}", "radius", aob_json_number(term.radius),
+                               "weighting", term.uniform ? "uniform" : "cosine", "falloff", falloff,
+                               "distance", term.of_triangle ? "triangle" : "ray", "mapped", state->mapped);
     aob_term_finish(&term);
     return object;
 }

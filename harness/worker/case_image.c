@@ -34,8 +34,7 @@ static bool is_sky(const struct aob_case_image *image, size_t i)
 static void add_plane(struct aob_image *file, const char *name, const float *pixels)
 {
     if (pixels)
-        memcpy(aob_image_add(file, name), pixels,
-               (size_t)file->width * (size_t)file->height * sizeof(float));
+        memcpy(aob_image_add(file, name), pixels, (size_t)file->width * (size_t)file->height * sizeof(float));
 }
 
 static void add_camera(struct aob_image *file, const struct aob_camera *camera)
@@ -49,7 +48,8 @@ static void add_camera(struct aob_image *file, const struct aob_camera *camera)
 }
 
 /* What is known of the view without a technique. */
-static void add_surface(struct aob_image *file, const struct aob_block *block, const struct aob_case_image *image)
+static void add_surface(struct aob_image *file, const struct aob_block *block,
+                        const struct aob_case_image *image)
 {
     static const char *const normals[3] = {"N.X", "N.Y", "N.Z"}, *const velocities[2] = {"V.X", "V.Y"},
                              *const albedo[3] = {"albedo.R", "albedo.G", "albedo.B"};

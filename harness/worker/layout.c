@@ -50,7 +50,8 @@ static float radius_of(const struct aob_technique *technique, const void *values
 }
 
 /* NULL where it claims nothing; false with a line if the definition makes no sense. */
-static bool define(const struct aob_technique *technique, const void *values, json_t **term, struct aob_error *error)
+static bool define(const struct aob_technique *technique, const void *values, json_t **term,
+                   struct aob_error *error)
 {
     const struct aob_definition *definition = &technique->definition;
     float table[FALLOFF_ROWS], radius = radius_of(technique, values);

@@ -13,10 +13,16 @@
 static bool write_visibility(const struct aob_visibility *visibility, const struct aob_job_view *view,
                              const char *path, struct aob_error *error)
 {
+    static const char *const bent[3] = {"B.X", "B.Y", "B.Z"};
     struct aob_image image = {.width = view->width, .height = view->height};
-    size_t bytes = (size_t)view->width * (size_t)view->height * sizeof(float);
-    memcpy(aob_image_add(&image, "AO"), visibility->ao, bytes);
-    memcpy(aob_image_add(&image, "SE"), visibility->se, bytes);
+    size_t pixels = (size_t)view->width * (size_t)view->height;
+    memcpy(aob_image_add(&image, "AO"), visibility->ao, pixels * sizeof(float));
+    memcpy(aob_image_add(&image, "SE"), visibility->se, pixels * sizeof(float));
+    for (int c = 0; c < 3 && visibility->bent; c++) {
+        float *channel = aob_image_add(&image, bent[c]);
+        for (size_t i = 0; i < pixels; i++)
+            channel[i] = visibility->bent[i][c];
+    }
     bool ok = aob_image_write(&image, path, error);
     aob_image_finish(&image);
     return ok;
@@ -76,6 +82,7 @@ static void get_terms(const struct aob_view_job *job, struct trace *trace)
         trace->terms[trace->count++] = (struct aob_visibility_term){.radius = term->radius,
                                                                     .uniform = term->uniform,
                                                                     .of_triangle = term->of_triangle,
+                                                                    .bent = term->bent,
                                                                     .falloff = term->falloff,
                                                                     .falloff_count = term->falloff_count};
     }

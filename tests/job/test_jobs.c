@@ -53,7 +53,11 @@ static void a_view_job(void **state)
     (void)state;
     const float falloff[3] = {1, 0.3f, 0};
     const struct aob_term faded = {.radius = 0.7, .uniform = true, .falloff = falloff, .falloff_count = 3},
-                          bound = {.radius = INFINITY, .of_triangle = true, .bound = true, .thickness = INFINITY};
+                          bound = {.radius = INFINITY,
+                                   .of_triangle = true,
+                                   .bound = true,
+                                   .thickness = INFINITY,
+                                   .bent = true};
     json_t *terms = json_array(), *term;
     json_array_append_new(terms, term = aob_term_to_json(&faded));
     json_object_set_new(term, "out", json_string("a.exr"));
@@ -74,6 +78,7 @@ static void a_view_job(void **state)
     assert_int_equal(a->falloff_count, 3);
     assert_memory_equal(a->falloff, falloff, sizeof falloff);
     assert_true(isinf(b->radius) && !b->uniform && b->of_triangle && b->bound && isinf(b->thickness));
+    assert_true(!a->bent && b->bent);
     assert_null(b->falloff);
     assert_false(aob_term_same_trace(a, b));
     assert_true(aob_term_same_trace(a, a));
@@ -133,7 +138,8 @@ static void a_block_job(void **state)
     assert_string_equal(job.cases[0].technique, "gtao");
     assert_int_equal(job.cases[0].param_count, 2);
     assert_true(job.cases[0].params[0] == 0.5 && job.cases[0].params[1] == 3);
-    assert_true(job.cases[0].options[0] == 16 && job.cases[0].options[1] == 1 && job.cases[0].options[2] == 0);
+    assert_true(job.cases[0].options[0] == 16 && job.cases[0].options[1] == 1 &&
+                job.cases[0].options[2] == 0);
     assert_int_equal(job.cases[0].target, 1);
     assert_string_equal(job.cases[0].definition, "d.exr");
     assert_string_equal(job.cases[0].screen, "s.exr");
@@ -222,7 +228,8 @@ static void a_layout_job(void **state)
 {
     (void)state;
     double params[] = {0.5, 3, 1, 9};
-    struct aob_layout_job out = {.technique = "gtao", .case_count = 2, .param_count = 2, .params = params}, job;
+    struct aob_layout_job out = {.technique = "gtao", .case_count = 2, .param_count = 2, .params = params},
+                          job;
     struct aob_error error = {{0}};
     json_t *message = send(aob_layout_job_to_json(&out));
     assert_true(aob_layout_job_from_json(message, &job, &error));
@@ -250,7 +257,8 @@ static void a_layout_job(void **state)
     assert_true(back.triangles && back.mapped && !back.reason);
     assert_true(json_number_value(json_object_get(back.definition, "radius")) == 0.5);
     json_decref(message);
-    message = send(aob_layout_answer_to_json(&(struct aob_layout_answer){.status = "invalid", .reason = "no"}));
+    message =
+        send(aob_layout_answer_to_json(&(struct aob_layout_answer){.status = "invalid", .reason = "no"}));
     assert_true(aob_layout_answer_from_json(message, &back));
     assert_string_equal(back.reason, "no");
     assert_true(!back.definition && !back.triangles);
