@@ -1,6 +1,6 @@
-# cmake -DNAME=gtao -DFOLDER=shaders/gtao -DSHADERS=shaders -DOUT=shaders.h -P shaders.cmake
-# Writes FOLDER/*.glsl, their includes resolved, as the table aob_shaders_NAME of C texts. A file that a text includes
-# is looked for in FOLDER, then in SHADERS, which holds common/.
+# cmake -DNAME=gtao -DFOLDER=shaders/gtao "-DSTEPS=blur;upsample" -DSHADERS=shaders -DOUT=shaders.h -P shaders.cmake
+# Writes FOLDER/*.glsl and SHADERS/steps/STEP.glsl, their includes resolved, as the table aob_shaders_NAME of C texts. A
+# file that a text includes is looked for in FOLDER, then in SHADERS, which holds common/.
 set(body "/* Written by the build from ${NAME}'s texts. */\n#include <aobudget/technique.h>\n")
 string(APPEND body "static const struct aob_shader aob_shaders_${NAME}[] = {\n")
 file(GLOB files ${FOLDER}/*.glsl)
@@ -8,6 +8,16 @@ if(NOT files)
   message(FATAL_ERROR "${NAME}: no *.glsl in '${FOLDER}'")
 endif()
 list(SORT files)
+foreach(step ${STEPS})
+  if(NOT EXISTS ${SHADERS}/steps/${step}.glsl)
+    file(GLOB known RELATIVE ${SHADERS}/steps ${SHADERS}/steps/*.glsl)
+    message(FATAL_ERROR "${NAME}: no step '${step}': there are ${known}")
+  endif()
+  if(EXISTS ${FOLDER}/${step}.glsl)
+    message(FATAL_ERROR "${NAME}: the text '${step}' is both a step and a file in ${FOLDER}: leave one out")
+  endif()
+  list(APPEND files ${SHADERS}/steps/${step}.glsl)
+endforeach()
 set(include "#include \"([A-Za-z0-9_/.-]+)\"")
 foreach(file ${files})
   get_filename_component(shader ${file} NAME_WE)

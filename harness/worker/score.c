@@ -238,7 +238,7 @@ bool aob_block_finish_case(struct aob_block *block, size_t f, json_t *answer, st
     float *ao = AOB_NEW_ARRAY(float, (size_t)block->width *(size_t)block->height);
     int64_t start = aob_clock_wall_ns();
     bool ok = aob_frame_run(&block->frames[f], NULL, error) &&
-              aob_frame_read(&block->frames[f], AOB_OUT_VISIBILITY, ao, error) &&
+              aob_frame_read(&block->frames[f], AOB_OUT_VISIBILITY, 1, ao, error) &&
               load_truth(block, c, &truth, error);
     if (ok) {
         map_definition(block, &block->frames[f], c, &truth);

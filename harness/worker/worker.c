@@ -166,7 +166,7 @@ static json_t *layout_case(const struct aob_technique *technique, const json_t *
     unsigned char values[4 * AOB_MAX_PARAM];
     json_t *definition = NULL, *answer;
     bool ok = aob_worker_params(technique, numbers, values, &error) &&
-              aob_graph_build(graph, technique, values, 1u << AOB_OUT_VISIBILITY, &error);
+              aob_graph_build(graph, technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, &error);
     if (ok && !(definition = definition_to_json(technique, values, &error)))
         ok = aob_fail_in(&error, "%s", technique->name);
     answer = ok ? laid_out(graph, values, index, definition)
