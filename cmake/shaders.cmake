@@ -1,16 +1,21 @@
-# cmake -DNAME=gtao -DFOLDER=shaders/gtao -DSHADERS=shaders -DOUT=shaders.h -P shaders.cmake
-# Writes FOLDER/*.glsl, their includes resolved, as the table aob_shaders_NAME of C texts. A file that a text includes
-# is looked for in FOLDER, then in SHADERS, which holds common/.
-set(body "/* Written by the build from ${NAME}'s texts. */\n#include <aobudget/technique.h>\n")
-string(APPEND body "static const struct aob_shader aob_shaders_${NAME}[] = {\n")
-file(GLOB files ${FOLDER}/*.glsl)
-if(NOT files)
-  message(FATAL_ERROR "${NAME}: no *.glsl in '${FOLDER}'")
-endif()
-list(SORT files)
-set(include "#include \"([A-Za-z0-9_/.-]+)\"")
-foreach(file ${files})
-  get_filename_component(shader ${file} NAME_WE)
+# Writes text files as C. The two uses:
+#   cmake -DNAME=gtao -DFOLDER=shaders/gtao -DSHADERS=shaders -DOUT=shaders.h -P shaders.cmake
+#     FOLDER/*.glsl, their includes resolved, as the table aob_shaders_NAME. A file that a text includes is looked for in
+#     FOLDER, then in SHADERS, which holds common/.
+#   cmake -DNAME=page "-DFILES=style.css;script.js" -DOUT=texts.h -P shaders.cmake
+#     each file as it stands, as the text aob_text_NAME_STEM: aob_text_page_style, aob_text_page_script.
+
+# The text of C that stands for the file's lines: a literal a line, which the compiler joins.
+function(quote out text)
+  string(REPLACE "\\" "\\\\" text "${text}")
+  string(REPLACE "\"" "\\\"" text "${text}")
+  string(REPLACE "\n" "\\n\"\n     \"" text "${text}")
+  set(${out} "\"${text}\"" PARENT_SCOPE)
+endfunction()
+
+# The file with what it includes, and what that includes.
+function(read_shader out file)
+  set(include "#include \"([A-Za-z0-9_/.-]+)\"")
   file(READ ${file} text)
   foreach(count RANGE 32)
     if(NOT text MATCHES "${include}")
@@ -30,10 +35,30 @@ foreach(file ${files})
   if(text MATCHES "${include}")
     message(FATAL_ERROR "${file}: ${CMAKE_MATCH_0}: does a file include itself?")
   endif()
-  string(REPLACE "\\" "\\\\" text "${text}")
-  string(REPLACE "\"" "\\\"" text "${text}")
-  string(REPLACE "\n" "\\n\"\n     \"" text "${text}")
-  string(APPEND body "    {\"${shader}\",\n     \"${text}\"},\n")
-endforeach()
-string(APPEND body "    {NULL, NULL},\n};\n")
+  set(${out} "${text}" PARENT_SCOPE)
+endfunction()
+
+set(body "/* Written by the build from ${NAME}'s texts. */\n")
+if(FILES)
+  foreach(file ${FILES})
+    get_filename_component(stem ${file} NAME_WE)
+    file(READ ${file} text)
+    quote(text "${text}")
+    string(APPEND body "static const char aob_text_${NAME}_${stem}[] =\n     ${text};\n")
+  endforeach()
+else()
+  file(GLOB files ${FOLDER}/*.glsl)
+  if(NOT files)
+    message(FATAL_ERROR "${NAME}: no *.glsl in '${FOLDER}'")
+  endif()
+  list(SORT files)
+  string(APPEND body "#include <aobudget/technique.h>\nstatic const struct aob_shader aob_shaders_${NAME}[] = {\n")
+  foreach(file ${files})
+    get_filename_component(shader ${file} NAME_WE)
+    read_shader(text ${file})
+    quote(text "${text}")
+    string(APPEND body "    {\"${shader}\",\n     ${text}},\n")
+  endforeach()
+  string(APPEND body "    {NULL, NULL},\n};\n")
+endif()
 file(WRITE ${OUT} "${body}")
