@@ -19,10 +19,6 @@ void aob_html_share_cell(struct aob_text *page, double share);
 void aob_html_decimal(char text[32], double value);
 void aob_html_ms(char text[32], double value);
 
-/* Style sheet and script of the page. */
-extern const char aob_html_style[];
-extern const char aob_html_script[];
-
 /* The section's table of where the errors of the techniques' pictured cases come from. */
 void aob_html_split(struct aob_text *page, const struct aob_gallery *gallery, size_t section);
 

@@ -3,6 +3,7 @@
 #include "html.h"
 #include "base/file.h"
 #include "base/memory.h"
+#include "page/texts.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -164,7 +165,7 @@ static void add_head(struct aob_text *page, const struct aob_rows *rows)
     aob_text_add(page, "<!doctype html>\n<html lang=en><head><meta charset=utf-8>\n<meta name=viewport "
                        "content=\"width=device-width,initial-scale=1\">\n<title>");
     aob_html_escape(page, rows->runs[0].name);
-    aob_text_add(page, " \u2013 aobudget</title>\n<style>\n%s</style></head>\n<body>\n", aob_html_style);
+    aob_text_add(page, " \u2013 aobudget</title>\n<style>\n%s</style></head>\n<body>\n", aob_text_page_style);
 }
 
 static void add_navigation(struct aob_text *page, const struct aob_gallery *gallery)
@@ -196,7 +197,7 @@ static char *page_text(const struct aob_gallery *gallery)
         "</main>\n<footer>Error is technique minus reference, in units of visibility (0 closed, 1 open); "
         "blue is too dark, red too bright. The reference is ray-traced and carries a standard error of its "
         "own. Lengths are in scene units.</footer>\n<script>\n%s</script>\n</body></html>\n",
-        aob_html_script);
+        aob_text_page_script);
     return page.data;
 }
 
