@@ -1,7 +1,7 @@
 # Writes text files as C. The two uses:
-#   cmake -DNAME=gtao -DFOLDER=shaders/gtao -DSHADERS=shaders -DOUT=shaders.h -P shaders.cmake
-#     FOLDER/*.glsl, their includes resolved, as the table aob_shaders_NAME. A file that a text includes is looked for in
-#     FOLDER, then in SHADERS, which holds common/.
+#   cmake -DNAME=gtao -DFOLDER=shaders/gtao "-DSTEPS=blur;upsample" -DSHADERS=shaders -DOUT=shaders.h -P shaders.cmake
+#     FOLDER/*.glsl and SHADERS/steps/STEP.glsl, their includes resolved, as the table aob_shaders_NAME. A file that a text
+#     includes is looked for in FOLDER, then in SHADERS, which holds common/.
 #   cmake -DNAME=page "-DFILES=style.css;script.js" -DOUT=texts.h -P shaders.cmake
 #     each file as it stands, as the text aob_text_NAME_STEM: aob_text_page_style, aob_text_page_script.
 
@@ -52,6 +52,16 @@ else()
     message(FATAL_ERROR "${NAME}: no *.glsl in '${FOLDER}'")
   endif()
   list(SORT files)
+  foreach(step ${STEPS})
+    if(NOT EXISTS ${SHADERS}/steps/${step}.glsl)
+      file(GLOB known RELATIVE ${SHADERS}/steps ${SHADERS}/steps/*.glsl)
+      message(FATAL_ERROR "${NAME}: no step '${step}': there are ${known}")
+    endif()
+    if(EXISTS ${FOLDER}/${step}.glsl)
+      message(FATAL_ERROR "${NAME}: the text '${step}' is both a step and a file in ${FOLDER}: leave one out")
+    endif()
+    list(APPEND files ${SHADERS}/steps/${step}.glsl)
+  endforeach()
   string(APPEND body "#include <aobudget/technique.h>\nstatic const struct aob_shader aob_shaders_${NAME}[] = {\n")
   foreach(file ${files})
     get_filename_component(shader ${file} NAME_WE)

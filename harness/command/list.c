@@ -45,6 +45,8 @@ static void print_params(const struct aob_param *params, size_t count)
         else
             aob_text_add(&text, "  in %g .. %g %s", params[i].min, params[i].max,
                          aob_unit_name(params[i].unit));
+        if (aob_param_rule(&params[i]))
+            aob_text_add(&text, ", %s", aob_param_rule(&params[i]));
         printf("    %-12s %s\n                 %s\n", params[i].name, text.data, params[i].doc);
         aob_text_finish(&text);
     }

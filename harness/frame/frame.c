@@ -156,7 +156,8 @@ bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
                     struct aob_error *error)
 {
     *frame = (struct aob_frame){.screen = screen};
-    bool ok = aob_graph_build(&frame->graph, technique, values, 1u << AOB_OUT_VISIBILITY, error);
+    bool ok =
+        aob_graph_build(&frame->graph, technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, error);
     if (!ok)
         return false;
     ok = aob_geometry_serves(screen->geometry, &frame->graph, &screen->gbuffer->projection, error);
@@ -199,7 +200,7 @@ bool aob_frame_run(struct aob_frame *frame, struct aob_gpu_time *times, struct a
     return true;
 }
 
-static float first_component(const unsigned char *texel, enum aob_format format)
+static float component(const unsigned char *texel, enum aob_format format, int c)
 {
     uint16_t half;
     float whole;
@@ -207,33 +208,34 @@ static float first_component(const unsigned char *texel, enum aob_format format)
     case AOB_R8:
     case AOB_RG8:
     case AOB_RGBA8:
-        return (float)*texel / 255.0f;
+        return (float)texel[c] / 255.0f;
     case AOB_R16:
-        memcpy(&half, texel, sizeof half);
+        memcpy(&half, texel + 2 * c, sizeof half);
         return (float)half / 65535.0f;
     case AOB_R16F:
     case AOB_RG16F:
     case AOB_RGBA16F:
-        memcpy(&half, texel, sizeof half);
+        memcpy(&half, texel + 2 * c, sizeof half);
         return aob_half_to_float(half);
     default:
-        memcpy(&whole, texel, sizeof whole);
+        memcpy(&whole, texel + 4 * c, sizeof whole);
         return whole;
     }
 }
 
-bool aob_frame_read(struct aob_frame *frame, enum aob_output which, float *pixels, struct aob_error *error)
+bool aob_frame_read(struct aob_frame *frame, enum aob_output which, int components, float *pixels,
+                    struct aob_error *error)
 {
     const struct aob_gpu_texture *texture = frame->textures[frame->graph.outputs[which]];
-    size_t size = aob_gpu_texel_size(texture->format), w = (size_t)texture->width,
-           h = (size_t)texture->height;
-    size_t guard = (size_t)frame->screen->gbuffer->guard, inner = w - 2 * guard;
-    unsigned char *texels = aob_alloc(w * h, size);
+    const struct aob_projection *view = &frame->screen->gbuffer->projection;
+    size_t size = aob_gpu_texel_size(texture->format), stride = (size_t)texture->width;
+    size_t guard = (size_t)frame->screen->gbuffer->guard, w = (size_t)view->width, h = (size_t)view->height;
+    unsigned char *texels = aob_alloc(stride * (size_t)texture->height, size);
     bool ok = aob_gpu_texture_read(frame->screen->gpu, texture, texels, error);
     for (size_t y = guard; ok && y < h - guard; y++)
         for (size_t x = guard; x < w - guard; x++)
-            pixels[(y - guard) * inner + x - guard] =
-                first_component(texels + (y * w + x) * size, texture->format);
+            for (int c = 0; c < components; c++)
+                *pixels++ = component(texels + (y * stride + x) * size, texture->format, c);
     free(texels);
     return ok;
 }

@@ -42,6 +42,8 @@ void aob_frame_finish(struct aob_frame *frame);
 /* All live passes in order; times[] has graph.pass_count rows (pruned passes get zeros) or is NULL. */
 bool aob_frame_run(struct aob_frame *frame, struct aob_gpu_time *times, struct aob_error *error);
 
-/* First component of an output, guard band cropped: width x height floats, row 0 at the top. */
-bool aob_frame_read(struct aob_frame *frame, enum aob_output which, float *pixels, struct aob_error *error);
+/* An output that the graph gives (aob_graph_gives), guard band cropped: width x height pixels of `components` floats,
+ * the texel's first ones, row 0 at the top. The texture has at least as many. */
+bool aob_frame_read(struct aob_frame *frame, enum aob_output which, int components, float *pixels,
+                    struct aob_error *error);
 #endif

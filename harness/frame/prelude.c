@@ -45,15 +45,15 @@ static const char depth_text[] =
     "bool aob_is_sky(ivec2 p) { return aob_view_z(p) >= 0.5 * AOB_SKY_Z; }\n"
     "vec3 aob_position(ivec2 p) { return aob_position_at(vec2(p) + 0.5, aob_view_z(p)); }\n"
     "vec2 aob_image(ivec2 p) {\n"
-    "    return AOB_TARGET_DIVISOR == AOB_DEPTH_DIVISOR ? vec2(p) + 0.5\n"
-    "        : vec2(p * AOB_TARGET_DIVISOR) / float(AOB_DEPTH_DIVISOR) + 0.5;\n"
+    "    return AOB_DIVISOR == AOB_DEPTH_DIVISOR ? vec2(p) + 0.5\n"
+    "        : vec2(p * AOB_DIVISOR) / float(AOB_DEPTH_DIVISOR) + 0.5;\n"
     "}\n"
     "float aob_surface_z(ivec2 p) {\n"
-    "#if AOB_TARGET_DIVISOR == AOB_DEPTH_DIVISOR\n"
+    "#if AOB_DIVISOR == AOB_DEPTH_DIVISOR\n"
     "    return aob_view_z(p);\n"
     "#else\n"
     "    ivec2 q = clamp(p, ivec2(0), aob_target_size - 1);\n"
-    "    float z = aob_gbuffer_z(q * AOB_TARGET_DIVISOR);\n"
+    "    float z = aob_gbuffer_z(q * AOB_DIVISOR);\n"
     "    return AOB_BORDER_FAR == 0 || q == p ? z : AOB_SKY_Z;\n"
     "#endif\n"
     "}\n"
@@ -86,7 +86,7 @@ static const char normal_from_depth_text[] =
 
 static const char normal_text[] =
     "vec3 aob_normal(ivec2 p) { return aob_gbuffer_normal(p * AOB_DEPTH_DIVISOR); }\n"
-    "vec3 aob_surface_normal(ivec2 p) { return aob_gbuffer_normal(p * AOB_TARGET_DIVISOR); }\n";
+    "vec3 aob_surface_normal(ivec2 p) { return aob_gbuffer_normal(p * AOB_DIVISOR); }\n";
 
 static const char vertex_triangle_text[] =
     "vec4 aob_triangle_texel(int triangle, int k) {\n"
@@ -109,7 +109,7 @@ static const char fragment_triangle_text[] =
  * G-buffer in the middle of their first one. */
 static const char clip_text[] =
     "vec4 aob_clip(vec2 q) {\n"
-    "    vec2 t = (q - 0.5) * (float(AOB_DEPTH_DIVISOR) / float(AOB_TARGET_DIVISOR)) + 0.5;\n"
+    "    vec2 t = (q - 0.5) * (float(AOB_DEPTH_DIVISOR) / float(AOB_DIVISOR)) + 0.5;\n"
     "    return vec4(2.0 * t / vec2(aob_target_size) - 1.0, 0.5, 1.0);\n"
     "}\n";
 
@@ -125,6 +125,12 @@ static const char *swizzle(enum aob_format format)
     return names[aob_gpu_texel_components(format)];
 }
 
+static void add_upper(const char *name, struct aob_text *text)
+{
+    for (const char *c = name; *c; c++)
+        aob_text_add(text, "%c", toupper((unsigned char)*c));
+}
+
 static void add_constants(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
     const struct aob_technique *technique = desc->graph->technique;
@@ -138,8 +144,7 @@ static void add_constants(const struct aob_prelude_desc *desc, struct aob_text *
         if (param->stage != AOB_CONSTANT)
             continue;
         aob_text_add(text, "#define ");
-        for (const char *c = param->name; *c; c++)
-            aob_text_add(text, "%c", toupper((unsigned char)*c));
+        add_upper(param->name, text);
         int32_t whole;
         float number;
         memcpy(&whole, (const char *)desc->values + param->offset, 4);
@@ -151,20 +156,27 @@ static void add_constants(const struct aob_prelude_desc *desc, struct aob_text *
     }
     aob_text_add(text, "#define AOB_SEED %s\n#define AOB_PERSPECTIVE %d\n#define AOB_BORDER_FAR %d\n", seed,
                  desc->encoding->perspective, desc->pass->border == AOB_FAR);
-    aob_text_add(text, "#define AOB_DEPTH_DIVISOR %d\n#define AOB_TARGET_DIVISOR %d\n",
+    aob_text_add(text, "#define AOB_DEPTH_DIVISOR %d\n#define AOB_DIVISOR %d\n",
                  aob_graph_depth_divisor(desc->graph, desc->pass),
                  aob_graph_target_divisor(desc->graph, desc->pass));
 }
 
-static void add_defines(const char *defines, struct aob_text *text)
+/* The pass's own defines, and what a text may ask about each input. */
+static void add_defines(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
-    for (const char *c = defines; *c;) {
-        size_t size = strcspn(c, " ");
-        size_t name = strcspn(c, "= ");
-        if (size)
-            aob_text_add(text, "#define %.*s %.*s\n", (int)name, c, (int)(size > name ? size - name - 1 : 0),
-                         c + name + (size > name));
-        c += size + (c[size] == ' ');
+    const struct aob_graph_pass *pass = desc->pass;
+    for (int i = 0; i < pass->define_count; i++)
+        aob_text_add(text, "#define %s (%d)\n", pass->defines[i].name, pass->defines[i].value);
+    for (int i = 0; i < pass->in_count; i++) {
+        const struct aob_graph_texture *texture = &desc->graph->textures[pass->in[i].texture];
+        aob_text_add(text, "#define AOB_TYPE_");
+        add_upper(pass->in[i].name, text);
+        aob_text_add(text, " %s\n", type_name(texture->format));
+        if (texture->fill)
+            continue;
+        aob_text_add(text, "#define AOB_DIVISOR_");
+        add_upper(pass->in[i].name, text);
+        aob_text_add(text, " %d\n", aob_graph_bind_divisor(desc->graph, &pass->in[i]));
     }
 }
 
@@ -264,7 +276,7 @@ static void add_shader(const struct aob_technique *technique, const char *name, 
 static void add_head(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
     add_constants(desc, text);
-    add_defines(desc->pass->defines, text);
+    add_defines(desc, text);
     add_uniforms(desc->graph->technique, text);
     aob_text_add(text, "%s", gbuffer_text);
 }

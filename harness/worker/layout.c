@@ -91,7 +91,7 @@ static json_t *lay_case(const struct aob_technique *technique, const double *par
     unsigned char values[4 * AOB_MAX_PARAM];
     json_t *definition = NULL, *answer;
     bool ok = aob_worker_values(technique, params, count, values, &error) &&
-              aob_graph_build(graph, technique, values, 1u << AOB_OUT_VISIBILITY, &error);
+              aob_graph_build(graph, technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, &error);
     if (ok && !define(technique, values, &definition, &error))
         ok = aob_fail_in(&error, "%s", technique->name);
     answer = ok ? describe(graph, values, definition)

@@ -200,7 +200,7 @@ bool aob_block_score(struct aob_block *block, size_t f, json_t *answer, struct a
                                    .depth = AOB_NEW_ARRAY(float, pixels_of(block))};
     int64_t start = aob_clock_wall_ns();
     bool drawn = aob_frame_run(&block->frames[f], NULL, error) &&
-                 aob_frame_read(&block->frames[f], AOB_OUT_VISIBILITY, image.ao, error);
+                 aob_frame_read(&block->frames[f], AOB_OUT_VISIBILITY, 1, image.ao, error);
     aob_case_image_crop(block, block->gbuffer.depth, 1, image.depth);
     bool ok = drawn && judge_and_score(block, f, &image, answer, error);
     /* What is refused is worth a look too. */

@@ -213,7 +213,8 @@ static bool try_build(struct aob_pass_graph *graph, bool (*build)(struct aob_gra
                                        .values_size = sizeof(struct values),
                                        .build = build};
     *error = (struct aob_error){{0}};
-    return aob_graph_build(graph, &technique, &(struct values){3, 1}, 1u << AOB_OUT_VISIBILITY, error);
+    return aob_graph_build(graph, &technique, &(struct values){3, 1}, AOB_OUTPUTS_REQUIRED,
+                           AOB_OUTPUTS_WANTED, error);
 }
 
 static void test_prunes_what_nobody_wants(void **state)
@@ -239,18 +240,18 @@ static void test_broken_graphs_are_named(void **state)
         bool (*build)(struct aob_graph *, const void *);
         const char *says;
     } cases[] = {{build_loop, "no earlier pass writes"},
-                 {build_no_output, "no visibility output"},
-                 {build_unwritten, "no pass writes"},
+                 {build_no_output, "gives no output visibility"},
+                 {build_unwritten, "no pass writes texture 'raw'"},
                  {build_twice_written, "already written"},
                  {build_no_shader, "no shader text 'three'"},
                  {build_same_names, "two textures are named 'raw'"},
                  {build_half_output, "not full size"},
                  {build_mixed_sizes, "different sizes"},
                  {build_ignores_failure, "lower-case"},
-                 {build_too_many, "more than 32 textures"},
+                 {build_too_many, "more than 64 textures"},
                  {build_written_table, "writes the table"},
                  {build_divided_table, "no divisor"},
-                 {build_sized_target, "a target none"},
+                 {build_sized_target, "a target none of the three"},
                  {build_byte_depth, "not a target of r16f or r32f"},
                  {build_unread_depth, "does not read it"},
                  {build_unwritten_depth, "no earlier pass writes"},

@@ -6,8 +6,8 @@ void main()
 {
     ivec2 p = aob_pixel;
     vec3 position = aob_surface(p), normal = aob_surface_normal(p);
-    float centre = aob_fetch_raw(p);
-    float sum = centre, weights = 1.0;
+    AOB_TYPE_RAW centre = aob_fetch_raw(p), sum = centre;
+    float weights = 1.0;
     for (int i = 0; i < 4; i++) {
         int step = (i & 1) * 2 - 1;
         ivec2 q = p + (i < 2 ? ivec2(step, 0) : ivec2(0, step));

@@ -7,7 +7,8 @@ void main()
 {
     ivec2 p = aob_pixel;
     vec3 position = aob_surface(p), normal = aob_surface_normal(p);
-    float centre = aob_fetch_raw(p), sum = 0.0, weights = 0.0;
+    AOB_TYPE_RAW centre = aob_fetch_raw(p), sum = AOB_TYPE_RAW(0.0);
+    float weights = 0.0;
     for (int y = -2; y <= 2; y++)
         for (int x = -2; x <= 2; x++) {
             ivec2 q = p + ivec2(x, y);
