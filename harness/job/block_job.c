@@ -9,8 +9,9 @@ static json_t *targets_to_json(const struct aob_block_job *job)
     json_t *targets = json_array();
     for (size_t i = 0; i < job->target_count; i++) {
         const struct aob_block_target *t = &job->targets[i];
-        json_array_append_new(targets, json_pack("{s:o, s:b, s:s?}", "radius", aob_json_number(t->radius),
-                                                 "uniform", t->uniform, "truth", t->truth));
+        json_array_append_new(targets,
+                              json_pack("{s:o, s:b, s:s?, s:b}", "radius", aob_json_number(t->radius),
+                                        "uniform", t->uniform, "truth", t->truth, "bent", t->bent));
     }
     return targets;
 }
@@ -45,7 +46,8 @@ static bool read_targets(const json_t *array, struct aob_block_job *job, struct 
         job->targets[job->target_count++] =
             (struct aob_block_target){aob_json_to_number(json_object_get(object, "radius")),
                                       json_is_true(json_object_get(object, "uniform")),
-                                      json_string_value(json_object_get(object, "truth"))};
+                                      json_string_value(json_object_get(object, "truth")),
+                                      json_is_true(json_object_get(object, "bent"))};
         if (!(job->targets[i].radius > 0))
             return aob_fail(error, "target %zu of a block job has no radius", i);
     }

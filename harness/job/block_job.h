@@ -14,7 +14,8 @@
 struct aob_block_target { /* what every case of the block is compared with */
     double radius;        /* scene units; INFINITY allowed */
     bool uniform;         /* weighting of directions: the bare solid angle, else the cosine */
-    const char *truth;    /* file with AO and SE; NULL: nothing is compared */
+    const char *truth;    /* file with AO and SE, and B.X B.Y B.Z where `bent`; NULL: nothing is compared */
+    bool bent;            /* a case of the block gives a bent normal */
 };
 struct aob_block_case {
     const char *technique;

@@ -1,6 +1,7 @@
 #include "layout_job.h"
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 #include "base/json.h"
 #include "base/memory.h"
 
@@ -39,12 +40,36 @@ void aob_layout_job_finish(struct aob_layout_job *job)
     *job = (struct aob_layout_job){0};
 }
 
+json_t *aob_outputs_to_json(unsigned outputs)
+{
+    json_t *names = json_array();
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+        if (outputs >> which & 1)
+            json_array_append_new(names, json_string(aob_output_name((enum aob_output)which)));
+    return names;
+}
+
+unsigned aob_outputs_from_json(const json_t *names)
+{
+    unsigned outputs = 0;
+    json_t *name;
+    size_t at;
+    json_array_foreach(names, at, name)
+    {
+        for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+            if (json_is_string(name) &&
+                strcmp(json_string_value(name), aob_output_name((enum aob_output)which)) == 0)
+                outputs |= 1u << which;
+    }
+    return outputs;
+}
+
 json_t *aob_layout_answer_to_json(const struct aob_layout_answer *answer)
 {
-    return json_pack("{s:s, s:s?, s:s?, s:s?, s:b, s:O?, s:b}", "status", answer->status, "reason",
-                     answer->reason, "graph", answer->graph, "dot", answer->dot, "triangles",
-                     answer->triangles, "definition", (json_t *)(uintptr_t)answer->definition, "mapped",
-                     answer->mapped);
+    return json_pack("{s:s, s:s?, s:s?, s:s?, s:o, s:b, s:O?, s:b}", "status", answer->status, "reason",
+                     answer->reason, "graph", answer->graph, "dot", answer->dot, "outputs",
+                     aob_outputs_to_json(answer->outputs), "triangles", answer->triangles, "definition",
+                     (json_t *)(uintptr_t)answer->definition, "mapped", answer->mapped);
 }
 
 bool aob_layout_answer_from_json(const json_t *object, struct aob_layout_answer *answer)
@@ -54,6 +79,7 @@ bool aob_layout_answer_from_json(const json_t *object, struct aob_layout_answer 
                                          .reason = json_string_value(json_object_get(object, "reason")),
                                          .graph = json_string_value(json_object_get(object, "graph")),
                                          .dot = json_string_value(json_object_get(object, "dot")),
+                                         .outputs = aob_outputs_from_json(json_object_get(object, "outputs")),
                                          .triangles = json_is_true(json_object_get(object, "triangles")),
                                          .definition = json_is_object(definition) ? definition : NULL,
                                          .mapped = json_is_true(json_object_get(object, "mapped"))};

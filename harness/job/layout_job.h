@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include "base/error.h"
 #include "modules.h"
+#include "technique/graph.h"
 
 struct aob_layout_job {
     struct aob_modules modules;
@@ -24,6 +25,7 @@ struct aob_layout_answer {
     const char *status;       /* "ok" or "invalid" */
     const char *reason;       /* of a refusal, one line */
     const char *graph, *dot;  /* digest of the laid-out passes and their picture */
+    unsigned outputs;         /* that it gives; bits 1 << enum aob_output. In JSON their names */
     bool triangles;           /* a pass draws the scene's */
     const json_t *definition; /* a term (term.h); NULL: the technique claims nothing */
     bool mapped;              /* the definition's value is mapped */
@@ -31,4 +33,7 @@ struct aob_layout_answer {
 json_t *aob_layout_answer_to_json(const struct aob_layout_answer *answer);
 bool aob_layout_answer_from_json(const json_t *object,
                                  struct aob_layout_answer *answer); /* false: of another form */
+
+json_t *aob_outputs_to_json(unsigned outputs); /* ["visibility", "bent_normal"]; a new array */
+unsigned aob_outputs_from_json(const json_t *names);
 #endif

@@ -48,6 +48,7 @@ static void take_answer(void *user, const json_t *object)
     const struct aob_case *c = &layout->m->plan->cases[state - layout->m->states];
     keep_graph(layout->m, state, &answer);
     state->triangles = answer.triangles;
+    state->outputs = answer.outputs;
     if (strcmp(answer.status, "ok") != 0)
         refuse(state, answer.status, answer.reason ? answer.reason : "refused without a reason");
     else if (state->triangles && c->scene->gbuffer)

@@ -2,6 +2,7 @@
 #include <string.h>
 #include "base/json.h"
 #include "base/machine.h"
+#include "job/layout_job.h"
 #include "job/term.h"
 #include "scene/camera_json.h"
 #include "technique/param.h"
@@ -70,6 +71,8 @@ static void add_state(json_t *record, const struct aob_state *state)
 {
     if (*state->graph)
         json_object_set_new(record, "graph", json_string(state->graph));
+    if (state->outputs)
+        json_object_set_new(record, "outputs", aob_outputs_to_json(state->outputs));
     json_t *definition = state->definition ? definition_to_json(state) : NULL;
     if (definition)
         json_object_set_new(record, "definition", definition);

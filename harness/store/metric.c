@@ -45,6 +45,15 @@ const struct aob_metric aob_metric_table[] = {
            .better = AOB_BETTER_NONE, .doc = "Mean product of these two parts of the error."),
     METRIC(missing_estimator, .group = "covariance", .title = "missing x estimator",
            .better = AOB_BETTER_NONE, .doc = "Mean product of these two parts of the error."),
+    METRIC(bent_mean, .output = AOB_OUT_BENT_NORMAL, .title = "bent normal", .unit = "degrees",
+           .better = AOB_BETTER_LESS,
+           .doc =
+               "Mean angle between the technique's bent normal and the traced mean of the open directions."),
+    METRIC(bent_p95, .output = AOB_OUT_BENT_NORMAL, .title = "bent normal p95", .unit = "degrees",
+           .better = AOB_BETTER_LESS, .doc = "95th percentile of that angle."),
+    METRIC(bent_pixels, .output = AOB_OUT_BENT_NORMAL, .title = "bent normal pixels", .unit = "pixels",
+           .whole = true, .better = AOB_BETTER_NONE,
+           .doc = "Pixels whose angle counts: those that are not nearly closed."),
     {.name = NULL},
 };
 

@@ -20,6 +20,7 @@ struct aob_metrics {
     double definition_rmse, missing_rmse, estimator_rmse;
     double definition_missing, definition_estimator, missing_estimator;
     double flip, ssim, pixels, band_pixels;
+    double bent_mean, bent_p95, bent_pixels;
 };
 
 struct aob_metric {

@@ -1,5 +1,6 @@
 #include "case_image.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "store/image.h"
@@ -8,6 +9,8 @@ void aob_case_image_finish(struct aob_case_image *image)
 {
     free(image->depth);
     free(image->ao);
+    free(image->bent);
+    free(image->open);
     free(image->truth);
     free(image->se);
     free(image->definition);
@@ -35,6 +38,17 @@ static void add_plane(struct aob_image *file, const char *name, const float *pix
 {
     if (pixels)
         memcpy(aob_image_add(file, name), pixels, (size_t)file->width * (size_t)file->height * sizeof(float));
+}
+
+static void add_vectors(struct aob_image *file, const char *stem, const float (*vectors)[3])
+{
+    for (int c = 0; c < 3 && vectors; c++) {
+        char name[64];
+        snprintf(name, sizeof name, "%s.%c", stem, 'X' + c);
+        float *channel = aob_image_add(file, name);
+        for (size_t i = 0; i < (size_t)file->width * (size_t)file->height; i++)
+            channel[i] = vectors[i][c];
+    }
 }
 
 static void add_camera(struct aob_image *file, const struct aob_camera *camera)
@@ -80,6 +94,8 @@ bool aob_case_image_write(const struct aob_block *block, const struct aob_block_
     add_plane(&file, "technique.AO", image->ao);
     add_plane(&file, "reference.AO", image->truth);
     add_plane(&file, "reference.SE", image->se);
+    add_vectors(&file, "technique.bent", (const float(*)[3])image->bent);
+    add_vectors(&file, "reference.bent", (const float(*)[3])image->open);
     add_plane(&file, "definition.AO", image->definition);
     add_plane(&file, "screen.AO", image->screen);
     add_error(&file, image);

@@ -6,7 +6,9 @@
 struct aob_case_image { /* width x height floats each, owned; NULL where the case has none */
     float *depth;       /* scene units; AOB_GBUFFER_SKY where sky */
     float *ao;          /* what the technique wrote */
+    float (*bent)[3];   /* the bent normal that it wrote, view space; NULL where it gives none */
     float *truth, *se;  /* of the case's own target */
+    float (*open)[3];   /* that target's mean open direction; NULL where `bent` is */
     float *definition;  /* what the technique claims, mapped */
     float *screen;      /* the claim within the screen-space bound */
 };

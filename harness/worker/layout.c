@@ -67,6 +67,15 @@ static bool define(const struct aob_technique *technique, const void *values, js
     return true;
 }
 
+static unsigned outputs_of(const struct aob_pass_graph *graph)
+{
+    unsigned outputs = 0;
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+        if (aob_graph_gives(graph, (enum aob_output)which))
+            outputs |= 1u << which;
+    return outputs;
+}
+
 static json_t *describe(const struct aob_pass_graph *graph, const void *values, const json_t *definition)
 {
     struct aob_text dot = {0};
@@ -77,6 +86,7 @@ static json_t *describe(const struct aob_pass_graph *graph, const void *values, 
         &(struct aob_layout_answer){.status = "ok",
                                     .graph = key,
                                     .dot = dot.data,
+                                    .outputs = outputs_of(graph),
                                     .triangles = aob_graph_needs_triangles(graph),
                                     .definition = definition,
                                     .mapped = graph->technique->definition.map != NULL});

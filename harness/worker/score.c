@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "block.h"
 #include "case_image.h"
+#include "score/bent.h"
 #include "score/flip.h"
 #include "score/oracle_score.h"
 #include "score/split.h"
@@ -34,28 +35,68 @@ static float *copy_channel(const struct aob_image *image, const char *name, size
     return pixels;
 }
 
-/* A traced file's visibility and, if `se` is not NULL, its standard error. */
-static bool load_traced(const char *path, const struct aob_block *block, float **ao, float **se,
+/* What one traced file holds. */
+struct traced {
+    float *ao, *se, (*open)[3]; /* open: only if it is asked for */
+};
+
+static void free_traced(struct traced *traced)
+{
+    free(traced->ao);
+    free(traced->se);
+    free(traced->open);
+}
+
+static float (*copy_directions(const struct aob_image *image, size_t count))[3]
+{
+    static const char *const names[3] = {"B.X", "B.Y", "B.Z"};
+    float(*vectors)[3] = aob_alloc(count, sizeof *vectors);
+    for (int c = 0; c < 3; c++) {
+        const float *channel = aob_image_channel(image, names[c]);
+        if (!channel) {
+            free(vectors);
+            return NULL;
+        }
+        for (size_t i = 0; i < count; i++)
+            vectors[i][c] = channel[i];
+    }
+    return vectors;
+}
+
+static bool load_traced(const char *path, const struct aob_block *block, bool bent, struct traced *traced,
                         struct aob_error *error)
 {
     struct aob_image image = {0};
+    size_t count = pixels_of(block);
     if (!aob_image_read(&image, path, error))
         return aob_block_drop_damaged(path, error);
     bool fits = image.width == block->job.view.width && image.height == block->job.view.height;
-    *ao = fits ? copy_channel(&image, "AO", pixels_of(block)) : NULL;
-    if (se)
-        *se = fits ? copy_channel(&image, "SE", pixels_of(block)) : NULL;
+    if (fits)
+        *traced = (struct traced){copy_channel(&image, "AO", count), copy_channel(&image, "SE", count),
+                                  bent ? copy_directions(&image, count) : NULL};
     aob_image_finish(&image);
-    return (*ao && (!se || *se)) || aob_fail(error, "%s: not a reference of %dx%d", path,
-                                             block->job.view.width, block->job.view.height);
+    return (traced->ao && traced->se && (!bent || traced->open)) ||
+           aob_fail(error, "%s: not a reference of %dx%d", path, block->job.view.width,
+                    block->job.view.height);
+}
+
+/* A claim is looked at by its visibility only. */
+static bool load_claim(const char *path, const struct aob_block *block, float **ao, struct aob_error *error)
+{
+    struct traced traced = {0};
+    bool ok = !path || load_traced(path, block, false, &traced, error);
+    *ao = traced.ao;
+    traced.ao = NULL;
+    free_traced(&traced);
+    return ok;
 }
 
 /* All are tried, so that one run removes all that are damaged. */
 static bool load_claims(const struct aob_block *block, const struct aob_block_case *c,
                         struct aob_case_image *image, struct aob_error *error)
 {
-    bool ok = !c->definition || load_traced(c->definition, block, &image->definition, NULL, error);
-    return (!c->screen || load_traced(c->screen, block, &image->screen, NULL, error)) && ok;
+    bool ok = load_claim(c->definition, block, &image->definition, error);
+    return load_claim(c->screen, block, &image->screen, error) && ok;
 }
 
 static void map_claims(const struct aob_technique *technique, const struct aob_block_case *c, size_t count,
@@ -115,20 +156,25 @@ static struct aob_score_desc describe(const struct aob_block *block, const struc
 
 /* An entry of `errors`. The reference is scored too: its own error shows how small a difference is still meaningful. */
 static json_t *score_target(const struct aob_block *block, const struct aob_block_target *target,
-                            const struct aob_case_image *image, const float *truth, const float *se)
+                            const struct aob_case_image *image, const struct traced *truth)
 {
-    struct aob_score_desc desc = describe(block, image, truth, se, target->radius);
+    struct aob_score_desc desc = describe(block, image, truth->ao, truth->se, target->radius);
+    unsigned outputs = 1u << AOB_OUT_VISIBILITY;
     struct aob_metrics metrics;
     aob_score(&desc, &metrics);
     metrics.flip = aob_flip(&desc);
     metrics.ssim = aob_ssim(&desc);
     if (image->definition && image->screen)
         aob_split(&desc, image->definition, image->screen, &metrics);
+    if (image->bent && truth->open) {
+        aob_bent_score(&desc, (const float(*)[3])image->bent, (const float(*)[3])truth->open, &metrics);
+        outputs |= 1u << AOB_OUT_BENT_NORMAL;
+    }
     json_t *entry = json_pack("{s:{s:o, s:s}, s:s}", "target", "radius", aob_json_number(target->radius),
                               "weighting", target->uniform ? "uniform" : "cosine", "reference",
                               block->job.view.captured ? "screen" : "ray-traced");
-    aob_metrics_to_json(&metrics, 1u << AOB_OUT_VISIBILITY, entry);
-    json_t *oracle = oracle_to_json(block, target, image->ao, truth);
+    aob_metrics_to_json(&metrics, outputs, entry);
+    json_t *oracle = oracle_to_json(block, target, image->ao, truth->ao);
     if (oracle)
         json_object_set_new(entry, "oracle", oracle);
     return entry;
@@ -142,32 +188,47 @@ static bool judge_drawn(const struct aob_block *block, const struct aob_block_ca
     return !c->definition || block->gpu->info.draws_nothing || aob_score_judge_drawn(&desc, error);
 }
 
+/* Against one target; the truth of the case's own one stays with the image. */
+static bool score_against(const struct aob_block *block, const struct aob_block_case *c, size_t t,
+                          struct aob_case_image *image, json_t *errors, struct aob_error *error)
+{
+    const struct aob_block_target *target = &block->job.targets[t];
+    struct traced truth = {0};
+    bool ok = load_traced(target->truth, block, target->bent, &truth, error);
+    if (ok)
+        json_array_append_new(errors, score_target(block, target, image, &truth));
+    if (ok && t == c->target) {
+        image->truth = truth.ao;
+        image->se = truth.se;
+        image->open = image->bent ? truth.open : NULL;
+        if (!image->bent)
+            free(truth.open);
+        return true;
+    }
+    free_traced(&truth);
+    return ok;
+}
+
 static bool score_case(const struct aob_block *block, const struct aob_block_case *c,
                        struct aob_case_image *image, json_t *answer, struct aob_error *error)
 {
     json_t *errors = json_array();
     bool ok = true;
-    for (size_t t = 0; t < block->job.target_count; t++) {
-        const struct aob_block_target *target = &block->job.targets[t];
-        float *truth = NULL, *se = NULL;
-        if (!target->truth)
-            continue;
-        bool loaded = load_traced(target->truth, block, &truth, &se, error);
-        if (loaded)
-            json_array_append_new(errors, score_target(block, target, image, truth, se));
-        ok = ok && loaded;
-        if (t == c->target) {
-            image->truth = truth;
-            image->se = se;
-        } else {
-            free(truth);
-            free(se);
-        }
-    }
+    for (size_t t = 0; block->job.error && t < block->job.target_count; t++)
+        ok = score_against(block, c, t, image, errors, error) && ok;
     if (json_array_size(errors))
         json_object_set(answer, "errors", errors);
     json_decref(errors);
     return ok;
+}
+
+/* Whether what was drawn is what the outputs say that it is. */
+static bool judge_values(const struct aob_block *block, const struct aob_case_image *image,
+                         struct aob_error *error)
+{
+    struct aob_score_desc desc = describe(block, image, image->ao, NULL, 1);
+    return aob_score_judge(&desc, error) &&
+           (!image->bent || aob_bent_judge(&desc, (const float(*)[3])image->bent, error));
 }
 
 /* True: the image is a visibility, and everything that it is to be compared with was there. */
@@ -175,11 +236,10 @@ static bool judge_and_score(const struct aob_block *block, size_t f, struct aob_
                             json_t *answer, struct aob_error *error)
 {
     const struct aob_block_case *c = &block->job.cases[block->case_of_frame[f]];
-    struct aob_score_desc desc = describe(block, image, image->ao, NULL, 1);
     if (!load_claims(block, c, image, error))
         return false;
     map_claims(block->frames[f].graph.technique, c, pixels_of(block), image);
-    if (!aob_score_judge(&desc, error)) {
+    if (!judge_values(block, image, error)) {
         json_object_set_new(answer, "status", json_string("invalid"));
         return false;
     }
@@ -193,14 +253,24 @@ static bool judge_and_score(const struct aob_block *block, size_t f, struct aob_
     return true;
 }
 
+static bool draw(struct aob_block *block, size_t f, struct aob_case_image *image, struct aob_error *error)
+{
+    struct aob_frame *frame = &block->frames[f];
+    if (!aob_frame_run(frame, NULL, error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, image->ao, error))
+        return false;
+    if (!aob_graph_gives(&frame->graph, AOB_OUT_BENT_NORMAL))
+        return true;
+    image->bent = aob_alloc(pixels_of(block), sizeof *image->bent);
+    return aob_frame_read(frame, AOB_OUT_BENT_NORMAL, 3, image->bent[0], error);
+}
+
 bool aob_block_score(struct aob_block *block, size_t f, json_t *answer, struct aob_error *error)
 {
     const struct aob_block_case *c = &block->job.cases[block->case_of_frame[f]];
     struct aob_case_image image = {.ao = AOB_NEW_ARRAY(float, pixels_of(block)),
                                    .depth = AOB_NEW_ARRAY(float, pixels_of(block))};
     int64_t start = aob_clock_wall_ns();
-    bool drawn = aob_frame_run(&block->frames[f], NULL, error) &&
-                 aob_frame_read(&block->frames[f], AOB_OUT_VISIBILITY, 1, image.ao, error);
+    bool drawn = draw(block, f, &image, error);
     aob_case_image_crop(block, block->gbuffer.depth, 1, image.depth);
     bool ok = drawn && judge_and_score(block, f, &image, answer, error);
     /* What is refused is worth a look too. */

@@ -98,7 +98,7 @@ static void a_block_job(void **state)
 {
     (void)state;
     const char *const paths[] = {"one.so", "two.so"};
-    struct aob_block_target targets[] = {{0.25, false, "t.exr"}, {INFINITY, true, NULL}};
+    struct aob_block_target targets[] = {{0.25, false, "t.exr", true}, {INFINITY, true, NULL, false}};
     struct aob_block_case cases[] = {{.technique = "gtao",
                                       .params = {0.5, 3},
                                       .param_count = 2,
@@ -131,9 +131,10 @@ static void a_block_job(void **state)
     assert_true(job.validate && !job.raster && job.triangles && !job.time && job.error);
     assert_true(job.seconds == 0.75);
     assert_int_equal(job.target_count, 2);
-    assert_true(job.targets[0].radius == 0.25 && !job.targets[0].uniform);
+    assert_true(job.targets[0].radius == 0.25 && !job.targets[0].uniform && job.targets[0].bent);
     assert_string_equal(job.targets[0].truth, "t.exr");
-    assert_true(isinf(job.targets[1].radius) && job.targets[1].uniform && !job.targets[1].truth);
+    assert_true(isinf(job.targets[1].radius) && job.targets[1].uniform && !job.targets[1].truth &&
+                !job.targets[1].bent);
     assert_int_equal(job.case_count, 2);
     assert_string_equal(job.cases[0].technique, "gtao");
     assert_int_equal(job.cases[0].param_count, 2);
@@ -245,6 +246,7 @@ static void a_layout_job(void **state)
     struct aob_layout_answer answer = {.status = "ok",
                                        .graph = "abc",
                                        .dot = "digraph",
+                                       .outputs = 1u << AOB_OUT_BENT_NORMAL | 1,
                                        .triangles = true,
                                        .definition = term,
                                        .mapped = true},
@@ -255,6 +257,7 @@ static void a_layout_job(void **state)
     assert_string_equal(back.graph, "abc");
     assert_string_equal(back.dot, "digraph");
     assert_true(back.triangles && back.mapped && !back.reason);
+    assert_int_equal(back.outputs, 1u << AOB_OUT_BENT_NORMAL | 1u << AOB_OUT_VISIBILITY);
     assert_true(json_number_value(json_object_get(back.definition, "radius")) == 0.5);
     json_decref(message);
     message =
