@@ -89,10 +89,17 @@ static bool choose_reference(const struct aob_shot_desc *desc, struct aob_config
                              struct aob_error *error)
 {
     double spp = config->spp;
-    if (!read_number("reference-spp", desc->reference_spp, 0, 65536, &spp, error) ||
-        !read_number("reference-radius", desc->reference_radius, 1e-9, INFINITY, &config->reference_radius,
-                     error))
+    if (!read_number("reference-spp", desc->reference_spp, 0, 65536, &spp, error))
         return false;
+    if (desc->reference_radius)
+        return aob_fail(error,
+                        "--reference-radius is now --target-radius, with --target-weighting beside it");
+    if (desc->target_weighting && !desc->target_radius)
+        return aob_fail(error, "--target-weighting goes with --target-radius");
+    if (desc->target_radius &&
+        !aob_config_add_targets(config, desc->target_radius,
+                                desc->target_weighting ? desc->target_weighting : "cosine", error))
+        return aob_fail_in(error, "--target-radius");
     if (spp != floor(spp) || fmod(spp, 2) != 0)
         return aob_fail(error, "--reference-spp: %s is not an even whole number (0: no reference)",
                         desc->reference_spp);
@@ -146,7 +153,7 @@ static void print_record(const struct shot *shot)
     const json_t *time = json_object_get(shot->record, "time"),
                  *error = json_object_get(shot->record, "error");
     struct aob_text text = {0};
-    aob_case_describe(&shot->plan->cases[0], &text);
+    aob_case_describe(shot->plan, &shot->plan->cases[0], &text);
     if (time)
         aob_text_add(&text, ": %.3f ms cpu, %.2f x fixed pass",
                      json_number_value(json_object_get(time, "cpu_ms")),
