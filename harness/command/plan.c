@@ -22,7 +22,7 @@ static void print_plan(const struct aob_plan *plan, bool quiet)
 {
     for (size_t i = 0; i < plan->case_count && !quiet; i++) {
         struct aob_text text = {0};
-        aob_case_describe(&plan->cases[i], &text);
+        aob_case_describe(plan, &plan->cases[i], &text);
         printf("%s\n", text.data);
         aob_text_finish(&text);
     }

@@ -15,7 +15,9 @@
 struct options {
     struct aob_common common;
     const char *technique, *scene; /* scene: a listed one, a mesh file or capture:FILE */
-    const char *view, *eye, *target, *fov, *ortho, *shift, *size, *backend, *reference_spp, *reference_radius;
+    const char *view, *eye, *target, *fov, *ortho, *shift, *size, *backend, *reference_spp;
+    const char *target_radius, *target_weighting;
+    const char *reference_radius;                 /* what the first of these was called */
     const char *convention[AOB_CONVENTION_COUNT]; /* of a capture, by enum aob_convention_key */
     const char *out;
     struct aob_words params; /* "name=value": parameters of the technique and run options */
@@ -39,7 +41,10 @@ static const struct aob_flag flags[] = {
     {"p", "name=value", "a parameter or run option; may be repeated", AOB_FLAG_MANY,
      offsetof(struct options, params)},
     TEXT("reference-spp", "N", reference_spp, "rays a pixel (256); 0: none"),
-    TEXT("reference-radius", "R", reference_radius, "radius of the truth (the technique's); inf allowed"),
+    TEXT("target-radius", "R[,R...]", target_radius,
+         "what it is compared with: visibility of this radius (the technique's); inf allowed"),
+    TEXT("target-weighting", "W", target_weighting, "of that visibility: cosine or uniform (cosine)"),
+    TEXT("reference-radius", "R", reference_radius, "is now --target-radius"),
     TEXT("out", "FILE.exr", out, "the images"),
     TEXT("depth", "KIND", convention[AOB_CONVENTION_DEPTH],
          "of a capture: planar, distance, device or device_reversed (planar)"),
@@ -131,10 +136,16 @@ static bool choose_params(const struct options *o, struct aob_config *config, st
 static bool choose_reference(const struct options *o, struct aob_config *config, struct aob_error *error)
 {
     double spp = config->spp;
-    if (!read_number("reference-spp", o->reference_spp, 0, 65536, &spp, error) ||
-        !read_number("reference-radius", o->reference_radius, 1e-9, INFINITY, &config->reference_radius,
-                     error))
+    if (!read_number("reference-spp", o->reference_spp, 0, 65536, &spp, error))
         return false;
+    if (o->reference_radius)
+        return aob_fail(error,
+                        "--reference-radius is now --target-radius, with --target-weighting beside it");
+    if (o->target_weighting && !o->target_radius)
+        return aob_fail(error, "--target-weighting goes with --target-radius");
+    const char *weighting = o->target_weighting ? o->target_weighting : "cosine";
+    if (o->target_radius && !aob_config_add_targets(config, o->target_radius, weighting, error))
+        return aob_fail_in(error, "--target-radius");
     if (spp != floor(spp) || fmod(spp, 2) != 0)
         return aob_fail(error, "--reference-spp: %s is not an even whole number (0: no reference)",
                         o->reference_spp);
@@ -182,7 +193,7 @@ static void print_record(const struct aob_sweep *sweep, const json_t *record)
 {
     const json_t *time = json_object_get(record, "time"), *error = json_object_get(record, "error");
     struct aob_text text = {0};
-    aob_case_describe(&sweep->plan.cases[0], &text);
+    aob_case_describe(&sweep->plan, &sweep->plan.cases[0], &text);
     if (time)
         aob_text_add(&text, ": %.3f ms cpu, %.2f x fixed pass",
                      json_number_value(json_object_get(time, "cpu_ms")),

@@ -13,7 +13,8 @@ struct block {
     struct aob_measurement *m;
     const size_t *indices;
     size_t count;
-    size_t target[AOB_BLOCK_MAX]; /* of each case: the job's target that its `error` is against */
+    char *truths
+        [AOB_CONFIG_MAX_TARGETS]; /* "truths/HASH.exr" below the run's folder; NULL where none is kept */
     bool answered[AOB_BLOCK_MAX];
 };
 
@@ -61,7 +62,8 @@ static void finish_case(struct block *block, size_t i, const char *status, const
                                                     .status = status,
                                                     .reason = reason,
                                                     .answer = answer,
-                                                    .target = block->target[i],
+                                                    .target = aob_case_own_target(case_of(block, i)),
+                                                    .truths = block->truths,
                                                     .image = answer && has_image(block, name) ? name : NULL});
     block->answered[i] = true;
     block->m->states[index].stage = AOB_DONE;
@@ -93,6 +95,7 @@ static struct aob_block_case describe_case(const struct block *block, size_t i,
     const struct aob_case *c = case_of(block, i);
     struct aob_block_case described = {.technique = c->technique->name,
                                        .param_count = c->technique->param_count,
+                                       .target = aob_case_own_target(c),
                                        .definition = files->definition[i],
                                        .screen = files->screen[i],
                                        .image = image};
@@ -101,22 +104,12 @@ static struct aob_block_case describe_case(const struct block *block, size_t i,
     return described;
 }
 
-/* The same truth of two cases is one target. */
-static size_t add_target(struct aob_block_job *job, double radius, const char *truth)
-{
-    for (size_t t = 0; t < job->target_count; t++)
-        if (truth && job->targets[t].truth && strcmp(job->targets[t].truth, truth) == 0)
-            return t;
-    job->targets[job->target_count] = (struct aob_block_target){.radius = radius, .truth = truth};
-    return job->target_count++;
-}
-
-static json_t *make_job(struct block *block, const struct aob_view_files *files)
+static json_t *make_job(const struct block *block, const struct aob_view_files *files)
 {
     const struct aob_case *c = case_of(block, 0);
     const struct aob_config *config = block->m->plan->config;
     struct aob_block_case cases[AOB_BLOCK_MAX];
-    struct aob_block_target targets[AOB_BLOCK_MAX];
+    struct aob_block_target targets[AOB_CONFIG_MAX_TARGETS];
     char *images[AOB_BLOCK_MAX];
     struct aob_block_job job = {.modules = block->m->dispatch->modules,
                                 .view = aob_job_view_of(c, files),
@@ -127,19 +120,44 @@ static json_t *make_job(struct block *block, const struct aob_view_files *files)
                                 .error = config->measure_error,
                                 .seconds = config->seconds,
                                 .targets = targets,
+                                .target_count = files->target_count,
                                 .cases = cases,
                                 .case_count = block->count};
+    for (size_t t = 0; t < files->target_count; t++)
+        targets[t] = (struct aob_block_target){c->scene->targets[t].radius, c->scene->targets[t].uniform,
+                                               files->truth[t], files->bent};
     for (size_t i = 0; i < block->count; i++) {
         images[i] = image_path(block, i);
         cases[i] = describe_case(block, i, files, images[i]);
-        block->target[i] = add_target(&job, case_of(block, i)->reference_radius, files->reference[i]);
-        cases[i].target = block->target[i];
         job.triangles = job.triangles || block->m->states[block->indices[i]].triangles;
     }
     json_t *object = aob_block_job_to_json(&job);
     for (size_t i = 0; i < block->count; i++)
         free(images[i]);
     return object;
+}
+
+/* The truths of the targets go into the run's folder once, whatever the number of cases: images hold that of one target
+ * only. They are named as in the cache, by what they depend on. */
+static bool keep_truths(struct block *block, const struct aob_view_files *files, struct aob_error *error)
+{
+    bool ok = true;
+    for (size_t t = 0; ok && t < files->target_count; t++) {
+        const char *dash = strrchr(files->truth[t], '-');
+        struct aob_text name = {0};
+        aob_text_add(&name, "truths/%s", dash + 1);
+        char *path = aob_path_join(block->m->folder, name.data);
+        ok = aob_file_exists(path) || aob_file_copy(files->truth[t], path, error);
+        block->truths[t] = name.data;
+        free(path);
+    }
+    return ok;
+}
+
+static void free_truths(struct block *block)
+{
+    for (size_t t = 0; t < AOB_COUNT(block->truths); t++)
+        free(block->truths[t]);
 }
 
 static bool run_worker(struct block *block, const struct aob_view_files *files, struct aob_error *error)
@@ -186,10 +204,12 @@ void aob_measurement_block(struct aob_measurement *m, const size_t *indices, siz
         fail_rest(&block, error.text);
         return;
     }
-    bool ok = run_worker(&block, &files, &error);
+    bool keeps = m->folder && m->plan->config->images;
+    bool ok = (!keeps || keep_truths(&block, &files, &error)) && run_worker(&block, &files, &error);
     aob_view_files_finish(&files);
     if (!ok && count > 1)
         retry_alone(&block);
     else
         fail_rest(&block, ok ? "the worker gave no answer for this case" : error.text);
+    free_truths(&block);
 }

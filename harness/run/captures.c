@@ -13,11 +13,13 @@ static bool make_digest(struct aob_scene_choice *choice, struct aob_error *error
     char bytes[AOB_KEY_SIZE];
     if (!aob_hash_file(choice->capture, bytes, error))
         return false;
-    aob_text_add(&text, "%s %s ", aob_capture_version, bytes);
+    aob_text_add(&text, "%s ", bytes);
     aob_convention_print(&choice->convention, &text);
     aob_text_add(&text, " %d %.17g %.17g %.17g  %.17g %.17g %.17g  %.17g %.17g", choice->has_camera,
                  choice->eye[0], choice->eye[1], choice->eye[2], choice->target[0], choice->target[1],
                  choice->target[2], choice->fov_deg, choice->ortho_height);
+    aob_hash_text(text.data, choice->geometry);
+    aob_text_add(&text, " %s", aob_capture_version);
     aob_hash_text(text.data, choice->digest);
     aob_text_finish(&text);
     return true;

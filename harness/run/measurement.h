@@ -42,9 +42,11 @@ void aob_measurement_block(struct aob_measurement *m, const size_t *indices, siz
 struct aob_view_files {
     char *mesh; /* a flat mesh; NULL where the scene is procedural or captured */
     char *gbuffer;
+    char **truth; /* of each of the scene's targets */
+    size_t target_count;
+    bool bent; /* the truths hold their mean open directions too, because a case gives a bent normal */
     char **
-        reference; /* a case's truth; this and the next two have `count` entries, NULL where a case has none */
-    char **definition; /* what it claims */
+        definition; /* what a case claims; this and the next have `count` entries, NULL where a case has none */
     char **screen; /* the claim within the screen-space bound. The definition's file again where nothing is
                           missing: of a capture, whose only reference is that bound, and of a technique that draws the
                           scene's triangles */

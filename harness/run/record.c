@@ -79,8 +79,9 @@ static void add_state(json_t *record, const struct aob_state *state)
 }
 
 /* What the worker measured; `error` is one of its `errors`. */
-static void add_answer(json_t *record, const json_t *answer, size_t target)
+static void add_answer(json_t *record, const struct aob_record_desc *desc)
 {
+    const json_t *answer = desc->answer;
     const char *name;
     json_t *value;
     json_object_foreach((json_t *)(uintptr_t)answer, name, value)
@@ -88,9 +89,27 @@ static void add_answer(json_t *record, const json_t *answer, size_t target)
         if (strcmp(name, "index") != 0)
             json_object_set(record, name, value);
     }
-    json_t *own = json_array_get(json_object_get(answer, "errors"), target);
+    json_t *errors = json_object_get(answer, "errors"), *entry;
+    size_t at;
+    json_array_foreach(errors, at, entry)
+    {
+        if (desc->truths && desc->truths[at])
+            json_object_set_new(entry, "truth", json_string(desc->truths[at]));
+    }
+    json_t *own = json_array_get(errors, desc->target);
     if (own)
         json_object_set_new(record, "error", json_deep_copy(own));
+}
+
+/* A history is one of a class of devices, which is known only of a case that reached one. */
+static void add_series(json_t *record, const struct aob_case *c)
+{
+    const char *class = json_string_value(json_object_get(json_object_get(record, "fingerprint"), "class"));
+    char series[AOB_KEY_SIZE];
+    if (!class)
+        return;
+    aob_case_series(c, class, series);
+    json_object_set_new(record, "series", json_string(series));
 }
 
 json_t *aob_record_create(const struct aob_record_desc *desc)
@@ -102,10 +121,11 @@ json_t *aob_record_create(const struct aob_record_desc *desc)
         add_state(record, desc->state);
     json_object_set_new(record, "status", json_string(desc->status));
     json_object_set_new(record, "reason", json_string(desc->reason ? desc->reason : ""));
-    add_answer(record, desc->answer, desc->target);
+    add_answer(record, desc);
     if (desc->image)
         json_object_set_new(record, "image", json_string(desc->image));
     if (!json_object_get(record, "fingerprint"))
         json_object_set_new(record, "fingerprint", bare_fingerprint());
+    add_series(record, desc->c);
     return record;
 }

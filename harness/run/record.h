@@ -13,8 +13,9 @@ struct aob_record_desc {
     const char *status;            /* "ok", "unsupported", "invalid", "failed", "planned" */
     const char *reason;            /* NULL: none */
     const json_t *answer;          /* of its block's worker; NULL: there is none */
-    size_t target;                 /* place in the answer's `errors` of the one that is `error` */
-    const char *image;             /* its EXR file below the run's folder; NULL: none is kept */
+    char *const *truths; /* of each target, its file below the run's folder or NULL; NULL: none is kept */
+    size_t target;       /* place in the answer's `errors` of the one that is `error` */
+    const char *image;   /* its EXR file below the run's folder; NULL: none is kept */
 };
 json_t *aob_record_create(const struct aob_record_desc *desc); /* a new object */
 #endif

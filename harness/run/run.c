@@ -115,7 +115,7 @@ static void store_record(void *user, size_t index, json_t *record)
     if (!*run->store_error.text)
         aob_journal_append(&run->folder.journal, record, &run->store_error);
     count(run, record);
-    aob_case_describe(&run->sweep.plan.cases[index], &next);
+    aob_case_describe(&run->sweep.plan, &run->sweep.plan.cases[index], &next);
     aob_progress_step(&run->progress, next.data);
     aob_text_finish(&next);
 }

@@ -88,25 +88,11 @@ static char *term_path(const struct aob_measurement *m, const struct aob_case *c
     return path;
 }
 
-/* What a case is compared with: the truth, its definition, and the definition within the screen-space bound. A capture
- * has no geometry, so its truth and definition are those of the bound. A technique that draws the scene's triangles is
- * not bound to the screen: it knows all that its definition asks for. NULL: the case has no such term. */
-enum term_kind { TERM_TRUTH, TERM_DEFINITION, TERM_SCREEN, TERM_COUNT };
-
-static json_t *make_term(const struct aob_measurement *m, size_t index, enum term_kind kind)
+/* What a capture shows has no geometry, so all of its references are those of the screen-space bound. */
+static void bind_to_screen(const struct aob_measurement *m, json_t *term)
 {
-    const struct aob_case *c = &m->plan->cases[index];
-    const json_t *definition = m->states[index].definition;
-    bool captured = c->scene->gbuffer != NULL;
-    if (kind != TERM_TRUTH && !definition)
-        return NULL;
-    json_t *term = kind == TERM_TRUTH ? aob_term_to_json(&(struct aob_term){.radius = c->reference_radius})
-                                      : json_deep_copy(definition);
-    if (captured || (kind == TERM_SCREEN && !m->states[index].triangles))
-        aob_term_set_bound(term, m->plan->config->thickness < 0
-                                     ? aob_json_to_number(json_object_get(term, "radius"))
-                                     : m->plan->config->thickness);
-    return term;
+    double thickness = m->plan->config->thickness;
+    aob_term_set_bound(term, thickness < 0 ? aob_json_to_number(json_object_get(term, "radius")) : thickness);
 }
 
 /* The terms that a view's job is to trace; the files that they go to are the keys of `known`. */
@@ -114,13 +100,11 @@ struct missing {
     json_t *terms, *known;
 };
 
-/* Adds the term to the view's job unless its file is there already; returns that file. */
-static char *want_term(struct aob_measurement *m, size_t index, enum term_kind kind, struct missing *missing)
+/* Adds the term to the view's job unless its file is there already; returns that file. Takes the term. */
+static char *want_term(struct aob_measurement *m, const struct aob_case *c, json_t *term,
+                       struct missing *missing)
 {
-    json_t *term = make_term(m, index, kind);
-    if (!term)
-        return NULL;
-    char *path = term_path(m, &m->plan->cases[index], term);
+    char *path = term_path(m, c, term);
     if (!json_object_get(missing->known, path) && !aob_file_exists(path)) {
         json_object_set_new(term, "out", json_string(path));
         json_array_append(missing->terms, term);
@@ -128,6 +112,35 @@ static char *want_term(struct aob_measurement *m, size_t index, enum term_kind k
     }
     json_decref(term);
     return path;
+}
+
+static char *want_truth(struct aob_measurement *m, const struct aob_case *c, const struct aob_target *target,
+                        bool bent, struct missing *missing)
+{
+    json_t *term = aob_term_to_json(
+        &(struct aob_term){.radius = target->radius, .uniform = target->uniform, .bent = bent});
+    if (c->scene->gbuffer)
+        bind_to_screen(m, term);
+    return want_term(m, c, term, missing);
+}
+
+/* What a case claims to compute, traced freely, or within the screen-space bound. A technique that draws the scene's
+ * triangles is not bound to the screen: it knows all that its definition asks for. NULL: it claims nothing. */
+static char *want_claim(struct aob_measurement *m, size_t index, bool bound, struct missing *missing)
+{
+    const struct aob_state *state = &m->states[index];
+    const struct aob_case *c = &m->plan->cases[index];
+    if (!state->definition)
+        return NULL;
+    json_t *term = json_deep_copy(state->definition);
+    if (c->scene->gbuffer || (bound && !state->triangles))
+        bind_to_screen(m, term);
+    return want_term(m, c, term, missing);
+}
+
+static bool gives_bent_normal(const struct aob_state *state)
+{
+    return state->outputs >> AOB_OUT_BENT_NORMAL & 1;
 }
 
 struct aob_job_view aob_job_view_of(const struct aob_case *c, const struct aob_view_files *files)
@@ -160,11 +173,14 @@ static bool same_view(const struct aob_case *a, const struct aob_case *b)
 
 static void want_case(struct aob_measurement *m, size_t index, int guard, struct missing *missing)
 {
+    const struct aob_case *c = &m->plan->cases[index];
     if (m->states[index].stage != AOB_PENDING)
         return;
-    for (int kind = 0; kind < TERM_COUNT; kind++)
-        if (kind != TERM_SCREEN || aob_case_options(&m->plan->cases[index]).guard_band == guard)
-            free(want_term(m, index, (enum term_kind)kind, missing));
+    for (size_t t = 0; t < c->scene->target_count; t++)
+        free(want_truth(m, c, &c->scene->targets[t], gives_bent_normal(&m->states[index]), missing));
+    free(want_claim(m, index, false, missing));
+    if (aob_case_options(c).guard_band == guard)
+        free(want_claim(m, index, true, missing));
 }
 
 /* All terms of the view that the plan still needs are traced at once: one set of rays serves them all. The bound of
@@ -195,10 +211,11 @@ static bool make_files(struct aob_measurement *m, const size_t *indices, struct 
                        struct missing *missing, struct aob_error *error)
 {
     const struct aob_case *c = &m->plan->cases[indices[0]];
-    for (size_t i = 0; i < files->count && m->plan->config->measure_error; i++) {
-        files->reference[i] = want_term(m, indices[i], TERM_TRUTH, missing);
-        files->definition[i] = want_term(m, indices[i], TERM_DEFINITION, missing);
-        files->screen[i] = want_term(m, indices[i], TERM_SCREEN, missing);
+    for (size_t t = 0; t < files->target_count; t++)
+        files->truth[t] = want_truth(m, c, &c->scene->targets[t], files->bent, missing);
+    for (size_t i = 0; i < files->count && files->target_count; i++) {
+        files->definition[i] = want_claim(m, indices[i], false, missing);
+        files->screen[i] = want_claim(m, indices[i], true, missing);
     }
     if (json_array_size(missing->terms))
         want_whole_view(m, indices[0], missing);
@@ -219,10 +236,13 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
     struct missing missing = {json_array(), json_object()};
     *files = (struct aob_view_files){.mesh = mesh,
                                      .gbuffer = gbuffer_path(m, c),
-                                     .reference = AOB_NEW_ARRAY(char *, count),
+                                     .truth = AOB_NEW_ARRAY(char *, scene->target_count),
+                                     .target_count = scene->target_count,
                                      .definition = AOB_NEW_ARRAY(char *, count),
                                      .screen = AOB_NEW_ARRAY(char *, count),
                                      .count = count};
+    for (size_t i = 0; i < count; i++)
+        files->bent = files->bent || gives_bent_normal(&m->states[indices[i]]);
     bool ok = make_files(m, indices, files, &missing, error);
     m->shares.reference += (double)(aob_clock_wall_ns() - start) * 1e-9;
     json_decref(missing.terms);
@@ -234,12 +254,13 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
 
 void aob_view_files_finish(struct aob_view_files *files)
 {
+    for (size_t t = 0; t < files->target_count; t++)
+        free(files->truth[t]);
     for (size_t i = 0; i < files->count; i++) {
-        free(files->reference[i]);
         free(files->definition[i]);
         free(files->screen[i]);
     }
-    free(files->reference);
+    free(files->truth);
     free(files->definition);
     free(files->screen);
     free(files->gbuffer);

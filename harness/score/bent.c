@@ -13,10 +13,11 @@ bool aob_bent_judge(const struct aob_score_desc *desc, const float (*image)[3], 
 {
     for (size_t i = 0; i < (size_t)desc->width * (size_t)desc->height; i++)
         if (!aob_score_is_sky(desc, i) && !(length_of(image[i]) <= 1.01))
-            return aob_fail(error,
-                            "pixel (%zu, %zu) of the bent normal is (%g, %g, %g): it must be finite and no longer than 1",
-                            i % (size_t)desc->width, i / (size_t)desc->width, (double)image[i][0],
-                            (double)image[i][1], (double)image[i][2]);
+            return aob_fail(
+                error,
+                "pixel (%zu, %zu) of the bent normal is (%g, %g, %g): it must be finite and no longer than 1",
+                i % (size_t)desc->width, i / (size_t)desc->width, (double)image[i][0], (double)image[i][1],
+                (double)image[i][2]);
     return true;
 }
 

@@ -17,9 +17,10 @@ static json_t *fingerprint(const struct aob_block *block)
     char processor[256];
     const char *threads = getenv("LP_NUM_THREADS");
     aob_machine_processor(processor, sizeof processor);
-    return json_pack("{s:s, s:s, s:i, s:s, s:s, s:s, s:i, s:s}", "program", AOBUDGET_VERSION, "cpu",
+    return json_pack("{s:s, s:s, s:i, s:s, s:s, s:s, s:s, s:i, s:s}", "program", AOBUDGET_VERSION, "cpu",
                      processor, "cores", aob_machine_cores(), "backend", block->gpu->info.backend, "device",
-                     block->gpu->info.device, "driver", block->gpu->info.driver, "fixed_pass",
+                     block->gpu->info.device, "driver", block->gpu->info.driver, "class",
+                     block->gpu->info.software ? "cpu" : "gpu", "fixed_pass",
                      (int)aob_technique_fixed_pass.revision, "threads", threads ? threads : "default");
 }
 

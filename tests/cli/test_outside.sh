@@ -68,7 +68,7 @@ if [ -n "$drivers" ]; then
     "$program" shot --size 96x54 --backend gl-egl --reference-spp 64 --json - "$@" | grep -m1 -oE "\"$field\": ?[-0-9.e]+" | grep -oE '[-0-9.e]+$'
   }
   ours=$(figure rmse --technique depth_unsharp --module plain/depth_unsharp.so --scene corner -p kernel=8)
-  none=$(figure rmse --technique none --scene corner --reference-radius 0.5)
+  none=$(figure rmse --technique none --scene corner --target-radius 0.5)
   plane=$(figure rmse --technique depth_unsharp --module $module --scene plane)
   check "better than nothing: $ours < 0.6 x $none" awk "BEGIN { exit !($ours > 0 && $ours < 0.6 * $none) }"
   check "an open plane stays open: $plane" awk "BEGIN { exit !(\"$plane\" != \"\" && $plane < 0.001) }"
