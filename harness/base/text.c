@@ -8,9 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Doubled, so that a text of many small parts is not copied for each. */
+static void make_room(struct aob_text *text, size_t more)
+{
+    if (text->data && more < text->room - text->size)
+        return;
+    text->room = text->size + more + 1 > 2 * text->room ? text->size + more + 1 : 2 * text->room;
+    text->data = aob_realloc(text->data, text->room, 1);
+}
+
 void aob_text_add_bytes(struct aob_text *text, const char *bytes, size_t size)
 {
-    text->data = aob_realloc(text->data, text->size + size + 1, 1);
+    make_room(text, size);
     memcpy(text->data + text->size, bytes, size);
     text->size += size;
     text->data[text->size] = '\0';
@@ -24,7 +33,7 @@ void aob_text_add(struct aob_text *text, const char *format, ...)
     int size = vsnprintf(NULL, 0, format, args);
     va_end(args);
     if (size > 0) {
-        text->data = aob_realloc(text->data, text->size + (size_t)size + 1, 1);
+        make_room(text, (size_t)size);
         vsnprintf(text->data + text->size, (size_t)size + 1, format, again);
         text->size += (size_t)size;
     }

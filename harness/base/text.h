@@ -6,8 +6,8 @@
 #include <stdint.h>
 
 struct aob_text {
-    char *data; /* NUL-ended once anything was added; NULL before */
-    size_t size;
+    char *data;        /* NUL-ended once anything was added; NULL before */
+    size_t size, room; /* room: bytes allocated */
 };
 
 void aob_text_add(struct aob_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
