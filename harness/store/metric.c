@@ -9,9 +9,9 @@
     }
 
 const struct aob_metric aob_metric_table[] = {
-    METRIC(rmse, .title = "RMSE", .better = AOB_BETTER_LESS,
+    METRIC(rmse, .title = "RMSE", .brief = true, .better = AOB_BETTER_LESS,
            .doc = "Root of the mean squared error of visibility, 0 to 1, against the target."),
-    METRIC(band_rmse, .title = "RMSE in band", .better = AOB_BETTER_LESS,
+    METRIC(band_rmse, .title = "RMSE in band", .brief = true, .better = AOB_BETTER_LESS,
            .doc = "RMSE over the pixels whose true visibility is below 0.995: where there is occlusion."),
     METRIC(border_rmse, .title = "RMSE at the border", .better = AOB_BETTER_LESS,
            .doc =
@@ -19,9 +19,10 @@ const struct aob_metric aob_metric_table[] = {
     METRIC(border_share, .title = "border share", .better = AOB_BETTER_NONE,
            .doc = "Share of the squared error that lies in those pixels."),
     METRIC(mae, .title = "MAE", .better = AOB_BETTER_LESS, .doc = "Mean of the absolute error."),
-    METRIC(bias, .title = "bias", .better = AOB_BETTER_ZERO,
+    METRIC(bias, .title = "bias", .brief = true, .better = AOB_BETTER_ZERO,
            .doc = "Mean of technique minus reference; a negative one is too dark."),
-    METRIC(p95, .title = "p95", .better = AOB_BETTER_LESS, .doc = "95th percentile of the absolute error."),
+    METRIC(p95, .title = "p95", .brief = true, .better = AOB_BETTER_LESS,
+           .doc = "95th percentile of the absolute error."),
     METRIC(max, .title = "max", .better = AOB_BETTER_LESS, .doc = "Largest absolute error of a pixel."),
     METRIC(reference_se, .title = "reference SE", .better = AOB_BETTER_NONE,
            .doc = "Standard error of the reference itself, as an RMS over the pixels."),

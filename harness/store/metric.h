@@ -5,6 +5,7 @@
 #define AOB_STORE_METRIC_H
 #include <aobudget/technique.h>
 #include <jansson.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 enum aob_better {                  /* what of two values a reader should prefer */
@@ -31,6 +32,7 @@ struct aob_metric {
     enum aob_better better;
     enum aob_output output; /* whose image is scored */
     bool whole;             /* a count: written without a fraction */
+    bool brief;             /* one of the few that the caption of a picture has room for */
     const char *group;      /* NULL, or the JSON object below the target's that holds it: "covariance" */
     size_t offset;          /* of the double in struct aob_metrics */
 };
