@@ -1,117 +1,9 @@
 #include "prelude.h"
 #include <ctype.h>
 #include <string.h>
+#include "frame/texts.h"
 #include "geometry.h"
 #include "gpu/gpu.h"
-
-/* What does not depend on pass or parameters. `aob_texel_*` are written per pass, after this. */
-static const char gbuffer_text[] =
-    "#define aob_size ((param.aob_sizes.xy + (AOB_DEPTH_DIVISOR - 1)) / AOB_DEPTH_DIVISOR)\n"
-    "#define aob_target_size (param.aob_sizes.zw)\n"
-    "#define aob_frame (param.aob_misc.x)\n"
-    "#define aob_pixel (ivec2(gl_FragCoord.xy))\n"
-    "const float AOB_PI = 3.14159265358979;\n"
-    "const float AOB_SKY_Z = 1e9;\n"
-    "vec3 aob_position_at(vec2 q, float z) {\n"
-    "    float s = AOB_PERSPECTIVE == 1 ? z : 1.0;\n"
-    "    vec2 xy = (q - param.aob_lens.zw) * param.aob_lens.xy * s;\n"
-    "    return vec3(xy.x, -xy.y, -z);\n"
-    "}\n"
-    "vec2 aob_project(vec3 v) {\n"
-    "    float s = AOB_PERSPECTIVE == 1 ? -v.z : 1.0;\n"
-    "    return vec2(v.x, -v.y) / (param.aob_lens.xy * s) + param.aob_lens.zw;\n"
-    "}\n"
-    "vec3 aob_view_vector(vec3 v) { return AOB_PERSPECTIVE == 1 ? normalize(-v) : vec3(0.0, 0.0, 1.0); }\n"
-    "float aob_pixel_radius(float z, float r) { return r / (param.aob_lens.y * (AOB_PERSPECTIVE == 1 ? z : "
-    "1.0)); }\n"
-    "float aob_random(ivec2 p, int i) {\n"
-    "    uvec3 v = uvec3(uint(p.x), uint(p.y), uint(i) + uint(AOB_SEED) * 2654435769u) * 1664525u + "
-    "1013904223u;\n"
-    "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;\n"
-    "    v ^= v >> 16;\n"
-    "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;\n"
-    "    return float(v.x >> 8) * (1.0 / 16777216.0);\n"
-    "}\n";
-
-/* Pixel f of the whole G-buffer lies at (f / divisor) + 1/2 among the pixels of a divided depth: the projection in
- * param.aob_lens is scaled so (aob_prelude_uniforms). */
-static const char depth_text[] =
-    "float aob_gbuffer_z(ivec2 f) { return aob_decode_depth(aob_texel_depth(f)); }\n"
-    "float aob_view_z(ivec2 p) {\n"
-    "    ivec2 q = clamp(p, ivec2(0), aob_size - 1);\n"
-    "    float z = aob_own_z(q);\n"
-    "    return AOB_BORDER_FAR == 0 || q == p ? z : AOB_SKY_Z;\n"
-    "}\n"
-    "bool aob_is_sky(ivec2 p) { return aob_view_z(p) >= 0.5 * AOB_SKY_Z; }\n"
-    "vec3 aob_position(ivec2 p) { return aob_position_at(vec2(p) + 0.5, aob_view_z(p)); }\n"
-    "vec2 aob_image(ivec2 p) {\n"
-    "    return AOB_DIVISOR == AOB_DEPTH_DIVISOR ? vec2(p) + 0.5\n"
-    "        : vec2(p * AOB_DIVISOR) / float(AOB_DEPTH_DIVISOR) + 0.5;\n"
-    "}\n"
-    "float aob_surface_z(ivec2 p) {\n"
-    "#if AOB_DIVISOR == AOB_DEPTH_DIVISOR\n"
-    "    return aob_view_z(p);\n"
-    "#else\n"
-    "    ivec2 q = clamp(p, ivec2(0), aob_target_size - 1);\n"
-    "    float z = aob_gbuffer_z(q * AOB_DIVISOR);\n"
-    "    return AOB_BORDER_FAR == 0 || q == p ? z : AOB_SKY_Z;\n"
-    "#endif\n"
-    "}\n"
-    "bool aob_surface_is_sky(ivec2 p) { return aob_surface_z(p) >= 0.5 * AOB_SKY_Z; }\n"
-    "vec3 aob_surface(ivec2 p) { return aob_position_at(aob_image(p), aob_surface_z(p)); }\n";
-
-static const char normal_texture_text[] =
-    "vec3 aob_gbuffer_normal(ivec2 f) {\n"
-    "    return aob_decode_normal(aob_texel_normal(clamp(f, ivec2(0), param.aob_sizes.xy - 1)));\n"
-    "}\n";
-
-/* Of the two neighbours along each axis the one nearer in depth lies on the same surface. */
-static const char normal_from_depth_text[] =
-    "vec3 aob_gbuffer_position(ivec2 f) {\n"
-    "    return aob_position_at(vec2(f) / float(AOB_DEPTH_DIVISOR) + 0.5, aob_gbuffer_z(f));\n"
-    "}\n"
-    "vec3 aob_depth_step(ivec2 f, vec3 c, ivec2 axis) {\n"
-    "    ivec2 last = param.aob_sizes.xy - 1;\n"
-    "    ivec2 before = max(f - axis, ivec2(0)), after = min(f + axis, last);\n"
-    "    vec3 a = aob_gbuffer_position(before), b = aob_gbuffer_position(after);\n"
-    "    bool forward = before == f || (after != f && abs(b.z - c.z) < abs(c.z - a.z));\n"
-    "    return forward ? b - c : c - a;\n"
-    "}\n"
-    "vec3 aob_gbuffer_normal(ivec2 p) {\n"
-    "    ivec2 f = clamp(p, ivec2(0), param.aob_sizes.xy - 1);\n"
-    "    vec3 c = aob_gbuffer_position(f);\n"
-    "    vec3 n = cross(aob_depth_step(f, c, ivec2(0, 1)), aob_depth_step(f, c, ivec2(1, 0)));\n"
-    "    return n * inversesqrt(max(dot(n, n), 1e-30));\n"
-    "}\n";
-
-static const char normal_text[] =
-    "vec3 aob_normal(ivec2 p) { return aob_gbuffer_normal(p * AOB_DEPTH_DIVISOR); }\n"
-    "vec3 aob_surface_normal(ivec2 p) { return aob_gbuffer_normal(p * AOB_DIVISOR); }\n";
-
-static const char vertex_triangle_text[] =
-    "vec4 aob_triangle_texel(int triangle, int k) {\n"
-    "    return texelFetch(aob_triangles, ivec2(triangle % AOB_ROW * 3 + k, triangle / AOB_ROW), 0);\n"
-    "}\n"
-    "vec3 aob_corner(int triangle, int k) { return aob_triangle_texel(triangle, k).xyz; }\n"
-    "vec3 aob_front(int triangle) {\n"
-    "    return vec3(aob_triangle_texel(triangle, 0).w, aob_triangle_texel(triangle, 1).w,\n"
-    "                aob_triangle_texel(triangle, 2).w);\n"
-    "}\n";
-
-/* Handed on by the vertices: a fragment that fetched them would pay more for that than for all else. */
-static const char fragment_triangle_text[] =
-    "vec3 aob_corner(int k) {\n"
-    "    return k == 0 ? aob_corner_0.xyz : k == 1 ? aob_corner_1.xyz : aob_corner_2.xyz;\n"
-    "}\n"
-    "vec3 aob_front() { return vec3(aob_corner_0.w, aob_corner_1.w, aob_corner_2.w); }\n";
-
-/* Image positions are in the depth's pixels, the rasteriser's in the outputs'; both have pixel 0 of the whole
- * G-buffer in the middle of their first one. */
-static const char clip_text[] =
-    "vec4 aob_clip(vec2 q) {\n"
-    "    vec2 t = (q - 0.5) * (float(AOB_DEPTH_DIVISOR) / float(AOB_DIVISOR)) + 0.5;\n"
-    "    return vec4(2.0 * t / vec2(aob_target_size) - 1.0, 0.5, 1.0);\n"
-    "}\n";
 
 static const char *type_name(enum aob_format format)
 {
@@ -246,7 +138,7 @@ static void add_depth(const struct aob_prelude_desc *desc, bool storage, struct 
                      format == AOB_R16F ? "z >= 65504.0 ? AOB_SKY_Z : z" : "z");
     } else
         aob_text_add(text, "float aob_own_z(ivec2 q) { return aob_decode_depth(aob_texel_depth(q)); }\n");
-    aob_text_add(text, "%s", depth_text);
+    aob_text_add(text, "%s", aob_text_frame_depth);
 }
 
 static void add_normal(const struct aob_prelude_desc *desc, bool storage, struct aob_text *text)
@@ -256,7 +148,8 @@ static void add_normal(const struct aob_prelude_desc *desc, bool storage, struct
         add_image("normal", aob_encoding_normal_format(desc->encoding), AOB_BINDING_NORMAL, storage, text);
         aob_encoding_write_normal(desc->encoding, text);
     }
-    aob_text_add(text, "%s%s", derived ? normal_from_depth_text : normal_texture_text, normal_text);
+    aob_text_add(text, "%s%s", derived ? aob_text_frame_normal_from_depth : aob_text_frame_normal_texture,
+                 aob_text_frame_normal);
 }
 
 static void add_corners(const char *direction, struct aob_text *text)
@@ -278,7 +171,7 @@ static void add_head(const struct aob_prelude_desc *desc, struct aob_text *text)
     add_constants(desc, text);
     add_defines(desc, text);
     add_uniforms(desc->graph->technique, text);
-    aob_text_add(text, "%s", gbuffer_text);
+    aob_text_add(text, "%s", aob_text_frame_prelude);
 }
 
 void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_text *text)
@@ -287,8 +180,8 @@ void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_te
     for (int i = 0; i < desc->pass->in_count; i++)
         add_input(desc, i, text);
     add_corners("out", text);
-    aob_text_add(text, "#define AOB_ROW %d\nlayout(BIND(%d)) uniform sampler2D aob_triangles;\n%s%s",
-                 AOB_GEOMETRY_ROW, AOB_BINDING_TRIANGLES, vertex_triangle_text, clip_text);
+    aob_text_add(text, "#define AOB_ROW %d\nlayout(BIND(%d)) uniform sampler2D aob_triangles;\n%s",
+                 AOB_GEOMETRY_ROW, AOB_BINDING_TRIANGLES, aob_text_frame_triangle_vertex);
     add_shader(desc->graph->technique, desc->pass->vertex, text);
     aob_text_add(text,
                  "\n#line 1 1\nvoid main() {\n"
@@ -317,7 +210,7 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
                      type_name(desc->graph->textures[pass->out[o].texture].format), pass->out[o].name);
     if (pass->draw == AOB_TRIANGLES) {
         add_corners("in", text);
-        aob_text_add(text, "%s", fragment_triangle_text);
+        aob_text_add(text, "%s", aob_text_frame_triangle_fragment);
     }
     add_shader(desc->graph->technique, pass->shader, text);
 }

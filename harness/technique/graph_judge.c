@@ -53,8 +53,8 @@ static bool judge_output(const struct aob_pass_graph *graph, int index, const st
         return true;
     if (texture->levels > 1)
         return aob_fail(graph->error,
-                        "pass '%s': level %d of texture '%s' is already written by an earlier pass", pass->name,
-                        out->level, texture->name);
+                        "pass '%s': level %d of texture '%s' is already written by an earlier pass",
+                        pass->name, out->level, texture->name);
     return aob_fail(graph->error, "pass '%s': texture '%s' is already written by an earlier pass", pass->name,
                     texture->name);
 }
@@ -67,8 +67,9 @@ static bool judge_input(const struct aob_pass_graph *graph, int index, struct ao
     if (in->level_count > 0)
         return true;
     if (texture->levels > 1)
-        return aob_fail(graph->error, "pass '%s' reads level %d of texture '%s', which no earlier pass writes",
-                        pass, in->level, texture->name);
+        return aob_fail(graph->error,
+                        "pass '%s' reads level %d of texture '%s', which no earlier pass writes", pass,
+                        in->level, texture->name);
     return aob_fail(graph->error, "pass '%s' reads texture '%s', which no earlier pass writes", pass,
                     texture->name);
 }
