@@ -1,5 +1,4 @@
 #include "worker.h"
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,11 +9,9 @@
 #include "gpu/gpu.h"
 #include "scene/camera.h"
 #include "scene/mesh.h"
+#include "technique/definition.h"
 #include "technique/graph.h"
 #include "technique/param.h"
-
-/* Of a tabulated falloff, over the root of the distance: Alchemy's peak lies at sqrt(epsilon)/r. */
-enum { FALLOFF_ROWS = 1025 };
 
 void aob_worker_reply(struct aob_worker *worker, json_t *answer)
 {
@@ -88,62 +85,22 @@ static bool describe(struct aob_worker *worker, struct aob_error *error)
     return true;
 }
 
-/* NULL with a line if a value is not finite; null where it is 1 throughout: the definition is the truth then. */
-static json_t *falloff_to_json(const struct aob_definition *definition, const void *values,
-                               struct aob_error *error)
-{
-    json_t *falloff = json_array();
-    bool hard = true, finite = true;
-    for (int i = 0; i < FALLOFF_ROWS; i++) {
-        double root = (double)i / (FALLOFF_ROWS - 1);
-        double share = (double)definition->falloff(values, (float)(root * root));
-        hard = hard && share == 1;
-        finite = finite && isfinite(share);
-        json_array_append_new(falloff, aob_json_number(share));
-    }
-    if (!hard && finite)
-        return falloff;
-    json_decref(falloff);
-    if (finite)
-        return json_null();
-    aob_fail(error, "its definition's falloff is not finite");
-    return NULL;
-}
-
-static bool is_uniform(const struct aob_technique *technique, const void *values)
-{
-    const struct aob_param *row = aob_param_find(technique->params, technique->param_count, "weighting");
-    int32_t weight = (int32_t)technique->definition.weight;
-    if (row && row->type == AOB_INT)
-        memcpy(&weight, (const char *)values + row->offset, sizeof weight);
-    return weight == AOB_WEIGHT_UNIFORM;
-}
-
 /* null where the technique has no radius to trace; NULL with a line if the definition makes no sense. */
 static json_t *definition_to_json(const struct aob_technique *technique, const void *values,
                                   struct aob_error *error)
 {
-    const struct aob_definition *definition = &technique->definition;
-    const struct aob_param *row = aob_param_find(technique->params, technique->param_count, "radius");
-    float radius = 0;
-    if (definition->radius)
-        radius = definition->radius(values);
-    else if (row && row->type == AOB_FLOAT)
-        memcpy(&radius, (const char *)values + row->offset, sizeof radius);
-    else
-        return json_null();
-    if (isnan(radius))
-        return json_null();
-    if (!(radius > 0)) {
-        aob_fail(error, "its definition's radius is %g: it must be above 0", (double)radius);
+    struct aob_definition_table table;
+    json_t *falloff = json_null();
+    if (!aob_definition_tabulate(technique, values, &table, error))
         return NULL;
-    }
-    bool fades = definition->falloff && isfinite(radius);
-    json_t *falloff = fades ? falloff_to_json(definition, values, error) : json_null();
-    bool of_triangle = definition->distance && definition->distance(values) == AOB_DISTANCE_TRIANGLE;
-    return falloff ? json_pack("{s:o, s:b, s:o, s:b}", "radius", aob_json_number((double)radius), "uniform",
-                               is_uniform(technique, values), "falloff", falloff, "of_triangle", of_triangle)
-                   : NULL;
+    if (!table.claims)
+        return json_null();
+    if (table.fades)
+        falloff = json_array();
+    for (int i = 0; table.fades && i < AOB_FALLOFF_ROWS; i++)
+        json_array_append_new(falloff, aob_json_number((double)table.falloff[i]));
+    return json_pack("{s:o, s:b, s:o, s:b}", "radius", aob_json_number((double)table.radius), "uniform",
+                     table.uniform, "falloff", falloff, "of_triangle", table.of_triangle);
 }
 
 static json_t *laid_out(const struct aob_pass_graph *graph, const void *values, int index, json_t *definition)
