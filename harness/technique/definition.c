@@ -44,8 +44,7 @@ bool aob_definition_tabulate(const struct aob_technique *technique, const void *
         memcpy(&weight, weighting, sizeof weight);
     table->claims = true;
     table->uniform = weight == AOB_WEIGHT_UNIFORM;
-    table->of_triangle =
-        definition->distance && definition->distance(values) == AOB_DISTANCE_TRIANGLE;
+    table->of_triangle = definition->distance && definition->distance(values) == AOB_DISTANCE_TRIANGLE;
     /* A share of an endless radius is no distance. */
     return !definition->falloff || !isfinite(table->radius) ||
            tabulate_falloff(definition, values, table, error);

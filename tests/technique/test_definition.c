@@ -62,7 +62,8 @@ static void test_parameters_say_what_the_definition_leaves(void **state)
     assert_true(table.claims && table.radius == 2 && table.uniform && !table.fades && !table.of_triangle);
     assert_true(tabulate((struct aob_definition){.weight = AOB_WEIGHT_UNIFORM, .distance = of_triangle},
                          (struct values){2, 0}, 2));
-    assert_true(!table.uniform && table.of_triangle); /* the parameter `weighting` takes the definition's place */
+    assert_true(!table.uniform &&
+                table.of_triangle); /* the parameter `weighting` takes the definition's place */
     assert_true(tabulate((struct aob_definition){0}, (struct values){2, 1}, 2));
     assert_true(table.uniform);
 }
@@ -91,7 +92,8 @@ static void test_nonsense_is_named(void **state)
     assert_contains(error.text, "radius is -1: it must be above 0");
     assert_true(tabulate((struct aob_definition){0}, (struct values){1, 0}, 0)); /* no parameter radius */
     assert_false(table.claims);
-    assert_true(tabulate((struct aob_definition){.radius = no_claim, .falloff = broken}, (struct values){1, 0}, 1));
+    assert_true(
+        tabulate((struct aob_definition){.radius = no_claim, .falloff = broken}, (struct values){1, 0}, 1));
     assert_false(table.claims);
 }
 
