@@ -6,6 +6,16 @@ float aob_view_z(ivec2 p) {
     float z = aob_own_z(q);
     return AOB_BORDER_FAR == 0 || q == p ? z : AOB_SKY_Z;
 }
+float aob_view_z(ivec2 p, int level) {
+#if AOB_DEPTH_LEVELS > 1
+    int l = clamp(level, 0, AOB_DEPTH_LEVELS - 1);
+    ivec2 q = clamp(p, ivec2(0), aob_divided(AOB_DEPTH_DIVISOR << l) - 1);
+    float z = aob_own_z(q, l);
+    return AOB_BORDER_FAR == 0 || q == p ? z : AOB_SKY_Z;
+#else
+    return aob_view_z(p);
+#endif
+}
 bool aob_is_sky(ivec2 p) { return aob_view_z(p) >= 0.5 * AOB_SKY_Z; }
 vec3 aob_position(ivec2 p) { return aob_position_at(vec2(p) + 0.5, aob_view_z(p)); }
 vec2 aob_image(ivec2 p) {

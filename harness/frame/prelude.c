@@ -84,68 +84,135 @@ static void add_uniforms(const struct aob_technique *technique, struct aob_text 
     aob_text_add(text, "} param;\n");
 }
 
-/* Declares image `name` and T aob_texel_<name>(ivec2), for coordinates that are inside it. */
-static void add_image(const char *name, enum aob_format format, int binding, bool storage,
+/* Declares image `name` and T aob_texel_<name>(ivec2), for coordinates that are inside it; of a sampled one of several
+ * levels also T aob_texel_<name>(ivec2, int), for a level that it shows. */
+static void add_image(const char *name, enum aob_format format, int binding, bool storage, int levels,
                       struct aob_text *text)
 {
+    const char *type = type_name(format), *part = swizzle(format);
     if (storage)
         aob_text_add(text,
                      "layout(%s, BIND(%d)) uniform readonly image2D aob_image_%s;\n"
                      "%s aob_texel_%s(ivec2 p) { return imageLoad(aob_image_%s, p).%s; }\n",
-                     aob_gpu_format_layout(format), binding, name, type_name(format), name, name,
-                     swizzle(format));
+                     aob_gpu_format_layout(format), binding, name, type, name, name, part);
     else
         aob_text_add(text,
                      "layout(BIND(%d)) uniform sampler2D aob_image_%s;\n"
                      "%s aob_texel_%s(ivec2 p) { return texelFetch(aob_image_%s, p, 0).%s; }\n",
-                     binding, name, type_name(format), name, name, swizzle(format));
+                     binding, name, type, name, name, part);
+    if (levels > 1)
+        aob_text_add(text, "%s aob_texel_%s(ivec2 p, int l) { return texelFetch(aob_image_%s, p, l).%s; }\n",
+                     type, name, name, part);
+}
+
+/* The last texel of a table, or of what the view fills of a target, whose texture may be larger. */
+static void add_edge(const struct aob_graph_texture *texture, int divisor, struct aob_text *text)
+{
+    if (texture->fill)
+        aob_text_add(text, "ivec2(%d, %d)", texture->width - 1, texture->height - 1);
+    else
+        aob_text_add(text, "aob_divided(%d) - 1", divisor);
+}
+
+static void add_one_level(const struct aob_graph_bind *bind, const struct aob_graph_texture *texture,
+                          struct aob_text *text)
+{
+    const char *type = type_name(texture->format), *name = bind->name;
+    aob_text_add(text, "%s aob_fetch_%s(ivec2 p) {\n    return aob_texel_%s(clamp(p, ivec2(0), ", type, name,
+                 name);
+    add_edge(texture, texture->divisor << bind->level, text);
+    aob_text_add(text, "));\n}\n%s aob_fetch_%s(ivec2 p, int level) { return aob_fetch_%s(p); }\n", type,
+                 name, name);
+}
+
+static void add_levels(const struct aob_graph_bind *bind, const struct aob_graph_texture *texture,
+                       struct aob_text *text)
+{
+    const char *type = type_name(texture->format), *name = bind->name;
+    aob_text_add(text,
+                 "%s aob_fetch_%s(ivec2 p, int level) {\n"
+                 "    int l = clamp(level, 0, %d);\n"
+                 "    ivec2 edge = aob_divided(%d << l) - 1;\n"
+                 "    return aob_texel_%s(clamp(p, ivec2(0), edge), l);\n}\n"
+                 "%s aob_fetch_%s(ivec2 p) { return aob_fetch_%s(p, 0); }\n",
+                 type, name, bind->level_count - 1, texture->divisor << bind->level, name, type, name, name);
+}
+
+/* A target of several levels is larger than what the view fills of it, so its edge is not the sampler's. */
+static void add_sample(const struct aob_graph_bind *bind, const struct aob_graph_texture *texture,
+                       struct aob_text *text)
+{
+    const char *type = type_name(texture->format), *name = bind->name, *part = swizzle(texture->format);
+    if (texture->levels > 1)
+        aob_text_add(
+            text,
+            "%s aob_sample_%s(vec2 uv, int level) {\n"
+            "    int l = clamp(level, 0, %d);\n"
+            "    vec2 size = vec2(aob_divided(%d << l)), whole = vec2(textureSize(aob_image_%s, l));\n"
+            "    return textureLod(aob_image_%s, clamp(uv * size, vec2(0.5), size - 0.5) / whole,"
+            " float(l)).%s;\n}\n"
+            "%s aob_sample_%s(vec2 uv) { return aob_sample_%s(uv, 0); }\n",
+            type, name, bind->level_count - 1, texture->divisor << bind->level, name, name, part, type, name,
+            name);
+    else
+        aob_text_add(text,
+                     "%s aob_sample_%s(vec2 uv) { return textureLod(aob_image_%s, uv, 0.0).%s; }\n"
+                     "%s aob_sample_%s(vec2 uv, int level) { return aob_sample_%s(uv); }\n",
+                     type, name, name, part, type, name, name);
+}
+
+bool aob_prelude_is_storage(const struct aob_graph_bind *bind, enum aob_fetch fetch)
+{
+    return fetch == AOB_FETCH_STORAGE && bind->filter == AOB_NEAREST && bind->level_count == 1;
 }
 
 static void add_input(const struct aob_prelude_desc *desc, int index, struct aob_text *text)
 {
     const struct aob_graph_bind *bind = &desc->pass->in[index];
     const struct aob_graph_texture *texture = &desc->graph->textures[bind->texture];
-    bool storage = desc->fetch == AOB_FETCH_STORAGE && bind->filter == AOB_NEAREST;
-    const char *type = type_name(texture->format);
-    add_image(bind->name, texture->format, AOB_BINDING_FIRST_INPUT + index, storage, text);
-    if (texture->fill)
-        aob_text_add(text,
-                     "%s aob_fetch_%s(ivec2 p) { return aob_texel_%s(clamp(p, ivec2(0), ivec2(%d, %d))); }\n",
-                     type, bind->name, bind->name, texture->width - 1, texture->height - 1);
+    add_image(bind->name, texture->format, AOB_BINDING_FIRST_INPUT + index,
+              aob_prelude_is_storage(bind, desc->fetch), bind->level_count, text);
+    if (bind->level_count > 1)
+        add_levels(bind, texture, text);
     else
-        aob_text_add(text,
-                     "%s aob_fetch_%s(ivec2 p) {\n"
-                     "    ivec2 edge = (param.aob_sizes.xy + %d) / %d - 1;\n"
-                     "    return aob_texel_%s(clamp(p, ivec2(0), edge));\n}\n",
-                     type, bind->name, texture->divisor - 1, texture->divisor, bind->name);
+        add_one_level(bind, texture, text);
     if (bind->filter == AOB_BILINEAR)
-        aob_text_add(text, "%s aob_sample_%s(vec2 uv) { return textureLod(aob_image_%s, uv, 0.0).%s; }\n",
-                     type, bind->name, bind->name, swizzle(texture->format));
+        add_sample(bind, texture, text);
+}
+
+static void add_own_depth(const struct aob_prelude_desc *desc, struct aob_text *text)
+{
+    int levels = desc->pass->depth_levels;
+    enum aob_format format = desc->graph->textures[desc->pass->depth].format;
+    /* A half float's greatest value is what a device may make of AOB_SKY_Z. */
+    const char *sky = format == AOB_R16F ? "z >= 65504.0 ? AOB_SKY_Z : z" : "z";
+    add_image("own_depth", format, AOB_BINDING_OWN_DEPTH, desc->fetch == AOB_FETCH_STORAGE && levels == 1,
+              levels, text);
+    aob_text_add(
+        text, "float aob_own_z(ivec2 q) {\n    float z = aob_texel_own_depth(q);\n    return %s;\n}\n", sky);
+    if (levels > 1)
+        aob_text_add(text,
+                     "float aob_own_z(ivec2 q, int l) {\n    float z = aob_texel_own_depth(q, l);\n"
+                     "    return %s;\n}\n",
+                     sky);
 }
 
 static void add_depth(const struct aob_prelude_desc *desc, bool storage, struct aob_text *text)
 {
-    const struct aob_graph_pass *pass = desc->pass;
-    add_image("depth", aob_encoding_depth_format(desc->encoding), AOB_BINDING_DEPTH, storage, text);
+    add_image("depth", aob_encoding_depth_format(desc->encoding), AOB_BINDING_DEPTH, storage, 1, text);
     aob_encoding_write_depth(desc->encoding, text);
-    if (pass->depth >= 0) {
-        enum aob_format format = desc->graph->textures[pass->depth].format;
-        add_image("own_depth", format, AOB_BINDING_OWN_DEPTH, storage, text);
-        /* A half float's greatest value is what a device may make of AOB_SKY_Z. */
-        aob_text_add(text,
-                     "float aob_own_z(ivec2 q) {\n    float z = aob_texel_own_depth(q);\n"
-                     "    return %s;\n}\n",
-                     format == AOB_R16F ? "z >= 65504.0 ? AOB_SKY_Z : z" : "z");
-    } else
+    if (desc->pass->depth >= 0)
+        add_own_depth(desc, text);
+    else
         aob_text_add(text, "float aob_own_z(ivec2 q) { return aob_decode_depth(aob_texel_depth(q)); }\n");
-    aob_text_add(text, "%s", aob_text_frame_depth);
+    aob_text_add(text, "#define AOB_DEPTH_LEVELS %d\n%s", desc->pass->depth_levels, aob_text_frame_depth);
 }
 
 static void add_normal(const struct aob_prelude_desc *desc, bool storage, struct aob_text *text)
 {
     bool derived = desc->encoding->normals == AOB_NORMALS_FROM_DEPTH;
     if (!derived) {
-        add_image("normal", aob_encoding_normal_format(desc->encoding), AOB_BINDING_NORMAL, storage, text);
+        add_image("normal", aob_encoding_normal_format(desc->encoding), AOB_BINDING_NORMAL, storage, 1, text);
         aob_encoding_write_normal(desc->encoding, text);
     }
     aob_text_add(text, "%s%s", derived ? aob_text_frame_normal_from_depth : aob_text_frame_normal_texture,

@@ -1,5 +1,8 @@
-/* What every pass has, whatever it reads. */
-#define aob_size ((param.aob_sizes.xy + (AOB_DEPTH_DIVISOR - 1)) / AOB_DEPTH_DIVISOR)
+/* What every pass has, whatever it reads. `aob_texel_*` are written for each pass, after this. */
+
+/* Pixels that a divisor leaves of the whole G-buffer. */
+ivec2 aob_divided(int divisor) { return (param.aob_sizes.xy + (divisor - 1)) / divisor; }
+#define aob_size aob_divided(AOB_DEPTH_DIVISOR)
 #define aob_target_size (param.aob_sizes.zw)
 #define aob_frame (param.aob_misc.x)
 #define aob_pixel (ivec2(gl_FragCoord.xy))
