@@ -1,69 +1,24 @@
 #include "job/layout_job.h"
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "base/memory.h"
 #include "job/term.h"
+#include "technique/definition.h"
 #include "technique/graph.h"
-#include "technique/param.h"
 #include "worker.h"
 
-/* Of a tabulated falloff, over the root of the distance: Alchemy's peak lies at sqrt(epsilon)/r. */
-enum { FALLOFF_ROWS = 1025 };
-
-/* False with a line if a value is not finite. Where it is 1 throughout the term keeps none: it is the truth then. */
-static bool tabulate(const struct aob_definition *definition, const void *values, float table[FALLOFF_ROWS],
-                     struct aob_term *term, struct aob_error *error)
-{
-    bool hard = true;
-    for (int i = 0; i < FALLOFF_ROWS; i++) {
-        double root = (double)i / (FALLOFF_ROWS - 1);
-        table[i] = definition->falloff(values, (float)(root * root));
-        hard = hard && table[i] == 1;
-        if (!isfinite(table[i]))
-            return aob_fail(error, "its definition's falloff is not finite");
-    }
-    term->falloff = hard ? NULL : table;
-    term->falloff_count = hard ? 0 : FALLOFF_ROWS;
-    return true;
-}
-
-static bool is_uniform(const struct aob_technique *technique, const void *values)
-{
-    const struct aob_param *row = aob_param_find(technique->params, technique->param_count, "weighting");
-    int32_t weight = (int32_t)technique->definition.weight;
-    if (row && row->type == AOB_INT)
-        memcpy(&weight, (const char *)values + row->offset, sizeof weight);
-    return weight == AOB_WEIGHT_UNIFORM;
-}
-
-/* NAN where the technique has none to trace. */
-static float radius_of(const struct aob_technique *technique, const void *values)
-{
-    const struct aob_param *row = aob_param_find(technique->params, technique->param_count, "radius");
-    float radius = NAN;
-    if (technique->definition.radius)
-        radius = technique->definition.radius(values);
-    else if (row && row->type == AOB_FLOAT)
-        memcpy(&radius, (const char *)values + row->offset, sizeof radius);
-    return radius;
-}
-
-/* NULL where it claims nothing; false with a line if the definition makes no sense. */
+/* The definition as a term; *term stays NULL where the technique claims nothing. */
 static bool define(const struct aob_technique *technique, const void *values, json_t **term,
                    struct aob_error *error)
 {
-    const struct aob_definition *definition = &technique->definition;
-    float table[FALLOFF_ROWS], radius = radius_of(technique, values);
-    struct aob_term made = {.radius = (double)radius, .uniform = is_uniform(technique, values)};
-    if (isnan(radius))
-        return true;
-    if (!(radius > 0))
-        return aob_fail(error, "its definition's radius is %g: it must be above 0", (double)radius);
-    if (definition->falloff && isfinite(radius) && !tabulate(definition, values, table, &made, error))
-        return false;
-    made.of_triangle = definition->distance && definition->distance(values) == AOB_DISTANCE_TRIANGLE;
-    *term = aob_term_to_json(&made);
+    struct aob_definition_table table;
+    if (!aob_definition_tabulate(technique, values, &table, error))
+        return aob_fail_in(error, "%s", technique->name);
+    if (table.claims)
+        *term = aob_term_to_json(&(struct aob_term){.radius = (double)table.radius,
+                                                    .uniform = table.uniform,
+                                                    .of_triangle = table.of_triangle,
+                                                    .falloff = table.fades ? table.falloff : NULL,
+                                                    .falloff_count = table.fades ? AOB_FALLOFF_ROWS : 0});
     return true;
 }
 
@@ -102,8 +57,7 @@ static json_t *lay_case(const struct aob_technique *technique, const double *par
     json_t *definition = NULL, *answer;
     bool ok = aob_worker_values(technique, params, count, values, &error) &&
               aob_graph_build(graph, technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, &error);
-    if (ok && !define(technique, values, &definition, &error))
-        ok = aob_fail_in(&error, "%s", technique->name);
+    ok = ok && define(technique, values, &definition, &error);
     answer = ok ? describe(graph, values, definition)
                 : aob_layout_answer_to_json(
                       &(struct aob_layout_answer){.status = "invalid", .reason = error.text});
