@@ -7,12 +7,28 @@
 
 enum { MAX_BINDS = AOB_MAX_IN + 4 };
 
-static struct aob_gpu_texture *upload(const struct aob_screen *screen, enum aob_format format, void *texels,
-                                      struct aob_error *error)
+static uint32_t use_of(enum aob_gpu_bind_kind kind)
+{
+    return kind == AOB_GPU_STORAGE ? AOB_GPU_USE_STORAGE : AOB_GPU_USE_SAMPLED;
+}
+
+static enum aob_gpu_bind_kind kind_of(enum aob_fetch fetch)
+{
+    return fetch == AOB_FETCH_STORAGE ? AOB_GPU_STORAGE : AOB_GPU_SAMPLED;
+}
+
+static enum aob_gpu_bind_kind input_kind(const struct aob_graph_bind *in, enum aob_fetch fetch)
+{
+    return in->filter == AOB_BILINEAR ? AOB_GPU_SAMPLED : kind_of(fetch);
+}
+
+static struct aob_gpu_texture *upload(const struct aob_screen *screen, uint32_t uses, enum aob_format format,
+                                      void *texels, struct aob_error *error)
 {
     const struct aob_projection *view = &screen->gbuffer->projection;
-    struct aob_gpu_texture *texture =
-        aob_gpu_texture_create(screen->gpu, format, view->width, view->height, texels, error);
+    const struct aob_gpu_texture_desc desc = {
+        .format = format, .width = view->width, .height = view->height, .uses = uses, .texels = texels};
+    struct aob_gpu_texture *texture = aob_gpu_texture_create(screen->gpu, &desc, error);
     free(texels);
     return texture;
 }
@@ -22,14 +38,15 @@ bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struc
 {
     *screen = (struct aob_screen){.gpu = gpu, .gbuffer = gbuffer};
     struct aob_encoding *encoding = &screen->encoding;
+    uint32_t uses = use_of(kind_of((enum aob_fetch)options->fetch));
     if (!aob_encoding_init(encoding, options, gbuffer, error))
         return false;
-    screen->depth = upload(screen, aob_encoding_depth_format(encoding),
+    screen->depth = upload(screen, uses, aob_encoding_depth_format(encoding),
                            aob_encoding_depth_texels(encoding, gbuffer), error);
     if (aob_encoding_is_shared(encoding))
         screen->normal = screen->depth;
     else if (screen->depth && encoding->normals != AOB_NORMALS_FROM_DEPTH)
-        screen->normal = upload(screen, aob_encoding_normal_format(encoding),
+        screen->normal = upload(screen, uses, aob_encoding_normal_format(encoding),
                                 aob_encoding_normal_texels(encoding, gbuffer), error);
     if (screen->depth && (screen->normal || encoding->normals == AOB_NORMALS_FROM_DEPTH))
         return true;
@@ -57,7 +74,31 @@ static void *table_texels(const struct aob_graph_texture *texture, const void *v
     return texels;
 }
 
-static bool create_textures(struct aob_frame *frame, const void *values, struct aob_error *error)
+/* What live passes do with a texture, so that a device may keep it in the form that suits just that. */
+static uint32_t texture_uses(const struct aob_pass_graph *graph, int texture, enum aob_fetch fetch)
+{
+    uint32_t uses = 0;
+    for (int i = 0; i < graph->pass_count; i++) {
+        const struct aob_graph_pass *pass = &graph->passes[i];
+        if (!pass->live)
+            continue;
+        if (pass->depth == texture)
+            uses |= use_of(kind_of(fetch));
+        for (int k = 0; k < pass->in_count; k++)
+            if (pass->in[k].texture == texture)
+                uses |= use_of(input_kind(&pass->in[k], fetch));
+        for (int k = 0; k < pass->out_count; k++)
+            if (pass->out[k].texture == texture)
+                uses |= AOB_GPU_USE_TARGET;
+    }
+    for (int i = 0; i < AOB_OUTPUT_COUNT; i++)
+        if (graph->outputs[i] == texture)
+            uses |= AOB_GPU_USE_READ_BACK;
+    return uses;
+}
+
+static bool create_textures(struct aob_frame *frame, const void *values, enum aob_fetch fetch,
+                            struct aob_error *error)
 {
     const struct aob_projection *view = &frame->screen->gbuffer->projection;
     for (int i = 0; i < frame->graph.texture_count; i++) {
@@ -67,7 +108,14 @@ static bool create_textures(struct aob_frame *frame, const void *values, struct 
             continue;
         aob_graph_texture_size(texture, view->width, view->height, &w, &h);
         void *texels = table_texels(texture, values);
-        frame->textures[i] = aob_gpu_texture_create(frame->screen->gpu, texture->format, w, h, texels, error);
+        frame->textures[i] = aob_gpu_texture_create(
+            frame->screen->gpu,
+            &(struct aob_gpu_texture_desc){.format = texture->format,
+                                           .width = w,
+                                           .height = h,
+                                           .uses = texture_uses(&frame->graph, i, fetch),
+                                           .texels = texels},
+            error);
         free(texels);
         if (!frame->textures[i])
             return aob_fail_in(error, "texture '%s'", texture->name);
@@ -79,13 +127,14 @@ static bool create_textures(struct aob_frame *frame, const void *values, struct 
 static struct aob_gpu_bind make_bind(enum aob_gpu_bind_kind kind, int binding, enum aob_filter filter,
                                      const struct aob_gpu_texture *texture)
 {
-    return (struct aob_gpu_bind){kind, (uint32_t)binding, filter, texture};
+    return (struct aob_gpu_bind){
+        .kind = kind, .binding = (uint32_t)binding, .filter = filter, .texture = texture};
 }
 
 static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph_pass *pass,
                            enum aob_fetch fetch, struct aob_gpu_bind binds[MAX_BINDS])
 {
-    enum aob_gpu_bind_kind kind = fetch == AOB_FETCH_STORAGE ? AOB_GPU_STORAGE : AOB_GPU_SAMPLED;
+    enum aob_gpu_bind_kind kind = kind_of(fetch);
     size_t count = 0;
     if (pass->reads & AOB_DEPTH || (pass->reads && !frame->screen->normal))
         binds[count++] = make_bind(kind, AOB_BINDING_DEPTH, AOB_NEAREST, frame->screen->depth);
@@ -94,9 +143,8 @@ static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph
     if ((pass->reads & AOB_NORMAL) && frame->screen->normal)
         binds[count++] = make_bind(kind, AOB_BINDING_NORMAL, AOB_NEAREST, frame->screen->normal);
     for (int i = 0; i < pass->in_count; i++)
-        binds[count++] =
-            make_bind(pass->in[i].filter == AOB_BILINEAR ? AOB_GPU_SAMPLED : kind,
-                      AOB_BINDING_FIRST_INPUT + i, pass->in[i].filter, frame->textures[pass->in[i].texture]);
+        binds[count++] = make_bind(input_kind(&pass->in[i], fetch), AOB_BINDING_FIRST_INPUT + i,
+                                   pass->in[i].filter, frame->textures[pass->in[i].texture]);
     if (pass->draw == AOB_TRIANGLES)
         binds[count++] =
             make_bind(AOB_GPU_SAMPLED, AOB_BINDING_TRIANGLES, AOB_NEAREST, frame->screen->geometry->texture);
@@ -128,12 +176,12 @@ static bool create_pass(struct aob_frame *frame, int index, const void *values, 
     const struct aob_projection *view = &frame->screen->gbuffer->projection;
     bool triangles = pass->draw == AOB_TRIANGLES;
     struct aob_gpu_bind binds[MAX_BINDS];
-    const struct aob_gpu_texture *targets[AOB_MAX_OUT];
+    struct aob_gpu_target targets[AOB_MAX_OUT];
     unsigned char block[AOB_UNIFORM_MAX];
     if (!create_program(frame, index, values, fetch, error))
         return false;
     for (int o = 0; o < pass->out_count; o++)
-        targets[o] = frame->textures[pass->out[o].texture];
+        targets[o] = (struct aob_gpu_target){frame->textures[pass->out[o].texture], 0};
     frame->passes[index] = aob_gpu_pass_create(
         frame->screen->gpu,
         &(struct aob_gpu_pass_desc){
@@ -161,7 +209,7 @@ bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
         return false;
     ok = aob_geometry_serves(screen->geometry, &frame->graph, &screen->gbuffer->projection, error);
     frame->unfit = !ok;
-    ok = ok && create_textures(frame, values, error);
+    ok = ok && create_textures(frame, values, fetch, error);
     for (int i = 0; ok && i < frame->graph.pass_count; i++)
         if (frame->graph.passes[i].live)
             ok = create_pass(frame, i, values, fetch, error);
@@ -229,7 +277,7 @@ bool aob_frame_read(struct aob_frame *frame, enum aob_output which, float *pixel
            h = (size_t)texture->height;
     size_t guard = (size_t)frame->screen->gbuffer->guard, inner = w - 2 * guard;
     unsigned char *texels = aob_alloc(w * h, size);
-    bool ok = aob_gpu_texture_read(frame->screen->gpu, texture, texels, error);
+    bool ok = aob_gpu_texture_read(frame->screen->gpu, texture, 0, texels, error);
     for (size_t y = guard; ok && y < h - guard; y++)
         for (size_t x = guard; x < w - guard; x++)
             pixels[(y - guard) * inner + x - guard] =

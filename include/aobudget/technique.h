@@ -25,7 +25,7 @@
 enum {
     AOB_MAX_PARAM = 32,
     AOB_MAX_IN = 8,
-    AOB_MAX_OUT = 4,
+    AOB_MAX_OUT = 8,
     AOB_MAX_PASS = 32,
     AOB_MAX_TEXTURE = 32,
     AOB_MAX_VERTICES = 36
