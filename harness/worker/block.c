@@ -62,7 +62,8 @@ static const struct aob_screen *use_screen(struct aob_block *block, const struct
     for (size_t i = 0; i < block->screen_count; i++) {
         const struct aob_options *o = &block->screen_options[i];
         if (o->depth_encoding == options->depth_encoding && o->normal_encoding == options->normal_encoding &&
-            o->normals == options->normals && o->near == options->near && o->far == options->far)
+            o->normals == options->normals && o->fetch == options->fetch && o->near == options->near &&
+            o->far == options->far)
             return &block->screens[i];
     }
     struct aob_screen *screen = &block->screens[block->screen_count];

@@ -156,8 +156,7 @@ static void test_broken_levels_are_named(void **state)
     const struct {
         bool (*build)(struct aob_graph *, const void *);
         const char *says;
-    } cases[] = {
-                 {build_level_of_its_own, "reads level 1 of texture 't', which no earlier pass writes"},
+    } cases[] = {{build_level_of_its_own, "reads level 1 of texture 't', which no earlier pass writes"},
                  {build_level_twice, "level 1 of texture 't' is already written"},
                  {build_level_beyond, "bind 'o' has level 2, its texture 't' has 2"},
                  {build_mixed_levels, "different sizes"},
@@ -174,7 +173,8 @@ static void test_broken_levels_are_named(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_levels), cmocka_unit_test(test_digest_follows_levels),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_levels),
+                                       cmocka_unit_test(test_digest_follows_levels),
                                        cmocka_unit_test(test_broken_levels_are_named)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
