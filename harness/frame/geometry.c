@@ -51,8 +51,12 @@ bool aob_geometry_upload(struct aob_geometry *geometry, struct aob_gpu *gpu, str
     if (rows > MOST_ROWS)
         return true; /* aob_geometry_serves refuses what needs it */
     geometry->gpu = gpu;
-    geometry->texture = aob_gpu_texture_create(gpu, AOB_RGBA32F, AOB_GEOMETRY_ROW * AOB_GEOMETRY_TEXELS,
-                                               (int)rows, geometry->texels, error);
+    const struct aob_gpu_texture_desc desc = {.format = AOB_RGBA32F,
+                                              .width = AOB_GEOMETRY_ROW * AOB_GEOMETRY_TEXELS,
+                                              .height = (int)rows,
+                                              .uses = AOB_GPU_USE_SAMPLED,
+                                              .texels = geometry->texels};
+    geometry->texture = aob_gpu_texture_create(gpu, &desc, error);
     return geometry->texture || aob_fail_in(error, "the scene's triangles");
 }
 

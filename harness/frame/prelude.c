@@ -161,9 +161,9 @@ static void add_sample(const struct aob_graph_bind *bind, const struct aob_graph
                      type, name, name, part, type, name, name);
 }
 
-bool aob_prelude_is_storage(const struct aob_graph_bind *bind, enum aob_fetch fetch)
+bool aob_prelude_is_storage(enum aob_fetch fetch, enum aob_filter filter, int levels)
 {
-    return fetch == AOB_FETCH_STORAGE && bind->filter == AOB_NEAREST && bind->level_count == 1;
+    return fetch == AOB_FETCH_STORAGE && filter == AOB_NEAREST && levels == 1;
 }
 
 static void add_input(const struct aob_prelude_desc *desc, int index, struct aob_text *text)
@@ -171,7 +171,7 @@ static void add_input(const struct aob_prelude_desc *desc, int index, struct aob
     const struct aob_graph_bind *bind = &desc->pass->in[index];
     const struct aob_graph_texture *texture = &desc->graph->textures[bind->texture];
     add_image(bind->name, texture->format, AOB_BINDING_FIRST_INPUT + index,
-              aob_prelude_is_storage(bind, desc->fetch), bind->level_count, text);
+              aob_prelude_is_storage(desc->fetch, bind->filter, bind->level_count), bind->level_count, text);
     if (bind->level_count > 1)
         add_levels(bind, texture, text);
     else
@@ -186,8 +186,8 @@ static void add_own_depth(const struct aob_prelude_desc *desc, struct aob_text *
     enum aob_format format = desc->graph->textures[desc->pass->depth].format;
     /* A half float's greatest value is what a device may make of AOB_SKY_Z. */
     const char *sky = format == AOB_R16F ? "z >= 65504.0 ? AOB_SKY_Z : z" : "z";
-    add_image("own_depth", format, AOB_BINDING_OWN_DEPTH, desc->fetch == AOB_FETCH_STORAGE && levels == 1,
-              levels, text);
+    add_image("own_depth", format, AOB_BINDING_OWN_DEPTH,
+              aob_prelude_is_storage(desc->fetch, AOB_NEAREST, levels), levels, text);
     aob_text_add(
         text, "float aob_own_z(ivec2 q) {\n    float z = aob_texel_own_depth(q);\n    return %s;\n}\n", sky);
     if (levels > 1)
@@ -282,26 +282,26 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
     add_shader(desc->graph->technique, pass->shader, text);
 }
 
-size_t aob_prelude_uniforms(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass,
-                            const void *values, const struct aob_projection *projection,
-                            const struct aob_encoding *encoding, unsigned char block[AOB_UNIFORM_MAX])
+size_t aob_prelude_uniforms(const struct aob_prelude_desc *desc, const struct aob_projection *projection,
+                            int frame, unsigned char block[AOB_UNIFORM_MAX])
 {
-    int width, height;
-    double g = aob_graph_depth_divisor(graph, pass);
-    aob_graph_texture_size(&graph->textures[pass->out[0].texture], projection->width, projection->height,
-                           &width, &height);
+    const struct aob_technique *technique = desc->graph->technique;
+    double g = aob_graph_depth_divisor(desc->graph, desc->pass);
     float lens[4] = {(float)(projection->sx * g), (float)(projection->sy * g),
                      (float)((projection->cx - 0.5) / g + 0.5), (float)((projection->cy - 0.5) / g + 0.5)};
-    int32_t sizes[8] = {projection->width, projection->height, width, height};
-    float range[4] = {encoding->near, encoding->far};
+    int32_t sizes[4] = {projection->width, projection->height}, misc[4] = {frame};
+    float range[4] = {desc->encoding->near, desc->encoding->far};
+    aob_graph_divided(projection->width, projection->height,
+                      aob_graph_target_divisor(desc->graph, desc->pass), &sizes[2], &sizes[3]);
     memset(block, 0, AOB_UNIFORM_MAX);
     memcpy(block, lens, sizeof lens);
     memcpy(block + 16, sizes, sizeof sizes);
+    memcpy(block + 32, misc, sizeof misc);
     memcpy(block + 48, range, sizeof range);
     size_t used = AOB_UNIFORM_HEAD;
-    for (uint32_t i = 0; i < graph->technique->param_count; i++)
-        if (graph->technique->params[i].stage == AOB_UNIFORM) {
-            memcpy(block + used, (const char *)values + graph->technique->params[i].offset, 4);
+    for (uint32_t i = 0; i < technique->param_count; i++)
+        if (technique->params[i].stage == AOB_UNIFORM) {
+            memcpy(block + used, (const char *)desc->values + technique->params[i].offset, 4);
             used += 4;
         }
     return (used + 15) / 16 * 16;

@@ -37,8 +37,8 @@ struct aob_prelude_desc {
     enum aob_fetch fetch;                /* of the reads that aob_prelude_is_storage is for */
 };
 
-/* Whether an input is read as a storage image: not if it is bilinear or shows several levels. */
-bool aob_prelude_is_storage(const struct aob_graph_bind *bind, enum aob_fetch fetch);
+/* Whether a texture is read as a storage image: not if it is bilinear or shows several levels. */
+bool aob_prelude_is_storage(enum aob_fetch fetch, enum aob_filter filter, int levels);
 
 /* The whole program text for aob_gpu_program_create; the shader's own lines are numbered from 1. */
 void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *text);
@@ -49,7 +49,6 @@ void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_te
 /* The std140 block: projection (of the pixels of the depth that the pass reads), sizes, frame, range of the depth
  * encoding, then the uniform parameters in table order. */
 enum { AOB_UNIFORM_HEAD = 64, AOB_UNIFORM_MAX = AOB_UNIFORM_HEAD + 4 * AOB_MAX_PARAM };
-size_t aob_prelude_uniforms(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass,
-                            const void *values, const struct aob_projection *projection,
-                            const struct aob_encoding *encoding, unsigned char block[AOB_UNIFORM_MAX]);
+size_t aob_prelude_uniforms(const struct aob_prelude_desc *desc, const struct aob_projection *projection,
+                            int frame, unsigned char block[AOB_UNIFORM_MAX]);
 #endif

@@ -65,8 +65,12 @@ static bool upload(struct raster *raster, struct aob_error *error)
     float(*texels)[4] = aob_alloc(rows * ROW * TEXELS, sizeof *texels);
     for (size_t i = 0; i < count; i++)
         set_triangle(raster, i, texels + i * TEXELS);
-    raster->triangles =
-        aob_gpu_texture_create(raster->gpu, AOB_RGBA32F, ROW * TEXELS, (int)rows, texels, error);
+    const struct aob_gpu_texture_desc desc = {.format = AOB_RGBA32F,
+                                              .width = ROW * TEXELS,
+                                              .height = (int)rows,
+                                              .uses = AOB_GPU_USE_SAMPLED,
+                                              .texels = texels};
+    raster->triangles = aob_gpu_texture_create(raster->gpu, &desc, error);
     free(texels);
     return raster->triangles;
 }
@@ -87,14 +91,15 @@ static bool draw(struct raster *raster, const struct aob_projection *view, struc
 {
     struct view_block block = describe_view(raster, view);
     const struct aob_gpu_bind bind = {.binding = 1, .texture = raster->triangles};
-    raster->surface =
-        aob_gpu_texture_create(raster->gpu, AOB_RGBA32F, view->width, view->height, NULL, error);
-    raster->shaded = raster->surface ? aob_gpu_texture_create(raster->gpu, AOB_RGBA32F, view->width,
-                                                              view->height, NULL, error)
-                                     : NULL;
+    const struct aob_gpu_texture_desc image = {.format = AOB_RGBA32F,
+                                               .width = view->width,
+                                               .height = view->height,
+                                               .uses = AOB_GPU_USE_TARGET | AOB_GPU_USE_READ_BACK};
+    raster->surface = aob_gpu_texture_create(raster->gpu, &image, error);
+    raster->shaded = raster->surface ? aob_gpu_texture_create(raster->gpu, &image, error) : NULL;
     if (!raster->shaded)
         return false;
-    const struct aob_gpu_texture *targets[] = {raster->surface, raster->shaded};
+    const struct aob_gpu_target targets[] = {{raster->surface, 0}, {raster->shaded, 0}};
     raster->program = aob_gpu_program_create_geometry(raster->gpu, aob_text_frame_raster_vertex,
                                                       aob_text_frame_raster_fragment, error);
     if (!raster->program)
@@ -117,8 +122,8 @@ static bool read_back(struct raster *raster, struct aob_hits *hits, struct aob_e
     int width = raster->surface->width, height = raster->surface->height;
     size_t pixels = (size_t)width * (size_t)height;
     float(*surface)[4] = aob_alloc(pixels, sizeof *surface), (*shaded)[4] = aob_alloc(pixels, sizeof *shaded);
-    bool ok = aob_gpu_texture_read(raster->gpu, raster->surface, surface, error) &&
-              aob_gpu_texture_read(raster->gpu, raster->shaded, shaded, error);
+    bool ok = aob_gpu_texture_read(raster->gpu, raster->surface, 0, surface, error) &&
+              aob_gpu_texture_read(raster->gpu, raster->shaded, 0, shaded, error);
     if (ok) {
         *hits = (struct aob_hits){.width = width, .height = height};
         hits->primitive = aob_alloc(pixels, sizeof *hits->primitive);

@@ -109,16 +109,16 @@ uint32_t *aob_glsl_compile(const char *text, enum aob_glsl_stage stage, enum aob
     return words;
 }
 
-uint32_t aob_glsl_bindings(const uint32_t *words, size_t word_count)
+uint64_t aob_glsl_bindings(const uint32_t *words, size_t word_count)
 {
     enum { HEADER_WORDS = 5, OP_DECORATE = 71, DECORATION_BINDING = 33 };
-    uint32_t bindings = 0;
+    uint64_t bindings = 0;
     size_t at = HEADER_WORDS;
     while (at < word_count && words[at] >> 16) {
         bool is_binding =
             (words[at] & 0xffff) == OP_DECORATE && at + 3 < word_count && words[at + 2] == DECORATION_BINDING;
         if (is_binding)
-            bindings |= 1u << (words[at + 3] < 31 ? words[at + 3] : 31);
+            bindings |= (uint64_t)1 << (words[at + 3] < 63 ? words[at + 3] : 63);
         at += words[at] >> 16;
     }
     return bindings;

@@ -48,7 +48,7 @@ static bool load_gbuffer(struct aob_block *block, struct aob_error *error)
 static bool same_encoding(const struct aob_options *a, const struct aob_options *b)
 {
     return a->depth_encoding == b->depth_encoding && a->normal_encoding == b->normal_encoding &&
-           a->normals == b->normals && a->near == b->near && a->far == b->far;
+           a->normals == b->normals && a->fetch == b->fetch && a->near == b->near && a->far == b->far;
 }
 
 /* The screen in the encodings of these options, made when it is first wanted. */

@@ -6,13 +6,22 @@
 
 enum { WIDTH = 37, HEIGHT = 11, TEXELS = WIDTH * HEIGHT };
 
-static inline struct aob_gpu_texture *texture(struct aob_gpu *gpu, enum aob_format format, const void *texels)
+enum { ALL_USES = AOB_GPU_USE_SAMPLED | AOB_GPU_USE_STORAGE | AOB_GPU_USE_TARGET | AOB_GPU_USE_READ_BACK };
+
+static inline struct aob_gpu_texture *make(struct aob_gpu *gpu, struct aob_gpu_texture_desc desc)
 {
     struct aob_error error = {""};
-    struct aob_gpu_texture *made = aob_gpu_texture_create(gpu, format, WIDTH, HEIGHT, texels, &error);
+    struct aob_gpu_texture *made = aob_gpu_texture_create(gpu, &desc, &error);
     if (!made)
         fail_msg("%s", error.text);
     return made;
+}
+
+static inline struct aob_gpu_texture *texture(struct aob_gpu *gpu, enum aob_format format, const void *texels)
+{
+    return make(gpu,
+                (struct aob_gpu_texture_desc){
+                    .format = format, .width = WIDTH, .height = HEIGHT, .uses = ALL_USES, .texels = texels});
 }
 
 static inline struct aob_gpu_program *program(struct aob_gpu *gpu, const char *glsl)

@@ -12,10 +12,9 @@ static bool draws(const struct aob_gpu *gpu)
 
 static void *read_back(struct aob_gpu *gpu, const struct aob_gpu_texture *texture)
 {
-    size_t count = (size_t)texture->width * (size_t)texture->height;
-    void *texels = aob_alloc(count, aob_gpu_texel_size(texture->format));
+    void *texels = aob_alloc(aob_gpu_level_bytes(texture, 0), 1);
     struct aob_error error = {""};
-    if (!aob_gpu_texture_read(gpu, texture, texels, &error))
+    if (!aob_gpu_texture_read(gpu, texture, 0, texels, &error))
         fail_msg("%s", error.text);
     return texels;
 }
@@ -34,7 +33,7 @@ static void *draw(struct aob_gpu *gpu, const char *glsl, enum aob_format format)
 {
     struct aob_gpu_program *drawer = program(gpu, glsl);
     struct aob_gpu_texture *target = texture(gpu, format, NULL);
-    const struct aob_gpu_texture *targets[] = {target};
+    const struct aob_gpu_target targets[] = {{target, 0}};
     run_pass(gpu, &(struct aob_gpu_pass_desc){.program = drawer, .targets = targets, .target_count = 1},
              NULL);
     void *texels = read_back(gpu, target);
@@ -97,7 +96,7 @@ static void expect_copy(struct aob_gpu *gpu, enum aob_format format, enum aob_gp
     struct aob_gpu_texture *source = texture(gpu, format, texels), *target = texture(gpu, format, NULL);
     struct aob_gpu_program *copier = program(gpu, glsl.data);
     struct aob_gpu_bind bind = {.kind = kind, .binding = 3, .texture = source};
-    const struct aob_gpu_texture *targets[] = {target};
+    const struct aob_gpu_target targets[] = {{target, 0}};
     run_pass(gpu,
              &(struct aob_gpu_pass_desc){
                  .program = copier, .binds = &bind, .bind_count = 1, .targets = targets, .target_count = 1},
@@ -148,10 +147,8 @@ static void writes_four_targets(void **state)
                      "              d = vec4(0, 1, 1, 0); }\n");
     struct aob_gpu_texture *made[] = {texture(gpu, AOB_R32F, NULL), texture(gpu, AOB_RG32F, NULL),
                                       texture(gpu, AOB_RGBA32F, NULL), texture(gpu, AOB_RGBA8, NULL)};
-    run_pass(gpu,
-             &(struct aob_gpu_pass_desc){.program = drawer,
-                                         .targets = (const struct aob_gpu_texture *const *)made,
-                                         .target_count = 4},
+    const struct aob_gpu_target targets[] = {{made[0], 0}, {made[1], 0}, {made[2], 0}, {made[3], 0}};
+    run_pass(gpu, &(struct aob_gpu_pass_desc){.program = drawer, .targets = targets, .target_count = 4},
              NULL);
     const float a[] = {0.25f}, b[] = {1, 2}, c[] = {3, 4, 5, 6};
     const uint8_t d[] = {0, 255, 255, 0}, zero[16] = {0};
@@ -180,7 +177,7 @@ static void reads_uniforms_as_they_were(void **state)
                      "layout(location = 0) out vec4 r;\n"
                      "void main() { r = vec4(scale, offset, more, scale * float(offset)); }\n");
     struct aob_gpu_texture *target = texture(gpu, AOB_RGBA32F, NULL);
-    const struct aob_gpu_texture *targets[] = {target};
+    const struct aob_gpu_target targets[] = {{target, 0}};
     struct aob_gpu_pass_desc desc = {.program = drawer,
                                      .targets = targets,
                                      .target_count = 1,
@@ -204,7 +201,9 @@ static void filters_and_clamps(void **state)
 {
     struct aob_gpu *gpu = *state;
     const float pair[] = {2, 4};
-    struct aob_gpu_texture *source = aob_gpu_texture_create(gpu, AOB_R32F, 2, 1, pair, NULL);
+    struct aob_gpu_texture *source = make(
+        gpu, (struct aob_gpu_texture_desc){
+                 .format = AOB_R32F, .width = 2, .height = 1, .uses = AOB_GPU_USE_SAMPLED, .texels = pair});
     struct aob_gpu_texture *target = texture(gpu, AOB_RGBA32F, NULL);
     struct aob_gpu_program *drawer = program(
         gpu, "layout(BIND(1)) uniform sampler2D soft;\nlayout(BIND(2)) uniform sampler2D hard;\n"
@@ -215,7 +214,7 @@ static void filters_and_clamps(void **state)
         {.binding = 1, .filter = AOB_BILINEAR, .texture = source},
         {.binding = 2, .filter = AOB_NEAREST, .texture = source},
     };
-    const struct aob_gpu_texture *targets[] = {target};
+    const struct aob_gpu_target targets[] = {{target, 0}};
     run_pass(gpu,
              &(struct aob_gpu_pass_desc){
                  .program = drawer, .binds = binds, .bind_count = 2, .targets = targets, .target_count = 1},
@@ -261,7 +260,7 @@ static void passes_see_what_earlier_ones_wrote(void **state)
         program(gpu, "layout(r32f, BIND(1)) uniform readonly image2D s;\nlayout(location = 0) out float r;\n"
                      "void main() { r = imageLoad(s, ivec2(gl_FragCoord.xy)).x + 1; }\n");
     struct aob_gpu_texture *a = texture(gpu, AOB_R32F, zeros), *b = texture(gpu, AOB_R32F, NULL);
-    const struct aob_gpu_texture *to_a[] = {a}, *to_b[] = {b};
+    const struct aob_gpu_target to_a[] = {{a, 0}}, to_b[] = {{b, 0}};
     const struct aob_gpu_bind sampled = {.kind = AOB_GPU_SAMPLED, .binding = 1, .texture = a};
     const struct aob_gpu_bind stored = {.kind = AOB_GPU_STORAGE, .binding = 1, .texture = b};
     struct aob_gpu_pass_desc forth = {
@@ -292,7 +291,7 @@ static void gives_the_same_bits_twice_and_takes_time(void **state)
                        "    r = vec4(sin(p.x) / p.y, inversesqrt(p.x * p.y), exp(-p.y), pow(p.x, 0.3)); }\n";
     struct aob_gpu_program *drawer = program(gpu, glsl);
     struct aob_gpu_texture *target = texture(gpu, AOB_RGBA32F, NULL);
-    const struct aob_gpu_texture *targets[] = {target};
+    const struct aob_gpu_target targets[] = {{target, 0}};
     struct aob_gpu_pass_desc desc = {.program = drawer, .targets = targets, .target_count = 1};
     struct aob_gpu_time time = {-1, -1};
     run_pass(gpu, &desc, &time);
@@ -327,7 +326,7 @@ static void survives_many_passes(void **state)
     struct aob_gpu_program *drawer =
         program(gpu, "layout(location = 0) out float r;\nvoid main() { r = 1; }\n");
     struct aob_gpu_texture *target = texture(gpu, AOB_R8, NULL);
-    const struct aob_gpu_texture *targets[] = {target};
+    const struct aob_gpu_target targets[] = {{target, 0}};
     struct aob_gpu_pass_desc desc = {.program = drawer, .targets = targets, .target_count = 1};
     for (int i = 0; i < 50; i++) {
         struct aob_gpu_pass *pass = aob_gpu_pass_create(gpu, &desc, NULL);
