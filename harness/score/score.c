@@ -96,16 +96,3 @@ bool aob_score(const struct aob_score_desc *desc, struct aob_score *score, struc
     free(errors);
     return true;
 }
-
-double aob_score_rmse(const struct aob_score_desc *desc, const float *a, const float *b)
-{
-    double sum = 0;
-    size_t count = 0;
-    for (size_t i = 0; i < (size_t)desc->width * (size_t)desc->height; i++)
-        if (!aob_score_is_sky(desc, i)) {
-            double e = (double)a[i] - b[i];
-            sum += e * e;
-            count++;
-        }
-    return sqrt(mean(sum, count));
-}

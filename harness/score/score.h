@@ -35,8 +35,4 @@ bool aob_score(const struct aob_score_desc *desc, struct aob_score *score, struc
 /* A technique that draws nothing: its image has one value over pixels whose truth spans more than 0.05. Then false, with
  * a line that gives the value. */
 bool aob_score_judge_drawn(const struct aob_score_desc *desc, struct aob_error *error);
-
-/* RMS of the difference of two images over the non-sky pixels of desc (its image, truth and radius are not
- * used). */
-double aob_score_rmse(const struct aob_score_desc *desc, const float *a, const float *b);
 #endif
