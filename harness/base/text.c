@@ -46,6 +46,22 @@ void aob_text_finish(struct aob_text *text)
     *text = (struct aob_text){0};
 }
 
+void aob_line_print_list(char *line, size_t size, const char *format, va_list args)
+{
+    static const char mark[] = "...";
+    int wanted = vsnprintf(line, size, format, args);
+    if (wanted >= 0 && (size_t)wanted >= size && size >= sizeof mark)
+        memcpy(line + size - sizeof mark, mark, sizeof mark);
+}
+
+void aob_line_print(char *line, size_t size, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    aob_line_print_list(line, size, format, args);
+    va_end(args);
+}
+
 bool aob_parse_double(const char *text, double *value)
 {
     if (!*text || isspace((unsigned char)*text))
@@ -59,7 +75,7 @@ bool aob_parse_double(const char *text, double *value)
     return true;
 }
 
-bool aob_parse_int(const char *text, int64_t *value)
+static bool parse_int(const char *text, int64_t *value)
 {
     if (!*text || isspace((unsigned char)*text))
         return false;
@@ -81,7 +97,7 @@ bool aob_parse_size(const char *text, int *width, int *height)
         return false;
     memcpy(first, text, (size_t)(x - text));
     first[x - text] = '\0';
-    if (!aob_parse_int(first, &w) || !aob_parse_int(x + 1, &h))
+    if (!parse_int(first, &w) || !parse_int(x + 1, &h))
         return false;
     if (w < 1 || h < 1 || w > 16384 || h > 16384)
         return false;

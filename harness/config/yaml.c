@@ -87,7 +87,7 @@ bool aob_yaml_fail(const struct aob_yaml *yaml, const yaml_node_t *node, const c
     char text[512];
     va_list args;
     va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
+    aob_line_print_list(text, sizeof text, format, args);
     va_end(args);
     return aob_fail(yaml->error, "%s:%zu:%zu: %s", yaml->path, node->start_mark.line + 1,
                     node->start_mark.column + 1, text);

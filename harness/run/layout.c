@@ -10,7 +10,7 @@ static void refuse(struct aob_state *state, const char *status, const char *reas
 {
     state->stage = AOB_REFUSED;
     snprintf(state->status, sizeof state->status, "%s", status);
-    snprintf(state->reason, sizeof state->reason, "%s", reason);
+    aob_line_print(state->reason, sizeof state->reason, "%s", reason);
 }
 
 /* The cases of one technique that a layout worker is working through. */
