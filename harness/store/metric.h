@@ -31,7 +31,7 @@ struct aob_metric {
     enum aob_better better;
     enum aob_output output; /* whose image is scored */
     bool whole;             /* a count: written without a fraction */
-    bool brief; /* one of the few that the caption of a picture has room for */
+    bool brief;             /* one of the few that the caption of a picture has room for */
     const char *group;      /* NULL, or the JSON object below the target's that holds it: "covariance" */
     size_t offset;          /* of the double in struct aob_metrics */
 };
