@@ -55,8 +55,8 @@ static void add_link(struct aob_text *page, const struct aob_figure *figure, con
 static void add_front(struct aob_text *page, const struct aob_figure *figure)
 {
     char ms[32];
-    aob_text_add(page, "<details><summary>%zu cases on the Pareto front</summary><ol class=front>\n",
-                 figure->front_count);
+    aob_text_add(page, "<details><summary>%zu case%s on the Pareto front</summary><ol class=front>\n",
+                 figure->front_count, figure->front_count == 1 ? "" : "s");
     for (size_t i = 0; i < figure->front_count; i++) {
         const struct aob_row *row = figure->front[i];
         aob_html_ms(ms, row->cost_ms);
