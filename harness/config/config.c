@@ -22,9 +22,10 @@ void aob_config_init(struct aob_config *config)
 
 bool aob_config_fail_at(const struct aob_config *config, int line, int column, struct aob_error *error)
 {
-    if (!config->path || !line)
+    if (!config->path)
         return false;
-    return aob_fail_in(error, "%s:%d:%d", config->path, line, column);
+    return line ? aob_fail_in(error, "%s:%d:%d", config->path, line, column)
+                : aob_fail_in(error, "%s", config->path);
 }
 
 void aob_axis_add(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name,

@@ -101,7 +101,8 @@ struct aob_config {
 bool aob_config_read(struct aob_config *config, const char *path, struct aob_error *error);
 void aob_config_finish(struct aob_config *config);
 
-/* Put FILE:LINE:COLUMN before the error that is there; nothing without a position. Always false. */
+/* Put FILE:LINE:COLUMN before the error that is there; FILE alone for line 0, nothing for what is from the command line.
+ * Always false. */
 bool aob_config_fail_at(const struct aob_config *config, int line, int column, struct aob_error *error);
 
 /* The defaults that a file starts from: nothing chosen, time, error and images measured, 1.5 s, 256 spp. */

@@ -26,9 +26,11 @@ static bool judge_count(const struct aob_config *config, struct aob_error *error
     points *= places * (double)config->backend_count;
     for (size_t o = 0; o < config->option_count; o++)
         points *= (double)config->options[o].count;
-    return points <= AOB_PLAN_MAX_CASES ||
-           aob_fail(error, "the sweep has more than %d cases, namely %.6g: take values out of its axes",
-                    AOB_PLAN_MAX_CASES, points);
+    if (points <= AOB_PLAN_MAX_CASES)
+        return true;
+    aob_fail(error, "the sweep has more than %d cases, namely %.6g: take values out of its axes",
+             AOB_PLAN_MAX_CASES, points);
+    return aob_config_fail_at(config, 0, 0, error);
 }
 
 static bool add_cases(struct aob_plan *plan, struct aob_case *base, struct aob_plan_axes *params,
@@ -42,7 +44,7 @@ static bool add_cases(struct aob_plan *plan, struct aob_case *base, struct aob_p
         do {
             aob_plan_axes_apply(options, base->options);
             if (!aob_case_judge(base, error))
-                return false;
+                return aob_config_fail_at(plan->config, 0, 0, error);
             struct aob_case *copy = AOB_PUSH(plan->cases, plan->case_count, plan->case_capacity);
             *copy = *base;
             copy->params = AOB_NEW_ARRAY(double, AOB_MAX_PARAM);

@@ -21,13 +21,12 @@ struct aob_plan_scene {                /* one view of one scene */
     bool framed;
     bool loaded; /* by this run: its warnings are printed, its framing is known */
     double metres_per_unit;
-    char
-        geometry[AOB_KEY_SIZE]; /* digest of the geometry's source, the same for every build of the program */
-    char digest[AOB_KEY_SIZE];  /* that and the version of what reads it */
-    struct aob_target
-        *targets; /* what the cases are compared with, at most AOB_CONFIG_MAX_TARGETS: the config's, or */
-    size_t target_count,
-        target_capacity; /* each radius of the scene's cases in order; none if no error is measured */
+    char geometry[AOB_KEY_SIZE]; /* of the geometry's source, the same for every build of the program */
+    char digest[AOB_KEY_SIZE];   /* of that and the version of what reads it */
+    /* What the cases are compared with, at most AOB_CONFIG_MAX_TARGETS: the config's, or each radius of the scene's cases
+     * in order; none if no error is measured. */
+    struct aob_target *targets;
+    size_t target_count, target_capacity;
 };
 struct aob_case {
     const struct aob_plan_scene *scene;
@@ -38,9 +37,9 @@ struct aob_case {
     double options[AOB_OPTION_COUNT]; /* one a row of aob_option_params */
     double reference_radius;          /* of its own target, scene units; 0 where there are no targets */
     size_t block;                     /* see aob_case_same_block */
-    char key
-        [AOB_KEY_SIZE]; /* of everything that decides the result, and of no wish (time, error, images, seconds); the
-                               same in every run that asks the same question */
+    /* Of everything that decides the result, and of no wish (time, error, images, seconds): the same in every run that
+     * asks the same question. */
+    char key[AOB_KEY_SIZE];
 };
 struct aob_variation { /* what has more than one value in a plan */
     bool scene, backend, size, options[AOB_OPTION_COUNT];

@@ -45,11 +45,13 @@ bool aob_plan_settle_targets(struct aob_plan *plan, struct aob_error *error)
         struct aob_plan_scene *scene = &plan->scenes[i];
         if (!plan->config->measure_error)
             scene->target_count = 0;
-        if (scene->target_count > AOB_CONFIG_MAX_TARGETS)
-            return aob_fail(error,
-                            "%zu radii would each be a target, %d at most: name the question with target: "
-                            "{radius: R}",
-                            scene->target_count, AOB_CONFIG_MAX_TARGETS);
+        if (scene->target_count > AOB_CONFIG_MAX_TARGETS) {
+            aob_fail(
+                error,
+                "%zu radii would each be a target, %d at most: name the question with target: {radius: R}",
+                scene->target_count, AOB_CONFIG_MAX_TARGETS);
+            return aob_config_fail_at(plan->config, 0, 0, error);
+        }
     }
     for (size_t i = 0; i < plan->case_count; i++) {
         struct aob_case *c = &plan->cases[i];

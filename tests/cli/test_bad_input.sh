@@ -35,6 +35,9 @@ expect 2 "radius: '1x' is not a number" "${shot[@]}" -p radius=1x
 expect 2 "radius: -1 is outside" "${shot[@]}" -p radius=-1
 expect 2 "gtao has no 'radii'" "${shot[@]}" -p radii=1
 expect 2 "'radius' is not name=value" "${shot[@]}" -p radius
+expect 2 "reference-radius is now --target-radius" "${shot[@]}" --reference-radius 1
+expect 2 "target-radius: 'far' is not a radius" "${shot[@]}" --target-radius 1,far
+expect 2 "target-radius: 'flat' is not one of cosine, uniform" "${shot[@]}" --target-radius 1 --target-weighting flat
 expect 2 "fetch: 'tex' is not one of sampled, storage" "${shot[@]}" -p fetch=tex
 expect 2 "must be odd" "${shot[@]}" -p blur=4
 expect 2 "--eye and --target go together" "${shot[@]}" --eye 0,0,1

@@ -130,6 +130,13 @@ static void test_refusals(void **state)
          ":2:", "previous eye and target"},
         {HEAD "techniques: [{name: gtao, sweep: [{param: radius, values: [1], from: 1, to: 2, step: 1}]}]\n",
          ":5:35", "not both"},
+        /* counted before it is expanded: 2 views, 2 sizes, 2 backends, 1000^3 points */
+        {HEAD "techniques: [{name: gtao, sweep: [{param: radius, from: 1, to: 1000, step: 1},\n"
+              "{param: falloff, from: 0, to: 0.999, step: 0.001}, {param: noise_index, from: 0, to: 999, "
+              "step: 1}]}]\n",
+         ": ", "more than 20000 cases, namely 8e+09"},
+        {"name: t\nscenes: [{name: corner}]\nresolutions: [16384x16384]\nbackends: [null]\n" NONE, ": ",
+         "40 million pixels"},
         {HEAD NONE "reference: {spp: 33}\n", ":6:18", "even"},
         {HEAD NONE "options: {fetch: texture}\n", ":6:18", "sampled, storage"},
         {HEAD NONE "measure: {time: yes}\n", ":6:17", "true nor false"},
