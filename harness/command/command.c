@@ -38,10 +38,10 @@ static bool asks_for_help(int argc, char **argv)
     return false;
 }
 
-static bool read_flags(const struct aob_command *command, const struct aob_flag *all, int argc, char **argv,
+static bool read_flags(const struct aob_command *command, const struct aob_flags_desc *flags,
                        struct aob_common *common, struct aob_error *error)
 {
-    if (!aob_flags_parse(command->name, all, argc, argv, common, &common->words, error))
+    if (!aob_flags_parse(flags, common, &common->words, error))
         return false;
     if (common->words.count < command->least || common->words.count > command->most)
         return aob_fail(error, "usage: aobudget %s %s", command->name, command->usage);
@@ -64,7 +64,7 @@ enum aob_exit aob_command_run(const struct aob_command *command, int argc, char 
     char *program = aob_path_program();
     common->dispatch.program = program;
     enum aob_exit code = AOB_EXIT_USAGE;
-    if (read_flags(command, all, argc, argv, common, error))
+    if (read_flags(command, &(struct aob_flags_desc){command->name, all, argc, argv}, common, error))
         code = command->run(common, error);
     aob_words_finish(&common->modules);
     aob_words_finish(&common->words);

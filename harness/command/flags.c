@@ -28,13 +28,12 @@ static bool set(const char *command, const struct aob_flag *flag, const char *va
     return true;
 }
 
-/* One word that begins with a dash, and the word behind it where that is its value: *at moves on then. */
-static bool take(const char *command, const struct aob_flag *table, int argc, char **argv, int *at,
-                 void *options, struct aob_error *error)
+/* The word at *at, which begins with a dash, and the word behind it where that is its value: *at moves on then. */
+static bool take(const struct aob_flags_desc *desc, int *at, void *options, struct aob_error *error)
 {
-    const char *word = argv[*at], *name = word + (word[1] == '-' ? 2 : 1);
+    const char *word = desc->argv[*at], *name = word + (word[1] == '-' ? 2 : 1), *command = desc->command;
     const char *equals = word[1] == '-' ? strchr(name, '=') : NULL;
-    const struct aob_flag *flag = find(table, name, equals ? (size_t)(equals - name) : strlen(name));
+    const struct aob_flag *flag = find(desc->table, name, equals ? (size_t)(equals - name) : strlen(name));
     if (!flag || (strlen(flag->name) == 1) != (word[1] != '-'))
         return aob_fail(error, "%s: unknown flag %s; see: aobudget %s --help", command, word, command);
     if (flag->kind == AOB_FLAG_SWITCH) {
@@ -43,19 +42,21 @@ static bool take(const char *command, const struct aob_flag *table, int argc, ch
     }
     if (equals)
         return set(command, flag, equals + 1, options, error);
-    if (*at + 1 == argc)
+    if (*at + 1 == desc->argc)
         return aob_fail(error, "%s: %s needs a value: %s", command, word, flag->value);
-    return set(command, flag, argv[++*at], options, error);
+    return set(command, flag, desc->argv[++*at], options, error);
 }
 
-bool aob_flags_parse(const char *command, const struct aob_flag *table, int argc, char **argv, void *options,
-                     struct aob_words *words, struct aob_error *error)
+bool aob_flags_parse(const struct aob_flags_desc *desc, void *options, struct aob_words *words,
+                     struct aob_error *error)
 {
-    for (int i = 0; i < argc; i++)
-        if (argv[i][0] != '-' || !argv[i][1])
-            *AOB_PUSH(words->items, words->count, words->capacity) = argv[i];
-        else if (!take(command, table, argc, argv, &i, options, error))
+    for (int i = 0; i < desc->argc; i++) {
+        const char *word = desc->argv[i];
+        if (word[0] != '-' || !word[1])
+            *AOB_PUSH(words->items, words->count, words->capacity) = word;
+        else if (!take(desc, &i, options, error))
             return false;
+    }
     return true;
 }
 

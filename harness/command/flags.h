@@ -23,10 +23,16 @@ struct aob_flag {
     size_t offset; /* of the field in the options struct */
 };
 
-/* Puts flags of `table` (ended by a NULL name) into `options` and the rest into `words`. --name=value is --name value; a
- * flag of one letter has one dash. False: one line that names the command and the flag. */
-bool aob_flags_parse(const char *command, const struct aob_flag *table, int argc, char **argv, void *options,
-                     struct aob_words *words, struct aob_error *error);
+struct aob_flags_desc {
+    const char *command;          /* for messages */
+    const struct aob_flag *table; /* ended by a NULL name */
+    int argc;                     /* the words behind the command's name */
+    char **argv;
+};
+/* Puts the flags into `options` and the other words into `words`. --name=value is --name value; a flag of one letter has
+ * one dash. False: one line that names the command and the flag. */
+bool aob_flags_parse(const struct aob_flags_desc *desc, void *options, struct aob_words *words,
+                     struct aob_error *error);
 void aob_flags_help(const struct aob_flag *table); /* a line each, on standard output */
 void aob_words_finish(struct aob_words *words);
 #endif

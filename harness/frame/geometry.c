@@ -40,7 +40,8 @@ void aob_geometry_init(struct aob_geometry *geometry, const struct aob_mesh *mes
         set_triangle(mesh, i, camera, &axes, geometry->texels + i * AOB_GEOMETRY_TEXELS);
 }
 
-size_t aob_geometry_bytes(const struct aob_geometry *geometry)
+/* Of the texture. */
+static size_t bytes_of(const struct aob_geometry *geometry)
 {
     return rows_of(geometry->count) * AOB_GEOMETRY_ROW * AOB_GEOMETRY_TEXELS * sizeof *geometry->texels;
 }
@@ -122,7 +123,7 @@ static bool serves_pass(const struct aob_geometry *geometry, const struct aob_pa
         return aob_fail(error,
                         "pass '%s': the scene's %zu triangles would take %zu MiB and %.3g vertices; at most "
                         "%d triangles and %.3g vertices fit: use a smaller mesh",
-                        pass->name, geometry->count, aob_geometry_bytes(geometry) >> 20,
+                        pass->name, geometry->count, bytes_of(geometry) >> 20,
                         (double)geometry->count * pass->per_triangle, MOST_ROWS * AOB_GEOMETRY_ROW,
                         (double)INT32_MAX);
     double fragments =

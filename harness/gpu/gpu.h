@@ -21,8 +21,11 @@ struct aob_gpu_info {    /* for the record's fingerprint; strings live as long a
     const char *backend; /* "vulkan" */
     const char *device;  /* "llvmpipe (LLVM 15.0.6, 256 bits)" */
     const char *driver;  /* "Mesa 22.3.6" and the API version */
-    bool software;       /* a processor does the work: costs are its CPU time */
-    bool draws_nothing;  /* the null backend: images are zero and no fault of a technique */
+    const char *
+        device_class; /* what a history may follow: "cpu", "integrated", "discrete", "virtual"; "gpu" where the
+                                 API does not say which */
+    bool software;    /* a processor does the work: costs are its CPU time */
+    bool draws_nothing; /* the null backend: images are zero and no fault of a technique */
 };
 
 struct aob_gpu_desc {

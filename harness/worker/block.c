@@ -20,8 +20,8 @@ static json_t *fingerprint(const struct aob_block *block)
     return json_pack("{s:s, s:s, s:i, s:s, s:s, s:s, s:s, s:i, s:s}", "program", AOBUDGET_VERSION, "cpu",
                      processor, "cores", aob_machine_cores(), "backend", block->gpu->info.backend, "device",
                      block->gpu->info.device, "driver", block->gpu->info.driver, "class",
-                     block->gpu->info.software ? "cpu" : "gpu", "fixed_pass",
-                     (int)aob_technique_fixed_pass.revision, "threads", threads ? threads : "default");
+                     block->gpu->info.device_class, "fixed_pass", (int)aob_technique_fixed_pass.revision,
+                     "threads", threads ? threads : "default");
 }
 
 static void reply_failure(struct aob_worker *worker, size_t index, const char *status, const char *reason)
@@ -40,8 +40,8 @@ static void reply_all(struct aob_worker *worker, const struct aob_block *block, 
 static bool load_gbuffer(struct aob_block *block, struct aob_error *error)
 {
     const struct aob_job_view *view = &block->job.view;
-    return aob_gbuffer_load(&block->gbuffer, view->gbuffer, &view->camera, view->width, view->height,
-                            view->guard, error) ||
+    const struct aob_gbuffer_desc desc = {&view->camera, view->width, view->height, view->guard};
+    return aob_gbuffer_load(&block->gbuffer, view->gbuffer, &desc, error) ||
            aob_block_drop_damaged(view->gbuffer, error);
 }
 

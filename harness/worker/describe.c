@@ -22,7 +22,7 @@ static bool probe(struct aob_worker *worker, struct aob_error *error)
     if (!gpu)
         return false;
     aob_worker_reply(worker, json_pack("{s:s, s:s, s:s}", "device", gpu->info.device, "driver",
-                                       gpu->info.driver, "class", gpu->info.software ? "cpu" : "gpu"));
+                                       gpu->info.driver, "class", gpu->info.device_class));
     aob_gpu_close(gpu);
     return true;
 }

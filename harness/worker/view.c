@@ -55,7 +55,8 @@ static bool load_view(struct scene *scene, struct aob_error *error)
 {
     const struct aob_job_view *view = &scene->job->view;
     struct aob_gbuffer gbuffer;
-    if (!aob_gbuffer_load(&gbuffer, view->gbuffer, &view->camera, view->width, view->height, view->guard,
+    if (!aob_gbuffer_load(&gbuffer, view->gbuffer,
+                          &(struct aob_gbuffer_desc){&view->camera, view->width, view->height, view->guard},
                           error))
         return false;
     aob_gbuffer_hits(&gbuffer, &scene->hits);

@@ -46,6 +46,7 @@ static void describe(struct gl *gl)
     gl->base.info.device = renderer;
     gl->base.info.driver = gl->driver;
     gl->base.info.software = is_software(renderer);
+    gl->base.info.device_class = gl->base.info.software ? "cpu" : "gpu";
     gl->api.GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->max_texture_size);
     gl->api.GetIntegerv(GL_MAX_IMAGE_UNITS, &gl->max_image_units);
 }

@@ -32,6 +32,7 @@ static struct aob_gpu *null_open(const struct aob_gpu_desc *desc, struct aob_err
     gpu->info = (struct aob_gpu_info){.backend = aob_gpu_null.name,
                                       .device = "none",
                                       .driver = "none",
+                                      .device_class = "cpu",
                                       .software = true,
                                       .draws_nothing = true};
     return gpu;

@@ -79,6 +79,22 @@ static bool create_triangle(struct vk *vk, struct aob_error *error)
     return vk->triangle;
 }
 
+static const char *device_class(VkPhysicalDeviceType type)
+{
+    switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+        return "cpu";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+        return "integrated";
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+        return "discrete";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+        return "virtual";
+    default:
+        return "gpu";
+    }
+}
+
 static void describe(struct vk *vk)
 {
     VkPhysicalDeviceDriverProperties driver = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
@@ -92,6 +108,7 @@ static void describe(struct vk *vk)
         .backend = vk->base.fns->name,
         .device = vk->properties.deviceName,
         .driver = vk->driver,
+        .device_class = device_class(vk->properties.deviceType),
         .software = vk->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU,
     };
 }
