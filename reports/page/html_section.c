@@ -82,14 +82,15 @@ static void add_chart(struct aob_text *page, const struct aob_figure *svg, const
 }
 
 /* Each SVG is followed by its PNG. */
-static void add_charts(struct aob_text *page, const struct view *view)
+static void add_charts(struct aob_text *page, const struct view *view, const char *heading)
 {
     bool any = false;
     for (size_t i = 0; i + 1 < view->count; i++) {
         const struct aob_figure *svg = &view->figures[i];
         if (svg->kind != AOB_FIGURE_CHART || !strstr(svg->file, ".svg"))
             continue;
-        aob_text_add(page, any ? "" : "<div class=grid>\n");
+        if (!any)
+            aob_text_add(page, "%s<div class=grid>\n", heading);
         any = true;
         add_chart(page, svg, svg + 1);
     }
@@ -153,11 +154,11 @@ static void add_panel(struct aob_text *page, const struct aob_gallery *g, const 
     struct view view = {&g->figures[panel->first], panel->count};
     if (panel->target == AOB_NO_TARGET) {
         add_triptychs(page, &view, "Each technique\u2019s image: there is no reference");
-        add_charts(page, &view);
+        add_charts(page, &view, "<h3>What time follows from</h3>\n");
         return;
     }
     aob_html_target_open(page, g->rows, panel->target, is_captured(g, panel), "");
-    add_charts(page, &view);
+    add_charts(page, &view, "");
     aob_html_split(page, g, panel);
     if (!panel->cases)
         aob_text_add(page, "<p class=soft>No case of this view is compared with it.</p>\n");

@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include "base/error.h"
+#include "member.h"
 #include "store/metric.h"
 #include "target.h"
 
@@ -80,11 +81,4 @@ bool aob_score_is_split(const struct aob_score *score);
 
 /* Is the screen-space bound what it was compared with? */
 bool aob_score_is_captured(const struct aob_score *score);
-
-/* The member, or "" / NaN. `object` may be NULL. */
-const char *aob_member_text(const json_t *object, const char *name);
-double aob_member_number(const json_t *object, const char *name);
-
-/* "0.5", "cosine", "yes"; free() it. */
-char *aob_member_show(const json_t *value);
 #endif

@@ -10,17 +10,16 @@ struct aob_target aob_target_of(const json_t *entry, const json_t *record)
     const char *weighting = json_string_value(json_object_get(target, "weighting"));
     double radius = aob_json_to_number(json_is_object(target) ? json_object_get(target, "radius")
                                                               : json_object_get(record, "reference_radius"));
-    /* A parameter's radius is a float, a config's is not: 0.3 of the two is one radius. */
-    return (struct aob_target){.radius = (double)(float)radius,
-                               .uniform = weighting && strcmp(weighting, "uniform") == 0};
+    return (struct aob_target){.radius = radius, .uniform = weighting && strcmp(weighting, "uniform") == 0};
 }
 
+/* A parameter's radius is a float, a config's is not: 0.3 of the two is one radius. */
 int aob_target_compare(const struct aob_target *a, const struct aob_target *b)
 {
     if (isnan(a->radius) || isnan(b->radius)) {
         if (isnan(a->radius) != isnan(b->radius))
             return isnan(a->radius) ? 1 : -1;
-    } else if (a->radius != b->radius)
+    } else if ((float)a->radius != (float)b->radius)
         return a->radius < b->radius ? -1 : 1;
     return (int)a->uniform - (int)b->uniform;
 }

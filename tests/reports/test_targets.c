@@ -255,7 +255,7 @@ static void test_csv(void **state)
                          "ref\":2,\"ci_low\":1.75,\"ci_high\":"
                          "null},\"errors\":[{\"target\":{\"radius\":\"inf\",\"weighting\":\"uniform\"},"
                          "\"rmse\":0.125,\"pixels\":2048},"
-                         "{\"target\":{\"radius\":0.5,\"weighting\":\"cosine\"},\"rmse\":0.25}]}\n"
+                         "{\"target\":{\"radius\":0.1,\"weighting\":\"cosine\"},\"rmse\":0.25}]}\n"
                          "{\"key\":\"l\",\"status\":\"failed\"}\n");
     free(make_page());
     char *csv = get("report/cases.csv"), *line = strstr(csv, "\r\n");
@@ -263,7 +263,7 @@ static void test_csv(void **state)
         "key,series,scene,view,technique,params,backend,size,status,target_radius,"
         "target_weighting,time_ms,ratio_to_ref,ci_low,ci_high,memory_bytes,rmse,band_rmse,";
     static const char first[] =
-        "\r\nk,s,\"a \"\"b\"\", c\",\"two\nlines\",gtao,radius=0.5 mode=x,vulkan,64x32,ok,0.5,cosine,1.5,2,"
+        "\r\nk,s,\"a \"\"b\"\", c\",\"two\nlines\",gtao,radius=0.5 mode=x,vulkan,64x32,ok,0.1,cosine,1.5,2,"
         "1.75,,2048,0.25,,";
     static const char second[] =
         "\r\nk,s,\"a \"\"b\"\", c\",\"two\nlines\",gtao,radius=0.5 mode=x,vulkan,64x32,ok,inf,uniform,1.5,2,"
