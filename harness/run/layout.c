@@ -1,3 +1,4 @@
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -83,7 +84,8 @@ static void run_layout(struct layout *layout)
     for (int deaths = 0; layout->answered < layout->count;) {
         struct aob_error error = {{0}};
         struct aob_job_desc desc = {.job = make_job(layout),
-                                    .timeout_s = 10 + 1e-3 * (double)(layout->count - layout->answered),
+                                    .timeout_s =
+                                        10 + floor(1e-3 * (double)(layout->count - layout->answered)),
                                     .memory_limit = (size_t)4 << 30,
                                     .on_answer = take_answer,
                                     .user = layout};
