@@ -20,12 +20,14 @@ static bool build(struct aob_graph *graph, const void *values)
     const struct values *v = values;
     uint32_t divisor = (uint32_t)v->divisor;
     bool wanted = aob_wants(graph, AOB_OUT_BENT_NORMAL);
-    aob_tex bent = {0}, visibility = aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = divisor);
+    aob_tex bent = {0},
+            visibility = aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = divisor);
     if (wanted)
         bent = aob_texture(graph, .name = "bent", .format = AOB_RGBA16F, .divisor = divisor);
-    aob_pass(graph, .name = "cone", .shader = "cone", .reads = AOB_DEPTH | AOB_NORMAL,
-             .defines = {{"WANTED", wanted}},
-             .out = {{.name = "visibility", .tex = visibility}, {.name = wanted ? "bent" : NULL, .tex = bent}});
+    aob_pass(
+        graph, .name = "cone", .shader = "cone", .reads = AOB_DEPTH | AOB_NORMAL,
+        .defines = {{"WANTED", wanted}},
+        .out = {{.name = "visibility", .tex = visibility}, {.name = wanted ? "bent" : NULL, .tex = bent}});
     if (wanted && divisor > 1) {
         aob_tex full = aob_texture(graph, .name = "full_bent", .format = AOB_RGBA16F);
         aob_pass(graph, .name = "upsample_bent", .shader = "upsample", .reads = AOB_DEPTH | AOB_NORMAL,
