@@ -2,6 +2,7 @@
 #ifndef AOB_TESTS_GPU_MADE_H
 #define AOB_TESTS_GPU_MADE_H
 #include "check.h"
+#include "base/memory.h"
 #include "gpu/gpu.h"
 
 enum { WIDTH = 37, HEIGHT = 11, TEXELS = WIDTH * HEIGHT };
@@ -31,5 +32,29 @@ static inline struct aob_gpu_program *program(struct aob_gpu *gpu, const char *g
     if (!made)
         fail_msg("%s", error.text);
     return made;
+}
+
+static inline bool draws(const struct aob_gpu *gpu)
+{
+    return !gpu->info.draws_nothing;
+}
+
+static inline void *read_back(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level)
+{
+    void *texels = aob_alloc(aob_gpu_level_bytes(texture, level), 1);
+    struct aob_error error = {""};
+    if (!aob_gpu_texture_read(gpu, texture, level, texels, &error))
+        fail_msg("%s", error.text);
+    return texels;
+}
+
+static inline void run_pass(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc,
+                            struct aob_gpu_time *time)
+{
+    struct aob_error error = {""};
+    struct aob_gpu_pass *pass = aob_gpu_pass_create(gpu, desc, &error);
+    if (!pass || !aob_gpu_pass_run(gpu, pass, time, &error))
+        fail_msg("%s", error.text);
+    aob_gpu_pass_destroy(gpu, pass);
 }
 #endif
