@@ -26,8 +26,9 @@ static const struct aob_shader shaders[] = {
     /* Level l of texel p holds p / 128 + (2^1 + ... + 2^l, weighed by halves) / 16, which the test computes. */
     {"fetch", "void main() { o = vec4(aob_fetch_place(aob_pixel >> LEVEL, LEVEL - FIRST),\n"
               "    aob_fetch_place(ivec2(1000), 99)); }\n"},
-    {"sample", "void main() { vec2 uv = (vec2(aob_pixel) + 0.5) / vec2(aob_target_size);\n"
-               "    o = vec4(aob_sample_place(uv, LEVEL - FIRST), aob_sample_place(vec2(2.0), LEVEL - FIRST)); }\n"},
+    {"sample",
+     "void main() { vec2 uv = (vec2(aob_pixel) + 0.5) / vec2(aob_target_size);\n"
+     "    o = vec4(aob_sample_place(uv, LEVEL - FIRST), aob_sample_place(vec2(2.0), LEVEL - FIRST)); }\n"},
     {NULL, NULL}};
 
 static bool build_moving(struct aob_graph *graph, const void *values)
@@ -52,7 +53,8 @@ static bool build_levels(struct aob_graph *graph, const void *values)
     for (uint32_t l = 1; l < LEVELS; l++) {
         char name[] = "level_0";
         name[6] = (char)('0' + l);
-        aob_pass(graph, .name = name, .shader = "coarser", .in = {{.name = "finer", .tex = place, .level = l - 1}},
+        aob_pass(graph, .name = name, .shader = "coarser",
+                 .in = {{.name = "finer", .tex = place, .level = l - 1}},
                  .out = {{.name = "place", .tex = place, .level = l}});
     }
     enum aob_filter filter = strcmp(reader, "sample") == 0 ? AOB_BILINEAR : AOB_NEAREST;
@@ -91,7 +93,8 @@ static void stage_init(struct stage *stage, const char *backend, int guard, enum
     aob_rig_scene(&stage->rig, "spheres", NULL, W, H, guard);
     if (!aob_screen_init(&stage->screen, stage->gpu, &stage->rig.gbuffer,
                          &(struct aob_options){.fetch = (int32_t)fetch}, &error) ||
-        !aob_frame_init(&stage->frame, &stage->screen, &technique, &(struct values){.scale = 1}, fetch, &error))
+        !aob_frame_init(&stage->frame, &stage->screen, &technique, &(struct values){.scale = 1}, fetch,
+                        &error))
         fail_msg("%s: %s", backend, error.text);
 }
 
@@ -132,7 +135,8 @@ static void test_uniforms_change_between_runs(void **state)
         stage_init(stage, backends[b], 0, AOB_FETCH_SAMPLED, build_moving);
         float *pixels = AOB_NEW_ARRAY(float, W *H);
         run(stage, AOB_OUT_VISIBILITY, 1, pixels);
-        assert_true(pixels[0] == 0.125f); /* before anything is set: frame 0 and the values it was made with */
+        assert_true(pixels[0] ==
+                    0.125f); /* before anything is set: frame 0 and the values it was made with */
         assert_true(run_with(stage, 0, 2, 0) == 0.25f);
         assert_true(run_with(stage, 0, 2, 1) == 0.5f);
         assert_true(run_with(stage, 7, 2, 1) == 0.5f + 7 / 64.0f);
