@@ -35,7 +35,7 @@ static bool build_moving(struct aob_graph *graph, const void *values)
 {
     (void)values;
     aob_tex visibility = aob_texture(graph, .name = "visibility", .format = AOB_R32F),
-            bent = aob_texture(graph, .name = "bent", .format = AOB_RGBA32F);
+            bent = aob_texture(graph, .name = "bent", .format = AOB_RGBA32F, .levels = 2); /* 102x60 */
     return aob_pass(graph, .name = "only", .shader = "moving",
                     .out = {{.name = "visibility", .tex = visibility}, {.name = "bent", .tex = bent}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, visibility) && aob_output(graph, AOB_OUT_BENT_NORMAL, bent);
