@@ -166,7 +166,8 @@ struct aob_pass {
     uint32_t reads;         /* enum aob_read bits */
     aob_tex depth;          /* read instead of the G-buffer's depth: view-space depth of another divisor
                                          (AOB_R16F or AOB_R32F), whose texel p is the surface of the G-buffer's
-                                         pixel p * divisor, or one near it; 0: the G-buffer's */
+                                         pixel p * divisor, or one near it; all levels that earlier passes have
+                                         written are read; 0: the G-buffer's */
     enum aob_border border; /* of those reads */
     enum aob_draw draw;
     /* AOB_TRIANGLES only. A captured frame has no triangles: there such a technique is `unsupported`. */

@@ -116,7 +116,7 @@ static void test_levels(void **state)
     assert_false(graph.passes[3].live);
 }
 
-/* Which level is read decides what a pass computes, and so does how many it shows. */
+/* Which level is read decides what a pass computes, where all else is the same and all passes live. */
 static bool build_digest(struct aob_graph *g, const void *values)
 {
     uint32_t level = (uint32_t)((const struct values *)values)->radius;
@@ -126,7 +126,8 @@ static bool build_digest(struct aob_graph *g, const void *values)
         name[6] = (char)('0' + l);
         aob_pass(g, .name = name, .shader = "one", .out = {{.name = "o", .tex = t, .level = l}});
     }
-    return aob_pass(g, .name = "last", .shader = "two", .in = {{.name = "i", .tex = t, .level = level}},
+    return aob_pass(g, .name = "last", .shader = "two",
+                    .in = {{.name = "all", .tex = t}, {.name = "i", .tex = t, .level = level}},
                     .out = OUT(raw)) &&
            aob_output(g, AOB_OUT_VISIBILITY, raw);
 }
