@@ -49,7 +49,7 @@ read_ninja() {
 }
 
 # What apt writes to APT::Status-Fd: "dlstatus:NUMBER:PERCENT:TEXT" while it downloads, then "pmstatus:PACKAGE:PERCENT:TEXT"
-# while it installs. A package's name may hold a colon, so the percent is the first field that is a number with a point.
+# while it installs. A package's name may hold a colon, so the percent is known by its point.
 read_apt() {
   local line phase=
   while IFS= read -r line; do
