@@ -7,7 +7,7 @@ install(TARGETS aoviz LIBRARY DESTINATION lib)
 install(TARGETS ${BUILTIN_MODULES} LIBRARY DESTINATION lib/aobudget/modules)
 install(DIRECTORY include/aobudget DESTINATION include FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY configs/papers DESTINATION share/aobudget FILES_MATCHING PATTERN "*.yaml")
-install(DIRECTORY shaders/common DESTINATION share/aobudget/shaders FILES_MATCHING PATTERN "*.glsl")
+install(DIRECTORY shaders/common shaders/steps DESTINATION share/aobudget/shaders FILES_MATCHING PATTERN "*.glsl")
 
 configure_file(cmake/aobudget.pc.in ${package}/aobudget.pc @ONLY)
 write_basic_package_version_file(${package}/aobudgetConfigVersion.cmake COMPATIBILITY SameMinorVersion)

@@ -1,5 +1,6 @@
 # A technique is a folder in techniques/ and one of the same name in shaders/: nothing else names it. Each becomes a
-# part of the program and a module of its own in modules/.
+# part of the program and a module of its own in modules/. The words of techniques/NAME/steps.txt, where there is one,
+# are the steps that it uses.
 file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true RELATIVE ${CMAKE_SOURCE_DIR}/techniques
      ${CMAKE_SOURCE_DIR}/techniques/*)
 list(SORT folders)
@@ -9,7 +10,13 @@ include(${CMAKE_CURRENT_LIST_DIR}/module.cmake)
 set(declarations "")
 set(rows "")
 foreach(name ${folders})
-  aobudget_shaders(${name} shaders/${name})
+  set(steps "")
+  if(EXISTS ${CMAKE_SOURCE_DIR}/techniques/${name}/steps.txt)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS techniques/${name}/steps.txt)
+    file(STRINGS techniques/${name}/steps.txt steps)
+    separate_arguments(steps)
+  endif()
+  aobudget_shaders(${name} shaders/${name} ${steps})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/techniques/${name}/*.c)
   add_library(technique_${name} OBJECT ${sources})
   target_include_directories(technique_${name} PRIVATE include ${CMAKE_BINARY_DIR}/generated/${name})

@@ -5,6 +5,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "score/score.h"
+#include "technique/definition.h"
 #include "technique/param.h"
 #include "technique/registry.h"
 
@@ -105,7 +106,7 @@ void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct 
               aob_screen_init(&screen, gpu, &rig->gbuffer, options, &error);
     screen.geometry = &geometry;
     if (!ok || !aob_frame_init(frame, &screen, technique, values, (enum aob_fetch)options->fetch, &error) ||
-        !aob_frame_run(frame, NULL, &error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, pixels, &error))
+        !aob_frame_run(frame, NULL, &error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, &error))
         give_up(technique->name, &error);
     aob_frame_finish(frame);
     aob_screen_finish(&screen);
@@ -127,23 +128,20 @@ void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *nam
 void aob_rig_definition(const struct aob_rig *rig, const char *name, const char *params, int spp,
                         float *pixels)
 {
-    enum { ROWS = 1025 };
     const struct aob_technique *technique = builtin(name);
     const struct aob_definition *definition = &technique->definition;
-    const struct aob_param *row = aob_param_find(technique->params, technique->param_count, "radius");
+    struct aob_definition_table table;
+    struct aob_error error = {{0}};
     unsigned char values[4 * AOB_MAX_PARAM];
     struct aob_options options;
-    float falloff[ROWS], radius;
     set_params(technique, params, values, &options);
-    memcpy(&radius, values + row->offset, sizeof radius);
-    for (int i = 0; definition->falloff && i < ROWS; i++)
-        falloff[i] = definition->falloff(values, (float)pow((double)i / (ROWS - 1), 2));
-    struct aob_visibility_term term = {.radius = (double)radius,
-                                       .uniform = definition->weight == AOB_WEIGHT_UNIFORM,
-                                       .of_triangle = definition->distance &&
-                                                      definition->distance(values) == AOB_DISTANCE_TRIANGLE,
-                                       .falloff = definition->falloff ? falloff : NULL,
-                                       .falloff_count = ROWS};
+    if (!aob_definition_tabulate(technique, values, &table, &error) || !table.claims)
+        give_up(name, &error);
+    struct aob_visibility_term term = {.radius = (double)table.radius,
+                                       .uniform = table.uniform,
+                                       .of_triangle = table.of_triangle,
+                                       .falloff = table.fades ? table.falloff : NULL,
+                                       .falloff_count = AOB_FALLOFF_ROWS};
     struct aob_visibility_desc desc = {.terms = &term,
                                        .term_count = 1,
                                        .x0 = rig->guard,
@@ -152,7 +150,6 @@ void aob_rig_definition(const struct aob_rig *rig, const char *name, const char 
                                        .height = rig->height,
                                        .spp = spp};
     struct aob_visibility traced;
-    struct aob_error error = {{0}};
     if (!aob_tracer_visibility(rig->tracer, &rig->camera, &rig->hits, &desc, &traced, &error))
         give_up(name, &error);
     for (int i = 0; i < rig->width * rig->height; i++)

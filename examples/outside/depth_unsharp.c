@@ -23,19 +23,14 @@ static const struct aob_param params[] = {
     AOB_PARAM_BLUR(struct values, blur, 5),
 };
 
-static bool check(const void *values, const char **why)
-{
-    const struct values *v = values;
-    return aob_step_blur_check(v->blur, why);
-}
-
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
     aob_tex raw = aob_texture(graph, .name = "visibility", .format = AOB_R16F);
     return aob_pass(graph, .name = "unsharp", .shader = "unsharp", .reads = AOB_DEPTH, .border = AOB_FAR,
                     .out = {{.name = "visibility", .tex = raw}}) &&
-           aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur, 1, 1));
+           aob_output(graph, AOB_OUT_VISIBILITY,
+                      aob_step_blur(graph, .tex = raw, .taps = v->blur, .divisor = 1));
 }
 
 /* The text derives no integral. The nearest honest claim is what the picture is taken for: cosine-weighted
@@ -52,5 +47,5 @@ AOB_TECHNIQUE(depth_unsharp, .title = "Unsharp mask of the depth buffer", .revis
               .params = params, .param_count = sizeof params / sizeof *params,
               .values_size = sizeof(struct values), .shaders = aob_shaders_depth_unsharp,
               .definition = {.weight = AOB_WEIGHT_COSINE, .map = map},
-              .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+              .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .build = build);
 AOB_MODULE(&aob_technique_depth_unsharp);

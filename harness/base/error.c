@@ -2,6 +2,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include "text.h"
 
 bool aob_fail(struct aob_error *error, const char *format, ...)
 {
@@ -9,7 +10,7 @@ bool aob_fail(struct aob_error *error, const char *format, ...)
         return false;
     va_list args;
     va_start(args, format);
-    vsnprintf(error->text, sizeof error->text, format, args);
+    aob_line_print_list(error->text, sizeof error->text, format, args);
     va_end(args);
     return false;
 }
@@ -22,17 +23,17 @@ bool aob_fail_in(struct aob_error *error, const char *format, ...)
     memcpy(cause, error->text, sizeof cause);
     va_list args;
     va_start(args, format);
-    int used = vsnprintf(error->text, sizeof error->text, format, args);
+    aob_line_print_list(error->text, sizeof error->text, format, args);
     va_end(args);
-    if (used >= 0 && (size_t)used < sizeof error->text)
-        snprintf(error->text + used, sizeof error->text - (size_t)used, ": %s", cause);
+    size_t used = strlen(error->text);
+    aob_line_print(error->text + used, sizeof error->text - used, ": %s", cause);
     return false;
 }
 
 static void print_line(const char *kind, const char *text)
 {
     char line[2048];
-    snprintf(line, sizeof line, "aobudget: %s%s", kind, text);
+    aob_line_print(line, sizeof line, "aobudget: %s%s", kind, text);
     for (char *c = line; *c; c++)
         if (*c == '\n' || *c == '\r')
             *c = ' ';
@@ -47,7 +48,7 @@ void aob_error_print(const struct aob_error *error)
 static void print_formatted(const char *kind, const char *format, va_list args)
 {
     char text[1600];
-    vsnprintf(text, sizeof text, format, args);
+    aob_line_print_list(text, sizeof text, format, args);
     print_line(kind, text);
 }
 

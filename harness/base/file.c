@@ -82,6 +82,15 @@ static char *part_of(const char *target)
 }
 
 /* A pipe is not opened: its reader would see the end. */
+bool aob_file_copy(const char *from, const char *to, struct aob_error *error)
+{
+    size_t size;
+    char *bytes = aob_file_read(from, (size_t)1 << 40, &size, error);
+    bool ok = bytes && aob_file_write(to, bytes, size, error);
+    free(bytes);
+    return ok;
+}
+
 bool aob_file_check(const char *path, struct aob_error *error)
 {
     if (is_special(path))

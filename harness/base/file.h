@@ -12,6 +12,9 @@ char *aob_file_read(const char *path, size_t limit, size_t *size, struct aob_err
  * what is no file at all (a device, a pipe) is written into, not replaced. */
 bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob_error *error);
 
+/* The whole of one file into another, as aob_file_write writes it. */
+bool aob_file_copy(const char *from, const char *to, struct aob_error *error);
+
 /* Whether that could be written now, for those who would be long at work before they write it. Leaves nothing behind. */
 bool aob_file_check(const char *path, struct aob_error *error);
 

@@ -8,9 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Doubled, so that a text of many small parts is not copied for each. */
+static void make_room(struct aob_text *text, size_t more)
+{
+    if (text->data && more < text->room - text->size)
+        return;
+    text->room = text->size + more + 1 > 2 * text->room ? text->size + more + 1 : 2 * text->room;
+    text->data = aob_realloc(text->data, text->room, 1);
+}
+
 void aob_text_add_bytes(struct aob_text *text, const char *bytes, size_t size)
 {
-    text->data = aob_realloc(text->data, text->size + size + 1, 1);
+    make_room(text, size);
     memcpy(text->data + text->size, bytes, size);
     text->size += size;
     text->data[text->size] = '\0';
@@ -24,7 +33,7 @@ void aob_text_add(struct aob_text *text, const char *format, ...)
     int size = vsnprintf(NULL, 0, format, args);
     va_end(args);
     if (size > 0) {
-        text->data = aob_realloc(text->data, text->size + (size_t)size + 1, 1);
+        make_room(text, (size_t)size);
         vsnprintf(text->data + text->size, (size_t)size + 1, format, again);
         text->size += (size_t)size;
     }
@@ -35,6 +44,22 @@ void aob_text_finish(struct aob_text *text)
 {
     free(text->data);
     *text = (struct aob_text){0};
+}
+
+void aob_line_print_list(char *line, size_t size, const char *format, va_list args)
+{
+    static const char mark[] = "...";
+    int wanted = vsnprintf(line, size, format, args);
+    if (wanted >= 0 && (size_t)wanted >= size && size >= sizeof mark)
+        memcpy(line + size - sizeof mark, mark, sizeof mark);
+}
+
+void aob_line_print(char *line, size_t size, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    aob_line_print_list(line, size, format, args);
+    va_end(args);
 }
 
 bool aob_parse_double(const char *text, double *value)
@@ -50,7 +75,7 @@ bool aob_parse_double(const char *text, double *value)
     return true;
 }
 
-bool aob_parse_int(const char *text, int64_t *value)
+static bool parse_int(const char *text, int64_t *value)
 {
     if (!*text || isspace((unsigned char)*text))
         return false;
@@ -72,7 +97,7 @@ bool aob_parse_size(const char *text, int *width, int *height)
         return false;
     memcpy(first, text, (size_t)(x - text));
     first[x - text] = '\0';
-    if (!aob_parse_int(first, &w) || !aob_parse_int(x + 1, &h))
+    if (!parse_int(first, &w) || !parse_int(x + 1, &h))
         return false;
     if (w < 1 || h < 1 || w > 16384 || h > 16384)
         return false;

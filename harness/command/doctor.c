@@ -1,4 +1,3 @@
-#include "doctor.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,6 +6,7 @@
 #include "base/machine.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "command.h"
 #include "gpu/gpu.h"
 #include "scene/scene.h"
 
@@ -25,13 +25,6 @@ static void find(struct checkup *checkup, const char *what, const char *name, bo
                                     says, "cure", ok || !cure ? "" : cure));
 }
 
-static void take_device(void *user, json_t *answer)
-{
-    json_t **device = user;
-    json_decref(*device);
-    *device = json_incref(answer);
-}
-
 static void check_backend(struct checkup *checkup, const struct aob_gpu_fns *backend)
 {
     static const struct {
@@ -39,14 +32,9 @@ static void check_backend(struct checkup *checkup, const struct aob_gpu_fns *bac
     } cures[] = {{"vulkan", "apt-get install libvulkan1 mesa-vulkan-drivers"},
                  {"gl-egl", "apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri"},
                  {"gl-osmesa", "apt-get install libosmesa6"}};
-    json_t *device = NULL;
     struct aob_error error = {{0}};
-    struct aob_job_desc desc = {.job = json_pack("{s:s, s:s}", "job", "probe", "backend", backend->name),
-                                .env = backend->environment,
-                                .timeout_s = 30,
-                                .on_answer = take_device,
-                                .user = &device};
-    bool ok = aob_dispatch_job(checkup->dispatch, &desc, &error) && device;
+    json_t *device = aob_dispatch_probe(checkup->dispatch, backend->name, &error);
+    bool ok = device;
     const char *cure = NULL;
     for (size_t i = 0; i < AOB_COUNT(cures); i++)
         if (strcmp(cures[i].backend, backend->name) == 0)
@@ -116,23 +104,32 @@ static enum aob_exit verdict(const struct checkup *checkup, struct aob_error *er
     return checkup->missing ? AOB_EXIT_PART : AOB_EXIT_OK;
 }
 
-enum aob_exit aob_doctor(const struct aob_dispatch *dispatch, const char *json, bool quiet,
-                         struct aob_error *error)
+static enum aob_exit doctor(void *options, struct aob_error *error)
 {
-    struct checkup checkup = {.dispatch = dispatch, .findings = json_array()};
+    const struct aob_common *common = options;
+    struct checkup checkup = {.dispatch = &common->dispatch, .findings = json_array()};
     for (const struct aob_gpu_fns *const *backend = aob_gpu_backends; *backend; backend++)
         check_backend(&checkup, *backend);
     for (const struct aob_scene_info *const *scene = aob_scenes; *scene; scene++)
         check_scene(&checkup, *scene);
     check_program(&checkup);
     bool ok = true;
-    if (json) {
+    if (common->json) {
         json_t *document = json_pack("{s:s, s:O}", "program", AOBUDGET_VERSION, "findings", checkup.findings);
-        ok = aob_json_write(document, json, error);
+        ok = aob_json_write(document, common->json, error);
         json_decref(document);
     }
-    if (!quiet && !(json && strcmp(json, "-") == 0))
+    if (aob_common_speaks(common))
         print_findings(&checkup);
     json_decref(checkup.findings);
     return ok ? verdict(&checkup, error) : AOB_EXIT_USAGE;
 }
+
+const struct aob_command aob_command_doctor = {
+    .name = "doctor",
+    .help = "drivers and meshes: what is missing, and its cure",
+    .usage = "",
+    .summary = "Drivers, helpers and meshes: what is there, and how to install the rest.",
+    .size = sizeof(struct aob_common),
+    .run = doctor,
+};

@@ -4,59 +4,65 @@
 #include <string.h>
 #include "base/memory.h"
 
-static const struct aob_flag *find(const struct aob_flags *flags, const char *name, size_t size)
+static const struct aob_flag *find(const struct aob_flag *table, const char *name, size_t size)
 {
-    for (const struct aob_flag *flag = flags->flags; flag->name; flag++)
+    for (const struct aob_flag *flag = table; flag->name; flag++)
         if (strlen(flag->name) == size && strncmp(flag->name, name, size) == 0)
             return flag;
     return NULL;
 }
 
-static bool set(const struct aob_flags *flags, const struct aob_flag *flag, const char *value,
+static bool set(const char *command, const struct aob_flag *flag, const char *value, void *options,
                 struct aob_error *error)
 {
-    if (flag->many)
-        *AOB_PUSH(flag->many->items, flag->many->count, flag->many->capacity) = value;
-    else if (*flag->text)
-        return aob_fail(error, "%s: --%s is given twice", flags->command, flag->name);
-    else
-        *flag->text = value;
+    void *field = (char *)options + flag->offset;
+    if (flag->kind == AOB_FLAG_MANY) {
+        struct aob_words *words = field;
+        *AOB_PUSH(words->items, words->count, words->capacity) = value;
+        return true;
+    }
+    const char **text = field;
+    if (*text)
+        return aob_fail(error, "%s: --%s is given twice", command, flag->name);
+    *text = value;
     return true;
 }
 
-bool aob_flags_parse(const struct aob_flags *flags, int argc, char **argv, struct aob_words *words,
+/* The word at *at, which begins with a dash, and the word behind it where that is its value: *at moves on then. */
+static bool take(const struct aob_flags_desc *desc, int *at, void *options, struct aob_error *error)
+{
+    const char *word = desc->argv[*at], *name = word + (word[1] == '-' ? 2 : 1), *command = desc->command;
+    const char *equals = word[1] == '-' ? strchr(name, '=') : NULL;
+    const struct aob_flag *flag = find(desc->table, name, equals ? (size_t)(equals - name) : strlen(name));
+    if (!flag || (strlen(flag->name) == 1) != (word[1] != '-'))
+        return aob_fail(error, "%s: unknown flag %s; see: aobudget %s --help", command, word, command);
+    if (flag->kind == AOB_FLAG_SWITCH) {
+        *(bool *)((char *)options + flag->offset) = true;
+        return !equals || aob_fail(error, "%s: --%s takes no value", command, flag->name);
+    }
+    if (equals)
+        return set(command, flag, equals + 1, options, error);
+    if (*at + 1 == desc->argc)
+        return aob_fail(error, "%s: %s needs a value: %s", command, word, flag->value);
+    return set(command, flag, desc->argv[++*at], options, error);
+}
+
+bool aob_flags_parse(const struct aob_flags_desc *desc, void *options, struct aob_words *words,
                      struct aob_error *error)
 {
-    for (int i = 0; i < argc; i++) {
-        const char *word = argv[i];
-        if (word[0] != '-' || !word[1]) {
+    for (int i = 0; i < desc->argc; i++) {
+        const char *word = desc->argv[i];
+        if (word[0] != '-' || !word[1])
             *AOB_PUSH(words->items, words->count, words->capacity) = word;
-            continue;
-        }
-        const char *name = word + (word[1] == '-' ? 2 : 1),
-                   *equals = word[1] == '-' ? strchr(name, '=') : NULL;
-        const struct aob_flag *flag = find(flags, name, equals ? (size_t)(equals - name) : strlen(name));
-        if (!flag || (strlen(flag->name) == 1) != (word[1] != '-'))
-            return aob_fail(error, "%s: unknown flag %s; see: aobudget %s --help", flags->command, word,
-                            flags->command);
-        if (flag->on && equals)
-            return aob_fail(error, "%s: --%s takes no value", flags->command, flag->name);
-        if (flag->on)
-            *flag->on = true;
-        else if (!equals && i + 1 == argc)
-            return aob_fail(error, "%s: %s needs a value: %s", flags->command, word, flag->value);
-        else if (!set(flags, flag, equals ? equals + 1 : argv[++i], error))
+        else if (!take(desc, &i, options, error))
             return false;
     }
-    if (words->count < flags->least || words->count > flags->most)
-        return aob_fail(error, "usage: aobudget %s %s", flags->command, flags->usage);
     return true;
 }
 
-void aob_flags_help(const struct aob_flags *flags)
+void aob_flags_help(const struct aob_flag *table)
 {
-    printf("usage: aobudget %s %s\n%s\n", flags->command, flags->usage, flags->summary);
-    for (const struct aob_flag *flag = flags->flags; flag->name; flag++) {
+    for (const struct aob_flag *flag = table; flag->name; flag++) {
         char left[64];
         snprintf(left, sizeof left, "%s%s %s", strlen(flag->name) == 1 ? "-" : "--", flag->name,
                  flag->value ? flag->value : "");

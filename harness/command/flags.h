@@ -1,34 +1,38 @@
-/* Command-line flags from a table: the table is parser and help text at once. */
+/* Command-line flags from a const table: the table is parser and help text at once. Values go into an options struct by
+ * offset, as a technique's parameters do. Threads: a struct is used by one at a time. */
 #ifndef AOB_COMMAND_FLAGS_H
 #define AOB_COMMAND_FLAGS_H
 #include <stdbool.h>
 #include <stddef.h>
 #include "base/error.h"
 
-struct aob_words { /* what a flag that may be repeated was given */
+struct aob_words { /* what a flag that may be repeated was given; the texts are argv's */
     const char **items;
     size_t count, capacity;
 };
+enum aob_flag_kind {
+    AOB_FLAG_TEXT,   /* into a const char *, once */
+    AOB_FLAG_MANY,   /* into a struct aob_words, each time it is given */
+    AOB_FLAG_SWITCH, /* sets a bool; takes no value */
+};
 struct aob_flag {
     const char *name;  /* "out" for --out; "p" for -p */
-    const char *value; /* what the help calls its value; NULL: a switch */
+    const char *value; /* what the help calls its value; NULL of a switch */
     const char *help;
-    bool *on;               /* one of the three: a switch, */
-    const char **text;      /* a value, */
-    struct aob_words *many; /* or a value each time it is given */
-};
-struct aob_flags {
-    const char *command, *usage; /* "run", "CONFIG" */
-    const char *summary;         /* one sentence */
-    const struct aob_flag
-        *flags;         /* ended by a NULL name; --quiet, --json and --help included by the caller's table */
-    size_t least, most; /* positional words */
+    enum aob_flag_kind kind;
+    size_t offset; /* of the field in the options struct */
 };
 
-/* False: one line (help: --help names the command's flags). `words` gets the positional ones; finish it with
- * aob_words_finish. */
-bool aob_flags_parse(const struct aob_flags *flags, int argc, char **argv, struct aob_words *words,
+struct aob_flags_desc {
+    const char *command;          /* for messages */
+    const struct aob_flag *table; /* ended by a NULL name */
+    int argc;                     /* the words behind the command's name */
+    char **argv;
+};
+/* Puts the flags into `options` and the other words into `words`. --name=value is --name value; a flag of one letter has
+ * one dash. False: one line that names the command and the flag. */
+bool aob_flags_parse(const struct aob_flags_desc *desc, void *options, struct aob_words *words,
                      struct aob_error *error);
-void aob_flags_help(const struct aob_flags *flags); /* on standard output */
+void aob_flags_help(const struct aob_flag *table); /* a line each, on standard output */
 void aob_words_finish(struct aob_words *words);
 #endif

@@ -1,14 +1,10 @@
-#include "list.h"
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
 #include "base/json.h"
-#include "run/captures.h"
-#include "config/config.h"
+#include "command.h"
 #include "gpu/gpu.h"
-#include "run/measurement.h"
-#include "plan/plan.h"
+#include "scene/camera_json.h"
 #include "scene/scene.h"
 #include "scene/scene_folder.h"
 #include "technique/option.h"
@@ -49,6 +45,8 @@ static void print_params(const struct aob_param *params, size_t count)
         else
             aob_text_add(&text, "  in %g .. %g %s", params[i].min, params[i].max,
                          aob_unit_name(params[i].unit));
+        if (aob_param_rule(&params[i]))
+            aob_text_add(&text, ", %s", aob_param_rule(&params[i]));
         printf("    %-12s %s\n                 %s\n", params[i].name, text.data, params[i].doc);
         aob_text_finish(&text);
     }
@@ -161,58 +159,38 @@ static bool list_techniques(const struct aob_dispatch *dispatch, const char *jso
     return ok;
 }
 
-enum aob_exit aob_list(const struct aob_dispatch *dispatch, const char *what, const char *json,
-                       struct aob_error *error)
+static bool list_backends(const char *json, struct aob_error *error)
 {
-    bool ok = true;
+    if (json)
+        return write_document(backends_to_json(), json, error);
+    print_backends();
+    return true;
+}
+
+static enum aob_exit list(void *options, struct aob_error *error)
+{
+    const struct aob_common *common = options;
+    const char *what = common->words.items[0];
+    bool ok = false;
     if (strcmp(what, "techniques") == 0)
-        ok = list_techniques(dispatch, json, error);
+        ok = list_techniques(&common->dispatch, common->json, error);
     else if (strcmp(what, "scenes") == 0)
-        ok = list_scenes(json, error);
+        ok = list_scenes(common->json, error);
     else if (strcmp(what, "backends") == 0)
-        json ? (void)(ok = write_document(backends_to_json(), json, error)) : print_backends();
+        ok = list_backends(common->json, error);
     else
-        ok = aob_fail(error, "list: '%s' is not one of techniques, scenes, backends", what);
+        aob_fail(error, "list: '%s' is not one of techniques, scenes, backends", what);
     return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
 }
 
-static json_t *plan_to_json(struct aob_plan *plan)
-{
-    const struct aob_measurement unmeasured = {.plan = plan};
-    json_t *cases = json_array();
-    for (size_t i = 0; i < plan->case_count; i++)
-        json_array_append_new(cases, aob_record_create(&unmeasured, i, "planned", NULL, NULL));
-    return json_pack("{s:s, s:f, s:o}", "name", plan->config->name, "estimated_s", aob_plan_estimate_s(plan),
-                     "cases", cases);
-}
-
-static void print_plan(const struct aob_plan *plan, bool quiet)
-{
-    for (size_t i = 0; i < plan->case_count && !quiet; i++) {
-        struct aob_text text = {0};
-        aob_case_describe(&plan->cases[i], &text);
-        printf("%s\n", text.data);
-        aob_text_finish(&text);
-    }
-    long seconds = (long)aob_plan_estimate_s(plan);
-    printf("%zu cases, about %ld:%02ld minutes\n", plan->case_count, seconds / 60, seconds % 60);
-}
-
-enum aob_exit aob_plan_print(const struct aob_dispatch *dispatch, const char *path, const char *json,
-                             bool quiet, struct aob_error *error)
-{
-    struct aob_config config;
-    struct aob_technique_list techniques = {0};
-    struct aob_plan plan = {0};
-    bool ok = aob_config_read(&config, path, error) && aob_dispatch_describe(dispatch, &techniques, error) &&
-              aob_captures_load(&config, dispatch, error) &&
-              aob_plan_create(&plan, &config, &techniques, error);
-    if (ok && json)
-        ok = write_document(plan_to_json(&plan), json, error);
-    else if (ok)
-        print_plan(&plan, quiet);
-    aob_plan_finish(&plan);
-    aob_technique_list_finish(&techniques);
-    aob_config_finish(&config);
-    return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
-}
+const struct aob_command aob_command_list = {
+    .name = "list",
+    .help = "what there is: techniques, scenes, backends",
+    .usage = "techniques|scenes|backends [--json FILE]",
+    .summary = "What there is, with parameters, units, bounds and geometry.",
+    .modules = true,
+    .least = 1,
+    .most = 1,
+    .size = sizeof(struct aob_common),
+    .run = list,
+};

@@ -1,70 +1,86 @@
-#include "report.h"
 #include <jansson.h>
 #include <stdlib.h>
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "command.h"
 #include "reports/page/page.h"
 #include "reports/page/techniques_page.h"
 
-static bool summarise(const struct aob_report_desc *desc, const struct aob_page_summary *summary,
-                      const char *out, struct aob_error *error)
+struct options {
+    struct aob_common common; /* its words are the folders */
+    const char *out;          /* folder of the page; NULL: report/ in the first folder */
+    const char *techniques;   /* file of the page of techniques, written in its place; NULL: none */
+};
+
+static const struct aob_flag flags[] = {
+    {"out", "DIR", "where the page goes (the first folder's report/)", AOB_FLAG_TEXT,
+     offsetof(struct options, out)},
+    {"techniques", "FILE.md", "in place of it: a page of what each technique is", AOB_FLAG_TEXT,
+     offsetof(struct options, techniques)},
+    {0},
+};
+
+static bool summarise(const struct options *o, const struct aob_page_summary *summary, const char *out,
+                      struct aob_error *error)
 {
-    if (!desc->quiet)
+    if (!o->common.quiet)
         aob_note("%zu of %zu cases, %zu ok; %zu of %zu figures; page: %s/index.html", summary->cases,
                  summary->planned, summary->ok, summary->drawn, summary->figures, out);
-    if (!desc->json)
+    if (!o->common.json)
         return true;
     json_t *document = json_pack("{s:s, s:i, s:i, s:i, s:i, s:i}", "page", out, "planned",
                                  (int)summary->planned, "cases", (int)summary->cases, "ok", (int)summary->ok,
                                  "figures", (int)summary->figures, "drawn", (int)summary->drawn);
-    bool ok = aob_json_write(document, desc->json, error);
+    bool ok = aob_json_write(document, o->common.json, error);
     json_decref(document);
     return ok;
 }
 
-static bool summarise_techniques(const struct aob_report_desc *desc,
-                                 const struct aob_techniques_summary *summary, struct aob_error *error)
+static bool summarise_techniques(const struct options *o, const struct aob_techniques_summary *summary,
+                                 struct aob_error *error)
 {
-    if (!desc->quiet)
+    if (!o->common.quiet)
         aob_note("%zu techniques, %zu of %zu cases, %zu ok; %zu of %zu pictures; page: %s",
                  summary->techniques, summary->cases, summary->planned, summary->ok, summary->drawn,
-                 summary->figures, desc->techniques);
-    if (!desc->json)
+                 summary->figures, o->techniques);
+    if (!o->common.json)
         return true;
     json_t *document =
-        json_pack("{s:s, s:i, s:i, s:i, s:i, s:i, s:i}", "page", desc->techniques, "techniques",
+        json_pack("{s:s, s:i, s:i, s:i, s:i, s:i, s:i}", "page", o->techniques, "techniques",
                   (int)summary->techniques, "planned", (int)summary->planned, "cases", (int)summary->cases,
                   "ok", (int)summary->ok, "figures", (int)summary->figures, "drawn", (int)summary->drawn);
-    bool ok = aob_json_write(document, desc->json, error);
+    bool ok = aob_json_write(document, o->common.json, error);
     json_decref(document);
     return ok;
 }
 
-static enum aob_exit report_techniques(const struct aob_report_desc *desc, struct aob_error *error)
+static enum aob_exit report_techniques(const struct options *o, struct aob_error *error)
 {
     struct aob_techniques_summary summary = {0};
-    if (desc->folder_count != 1 || desc->out)
+    if (o->common.words.count != 1 || o->out)
         return aob_fail(error, "report: --techniques takes one folder and no --out"), AOB_EXIT_USAGE;
-    if (!aob_techniques_page_write(
-            &(struct aob_techniques_desc){desc->folders[0], desc->techniques, desc->program}, &summary,
-            error) ||
-        !summarise_techniques(desc, &summary, error))
+    if (!aob_techniques_page_write(&(struct aob_techniques_desc){o->common.words.items[0], o->techniques,
+                                                                 o->common.dispatch.program},
+                                   &summary, error) ||
+        !summarise_techniques(o, &summary, error))
         return AOB_EXIT_USAGE;
     return summary.planned && summary.ok >= summary.planned ? AOB_EXIT_OK : AOB_EXIT_PART;
 }
 
-enum aob_exit aob_report(const struct aob_report_desc *desc, struct aob_error *error)
+static enum aob_exit report(void *from, struct aob_error *error)
 {
-    if (desc->techniques)
-        return report_techniques(desc, error);
-    const char **folders = AOB_NEW_ARRAY(const char *, desc->folder_count + 1);
+    const struct options *o = from;
+    if (o->techniques)
+        return report_techniques(o, error);
+    const char **folders = AOB_NEW_ARRAY(const char *, o->common.words.count + 1);
     struct aob_page_summary summary = {0};
-    for (size_t i = 0; i < desc->folder_count; i++)
-        folders[i] = desc->folders[i];
-    char *out = desc->out ? aob_strdup(desc->out) : aob_path_join(desc->folders[0], "report");
-    bool ok = aob_page_write(&(struct aob_page_desc){folders, out, desc->program, &summary}, error) &&
-              summarise(desc, &summary, out, error);
+    for (size_t i = 0; i < o->common.words.count; i++)
+        folders[i] = o->common.words.items[i];
+    char *out = o->out ? aob_strdup(o->out) : aob_path_join(o->common.words.items[0], "report");
+    bool ok =
+        aob_page_write(&(struct aob_page_desc){folders, out, o->common.dispatch.program, &summary}, error) &&
+        summarise(o, &summary, out, error);
     free(out);
     free(folders);
     if (!ok)
@@ -73,3 +89,15 @@ enum aob_exit aob_report(const struct aob_report_desc *desc, struct aob_error *e
     bool whole = summary.planned && summary.ok >= summary.planned;
     return whole ? AOB_EXIT_OK : AOB_EXIT_PART;
 }
+
+const struct aob_command aob_command_report = {
+    .name = "report",
+    .help = "page and pictures from finished runs",
+    .usage = "DIR... [--out DIR] | DIR --techniques FILE.md",
+    .summary = "Page and pictures from journals.",
+    .flags = flags,
+    .least = 1,
+    .most = 64,
+    .size = sizeof(struct options),
+    .run = report,
+};

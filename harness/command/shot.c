@@ -1,4 +1,3 @@
-#include "shot.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -6,11 +5,63 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
-#include "run/captures.h"
-#include "config/config.h"
+#include "command.h"
 #include "run/measurement.h"
-#include "plan/plan.h"
+#include "run/record.h"
+#include "run/sweep.h"
 #include "technique/param.h"
+
+/* Texts as given on the command line; NULL: not given. */
+struct options {
+    struct aob_common common;
+    const char *technique, *scene; /* scene: a listed one, a mesh file or capture:FILE */
+    const char *view, *eye, *target, *fov, *ortho, *shift, *size, *backend, *reference_spp;
+    const char *target_radius, *target_weighting;
+    const char *reference_radius;                 /* what the first of these was called */
+    const char *convention[AOB_CONVENTION_COUNT]; /* of a capture, by enum aob_convention_key */
+    const char *out;
+    struct aob_words params; /* "name=value": parameters of the technique and run options */
+};
+
+#define TEXT(name, value, field, help)                                                                       \
+    {                                                                                                        \
+        name, value, help, AOB_FLAG_TEXT, offsetof(struct options, field)                                    \
+    }
+static const struct aob_flag flags[] = {
+    TEXT("technique", "NAME", technique, "see: aobudget list techniques"),
+    TEXT("scene", "NAME", scene, "a listed scene, a mesh file, or capture:FILE.exr"),
+    TEXT("view", "NAME", view, "a listed view (the scene's first)"),
+    TEXT("eye", "x,y,z", eye, "camera position, scene units"),
+    TEXT("target", "x,y,z", target, "what the camera looks at"),
+    TEXT("fov", "DEG", fov, "vertical field of view (60)"),
+    TEXT("ortho", "H", ortho, "orthographic, H scene units high"),
+    TEXT("shift", "x,y", shift, "image moved right, up; in its heights"),
+    TEXT("size", "WxH", size, "pixels (480x270)"),
+    TEXT("backend", "NAME", backend, "see: aobudget list backends (vulkan)"),
+    {"p", "name=value", "a parameter or run option; may be repeated", AOB_FLAG_MANY,
+     offsetof(struct options, params)},
+    TEXT("reference-spp", "N", reference_spp, "rays a pixel (256); 0: none"),
+    TEXT("target-radius", "R[,R...]", target_radius,
+         "what it is compared with: visibility of this radius (the technique's); inf allowed"),
+    TEXT("target-weighting", "W", target_weighting, "of that visibility: cosine or uniform (cosine)"),
+    TEXT("reference-radius", "R", reference_radius, "is now --target-radius"),
+    TEXT("out", "FILE.exr", out, "the images"),
+    TEXT("depth", "KIND", convention[AOB_CONVENTION_DEPTH],
+         "of a capture: planar, distance, device or device_reversed (planar)"),
+    TEXT("near", "D", convention[AOB_CONVENTION_NEAR], "near plane of a capture's device depth"),
+    TEXT("far", "D", convention[AOB_CONVENTION_FAR],
+         "its far plane, inf allowed; of other depths: sky from here on"),
+    TEXT("normals", "SPACE", convention[AOB_CONVENTION_NORMALS],
+         "of a capture: view, world or derived (view)"),
+    TEXT("handed", "SIDE", convention[AOB_CONVENTION_HANDED],
+         "of a capture's normals: right or left (right)"),
+    TEXT("up", "x,y,z", convention[AOB_CONVENTION_UP], "the world's up, for normals world (0,1,0)"),
+    TEXT("depth-channel", "NAME", convention[AOB_CONVENTION_DEPTH_CHANNEL],
+         "of a capture, where it is not found by its name"),
+    TEXT("normal-channel", "NAME", convention[AOB_CONVENTION_NORMAL_CHANNEL],
+         "the same of its normals, without .X .Y .Z"),
+    {0},
+};
 
 static bool read_number(const char *flag, const char *text, double low, double high, double *value,
                         struct aob_error *error)
@@ -24,57 +75,54 @@ static bool read_number(const char *flag, const char *text, double low, double h
     return true;
 }
 
-static bool choose_conventions(const struct aob_shot_desc *desc, struct aob_scene_choice *scene,
+static bool choose_conventions(const struct options *o, struct aob_scene_choice *scene,
                                struct aob_error *error)
 {
     for (int key = 0; key < AOB_CONVENTION_COUNT; key++) {
-        if (!desc->convention[key])
+        if (!o->convention[key])
             continue;
         if (!scene->capture)
             return aob_fail(error, "%s is stated of a capture: --scene capture:FILE.exr",
                             aob_convention_keys[key]);
-        if (!aob_convention_set(&scene->convention, (enum aob_convention_key)key, desc->convention[key],
-                                error))
+        if (!aob_convention_set(&scene->convention, (enum aob_convention_key)key, o->convention[key], error))
             return false;
     }
-    if (scene->capture && (desc->view || desc->size))
+    if (scene->capture && (o->view || o->size))
         return aob_fail(error, "a capture has one view and its own size: leave --view and --size out");
     return aob_convention_check(&scene->convention, error);
 }
 
-static bool choose_camera(const struct aob_shot_desc *desc, struct aob_scene_choice *scene,
-                          struct aob_error *error)
+static bool choose_camera(const struct options *o, struct aob_scene_choice *scene, struct aob_error *error)
 {
     scene->fov_deg = scene->capture ? 0 : 60;
-    scene->has_camera = desc->eye != NULL;
-    scene->ortho = desc->ortho != NULL;
-    if (!desc->eye != !desc->target)
+    scene->has_camera = o->eye != NULL;
+    scene->ortho = o->ortho != NULL;
+    if (!o->eye != !o->target)
         return aob_fail(error, "--eye and --target go together");
-    if (desc->eye && desc->view)
+    if (o->eye && o->view)
         return aob_fail(error, "give --view or --eye, not both");
-    if (!scene->capture && !desc->eye && (desc->fov || desc->ortho || desc->shift))
+    if (!scene->capture && !o->eye && (o->fov || o->ortho || o->shift))
         return aob_fail(error, "--fov, --ortho and --shift need --eye and --target");
-    if (scene->capture && desc->shift)
+    if (scene->capture && o->shift)
         return aob_fail(error, "a capture is read as centred: leave --shift out");
-    if (desc->eye && !aob_parse_vec3(desc->eye, scene->eye))
-        return aob_fail(error, "--eye: '%s' is not x,y,z", desc->eye);
-    if (desc->target && !aob_parse_vec3(desc->target, scene->target))
-        return aob_fail(error, "--target: '%s' is not x,y,z", desc->target);
-    if (desc->shift && !aob_parse_vec2(desc->shift, scene->shift))
-        return aob_fail(error, "--shift: '%s' is not x,y", desc->shift);
-    return read_number("fov", desc->fov, 1, 170, &scene->fov_deg, error) &&
-           read_number("ortho", desc->ortho, 1e-9, 1e12, &scene->ortho_height, error);
+    if (o->eye && !aob_parse_vec3(o->eye, scene->eye))
+        return aob_fail(error, "--eye: '%s' is not x,y,z", o->eye);
+    if (o->target && !aob_parse_vec3(o->target, scene->target))
+        return aob_fail(error, "--target: '%s' is not x,y,z", o->target);
+    if (o->shift && !aob_parse_vec2(o->shift, scene->shift))
+        return aob_fail(error, "--shift: '%s' is not x,y", o->shift);
+    return read_number("fov", o->fov, 1, 170, &scene->fov_deg, error) &&
+           read_number("ortho", o->ortho, 1e-9, 1e12, &scene->ortho_height, error);
 }
 
-static bool choose_params(const struct aob_shot_desc *desc, struct aob_config *config,
-                          struct aob_error *error)
+static bool choose_params(const struct options *o, struct aob_config *config, struct aob_error *error)
 {
-    for (size_t i = 0; i < desc->param_count; i++) {
-        const char *equals = strchr(desc->params[i], '=');
-        if (!equals || equals == desc->params[i])
-            return aob_fail(error, "-p: '%s' is not name=value", desc->params[i]);
-        char *name = aob_strdup(desc->params[i]);
-        name[equals - desc->params[i]] = '\0';
+    for (size_t i = 0; i < o->params.count; i++) {
+        const char *equals = strchr(o->params.items[i], '=');
+        if (!equals || equals == o->params.items[i])
+            return aob_fail(error, "-p: '%s' is not name=value", o->params.items[i]);
+        char *name = aob_strdup(o->params.items[i]);
+        name[equals - o->params.items[i]] = '\0';
         if (aob_param_find(aob_option_params, AOB_OPTION_COUNT, name))
             aob_axis_add(&config->options, &config->option_count, &config->option_capacity, name, equals + 1);
         else
@@ -85,68 +133,67 @@ static bool choose_params(const struct aob_shot_desc *desc, struct aob_config *c
     return true;
 }
 
-static bool choose_reference(const struct aob_shot_desc *desc, struct aob_config *config,
-                             struct aob_error *error)
+static bool choose_reference(const struct options *o, struct aob_config *config, struct aob_error *error)
 {
     double spp = config->spp;
-    if (!read_number("reference-spp", desc->reference_spp, 0, 65536, &spp, error) ||
-        !read_number("reference-radius", desc->reference_radius, 1e-9, INFINITY, &config->reference_radius,
-                     error))
+    if (!read_number("reference-spp", o->reference_spp, 0, 65536, &spp, error))
         return false;
+    if (o->reference_radius)
+        return aob_fail(error,
+                        "--reference-radius is now --target-radius, with --target-weighting beside it");
+    if (o->target_weighting && !o->target_radius)
+        return aob_fail(error, "--target-weighting goes with --target-radius");
+    const char *weighting = o->target_weighting ? o->target_weighting : "cosine";
+    if (o->target_radius && !aob_config_add_targets(config, o->target_radius, weighting, error))
+        return aob_fail_in(error, "--target-radius");
     if (spp != floor(spp) || fmod(spp, 2) != 0)
         return aob_fail(error, "--reference-spp: %s is not an even whole number (0: no reference)",
-                        desc->reference_spp);
+                        o->reference_spp);
     config->spp = (int)spp;
     config->measure_error = spp > 0;
     return true;
 }
 
 /* The command line as a config of one case. */
-static bool make_config(const struct aob_shot_desc *desc, struct aob_config *config, struct aob_error *error)
+static bool make_config(const struct options *o, struct aob_config *config, struct aob_error *error)
 {
     aob_config_init(config);
     config->name = aob_strdup("shot");
     config->seconds = 0.5;
     struct aob_scene_choice *scene = AOB_PUSH(config->scenes, config->scene_count, config->scene_capacity);
-    const char *capture = aob_capture_file(desc->scene);
-    bool listed = capture || aob_scene_find(desc->scene) || !aob_file_exists(desc->scene);
+    const char *capture = aob_capture_file(o->scene);
+    bool listed = capture || aob_scene_find(o->scene) || !aob_file_exists(o->scene);
     *(capture  ? &scene->capture
       : listed ? &scene->name
-               : &scene->file) = aob_strdup(capture ? capture : desc->scene);
-    scene->view = aob_strdup(desc->view);
-    if (!listed && desc->view)
+               : &scene->file) = aob_strdup(capture ? capture : o->scene);
+    scene->view = aob_strdup(o->view);
+    if (!listed && o->view)
         return aob_fail(error, "a mesh file has no named views: use --eye, --target and --fov");
     struct aob_size *size = AOB_PUSH(config->sizes, config->size_count, config->size_capacity);
-    const char *wanted = desc->size ? desc->size : "480x270";
+    const char *wanted = o->size ? o->size : "480x270";
     if (!aob_parse_size(wanted, &size->width, &size->height))
         return aob_fail(error, "--size: '%s' is not WIDTHxHEIGHT with 1 .. 16384 pixels each", wanted);
     struct aob_value *backend = AOB_PUSH(config->backends, config->backend_count, config->backend_capacity);
-    backend->text = aob_strdup(desc->backend ? desc->backend : "vulkan");
+    backend->text = aob_strdup(o->backend ? o->backend : "vulkan");
     struct aob_technique_choice *technique =
         AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity);
-    technique->name.text = aob_strdup(desc->technique);
-    return choose_conventions(desc, scene, error) && choose_camera(desc, scene, error) &&
-           choose_params(desc, config, error) && choose_reference(desc, config, error);
+    technique->name.text = aob_strdup(o->technique);
+    return choose_conventions(o, scene, error) && choose_camera(o, scene, error) &&
+           choose_params(o, config, error) && choose_reference(o, config, error);
 }
-
-struct shot {
-    const struct aob_plan *plan;
-    json_t *record;
-};
 
 static void keep_record(void *user, size_t index, json_t *record)
 {
-    struct shot *shot = user;
+    json_t **kept = user;
     (void)index;
-    shot->record = json_incref(record);
+    *kept = json_incref(record);
 }
 
-static void print_record(const struct shot *shot)
+static void print_record(const struct aob_sweep *sweep, const json_t *record)
 {
-    const json_t *time = json_object_get(shot->record, "time"),
-                 *error = json_object_get(shot->record, "error");
+    const json_t *time = json_object_get(record, "time"), *error = json_object_get(record, "error");
     struct aob_text text = {0};
-    aob_case_describe(&shot->plan->cases[0], &text);
+    aob_case_describe(&sweep->plan, &sweep->plan.cases[0], &text);
     if (time)
         aob_text_add(&text, ": %.3f ms cpu, %.2f x fixed pass",
                      json_number_value(json_object_get(time, "cpu_ms")),
@@ -161,47 +208,65 @@ static void print_record(const struct shot *shot)
     aob_text_finish(&text);
 }
 
-static bool measure(const struct aob_shot_desc *desc, struct aob_plan *plan, struct shot *shot,
+/* The record comes back whatever the case's status is; false with its reason if that is not ok. */
+static bool measure(const struct options *o, struct aob_sweep *sweep, json_t **record,
                     struct aob_error *error)
 {
     struct aob_measurement m;
-    if (!aob_measurement_init(&m, &desc->dispatch, plan, error))
+    if (!aob_measurement_init(&m, &o->common.dispatch, &sweep->plan, error))
         return false;
-    m.image = desc->out;
+    m.image = o->out;
     m.on_record = keep_record;
-    m.user = shot;
+    m.user = record;
     aob_measurement_layout(&m);
-    if (m.states[0].stage == AOB_REFUSED)
-        shot->record = aob_record_create(&m, 0, m.states[0].status, m.states[0].reason, NULL);
+    const struct aob_state *state = &m.states[0];
+    if (state->stage == AOB_REFUSED)
+        *record = aob_record_create(&(struct aob_record_desc){.config = &sweep->config,
+                                                              .c = &sweep->plan.cases[0],
+                                                              .state = state,
+                                                              .status = state->status,
+                                                              .reason = state->reason});
     else
         aob_measurement_block(&m, (size_t[]){0}, 1);
     aob_measurement_finish(&m);
-    const char *status = json_string_value(json_object_get(shot->record, "status"));
-    const char *reason = json_string_value(json_object_get(shot->record, "reason"));
+    const char *status = json_string_value(json_object_get(*record, "status"));
+    const char *reason = json_string_value(json_object_get(*record, "reason"));
     return strcmp(status, "ok") == 0 ||
            aob_fail(error, "%s: %s", status, reason ? reason : "no reason given");
 }
 
-enum aob_exit aob_shot(const struct aob_shot_desc *desc, struct aob_error *error)
+static bool make_sweep(const struct options *o, struct aob_sweep *sweep, struct aob_error *error)
 {
-    struct aob_config config;
-    struct aob_technique_list techniques = {0};
-    struct aob_plan plan = {0};
-    struct shot shot = {.plan = &plan};
-    bool ok = make_config(desc, &config, error) &&
-              aob_dispatch_describe(&desc->dispatch, &techniques, error) &&
-              aob_captures_load(&config, &desc->dispatch, error) &&
-              aob_plan_create(&plan, &config, &techniques, error);
-    if (ok && plan.case_count != 1)
-        ok = aob_fail(error, "shot takes one value a parameter");
-    ok = ok && measure(desc, &plan, &shot, error);
-    if (shot.record && desc->json && !aob_json_write(shot.record, desc->json, ok ? error : NULL))
+    if (!o->technique || !o->scene)
+        return aob_fail(error, "shot: --technique and --scene are needed");
+    if (!make_config(o, &sweep->config, error) || !aob_sweep_expand(sweep, &o->common.dispatch, error))
+        return false;
+    return sweep->plan.case_count == 1 || aob_fail(error, "shot takes one value a parameter");
+}
+
+static enum aob_exit shot(void *from, struct aob_error *error)
+{
+    struct options *o = from;
+    struct aob_sweep sweep = {0};
+    json_t *record = NULL;
+    bool ok = make_sweep(o, &sweep, error) && measure(o, &sweep, &record, error);
+    if (record && o->common.json && !aob_json_write(record, o->common.json, ok ? error : NULL))
         ok = false;
-    if (ok && !desc->quiet && !(desc->json && strcmp(desc->json, "-") == 0))
-        print_record(&shot);
-    json_decref(shot.record);
-    aob_plan_finish(&plan);
-    aob_technique_list_finish(&techniques);
-    aob_config_finish(&config);
+    if (ok && aob_common_speaks(&o->common))
+        print_record(&sweep, record);
+    json_decref(record);
+    aob_sweep_finish(&sweep);
+    aob_words_finish(&o->params);
     return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
 }
+
+const struct aob_command aob_command_shot = {
+    .name = "shot",
+    .help = "one frame, timed and scored",
+    .usage = "--technique T --scene S [flags]",
+    .summary = "One frame, timed and scored.",
+    .flags = flags,
+    .modules = true,
+    .size = sizeof(struct options),
+    .run = shot,
+};

@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "config_scene.h"
+#include "config_target.h"
 #include "yaml.h"
 
 void aob_config_init(struct aob_config *config)
@@ -17,6 +18,14 @@ void aob_config_init(struct aob_config *config)
                                   .seconds = 1.5,
                                   .spp = 256,
                                   .thickness = -1};
+}
+
+bool aob_config_fail_at(const struct aob_config *config, int line, int column, struct aob_error *error)
+{
+    if (!config->path)
+        return false;
+    return line ? aob_fail_in(error, "%s:%d:%d", config->path, line, column)
+                : aob_fail_in(error, "%s", config->path);
 }
 
 void aob_axis_add(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name,
@@ -186,8 +195,6 @@ static bool read_reference_entry(struct aob_yaml *yaml, const char *key, yaml_no
 {
     struct aob_config *config = user;
     double spp;
-    if (strcmp(key, "radius") == 0)
-        return aob_yaml_number(yaml, node, 1e-9, INFINITY, &config->reference_radius);
     if (strcmp(key, "thickness") == 0)
         return aob_yaml_number(yaml, node, 0, INFINITY, &config->thickness);
     if (!aob_yaml_number(yaml, node, 2, 65536, &spp))
@@ -195,6 +202,17 @@ static bool read_reference_entry(struct aob_yaml *yaml, const char *key, yaml_no
     config->spp = (int)spp;
     return (spp == config->spp && config->spp % 2 == 0) ||
            aob_yaml_fail(yaml, node, "spp must be an even whole number: it is traced as two halves");
+}
+
+/* `radius` was a key here; whoever has it in a config is told the word that it has now. */
+static bool read_reference(struct aob_yaml *yaml, yaml_node_t *node, struct aob_config *config)
+{
+    static const char *const keys[] = {"spp", "thickness", NULL};
+    const yaml_node_t *radius = aob_yaml_find(yaml, node, "radius");
+    if (radius)
+        return aob_yaml_fail(yaml, radius,
+                             "reference has no radius any more: write target: {radius: R} beside it");
+    return aob_yaml_mapping(yaml, node, keys, read_reference_entry, config);
 }
 
 static bool read_name(struct aob_yaml *yaml, const yaml_node_t *node, struct aob_config *config)
@@ -212,7 +230,6 @@ static bool read_name(struct aob_yaml *yaml, const yaml_node_t *node, struct aob
 static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
 {
     static const char *const measure_keys[] = {"time", "error", "images", "seconds", NULL};
-    static const char *const reference_keys[] = {"spp", "radius", "thickness", NULL};
     struct aob_config *config = user;
     struct axes options = {&config->options, &config->option_count, &config->option_capacity};
     if (strcmp(key, "name") == 0)
@@ -229,7 +246,10 @@ static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_
         return aob_yaml_sequence(yaml, node, read_technique, config);
     if (strcmp(key, "measure") == 0)
         return aob_yaml_mapping(yaml, node, measure_keys, read_measure_entry, config);
-    return aob_yaml_mapping(yaml, node, reference_keys, read_reference_entry, config);
+    if (strcmp(key, "target") == 0)
+        return aob_yaml_sequence(yaml, node, aob_config_read_target, config) &&
+               (config->target_count || aob_yaml_fail(yaml, node, "the list of targets is empty"));
+    return read_reference(yaml, node, config);
 }
 
 static bool judge_config(const struct aob_config *config, struct aob_error *error)
@@ -248,8 +268,8 @@ static bool judge_config(const struct aob_config *config, struct aob_error *erro
 
 bool aob_config_read(struct aob_config *config, const char *path, struct aob_error *error)
 {
-    static const char *const keys[] = {"name",       "scenes",  "resolutions", "backends", "options",
-                                       "techniques", "measure", "reference",   NULL};
+    static const char *const keys[] = {"name",       "scenes",  "resolutions", "backends",  "options",
+                                       "techniques", "measure", "target",      "reference", NULL};
     struct aob_yaml yaml;
     size_t size;
     aob_config_init(config);

@@ -18,8 +18,10 @@
  *         - {param: radius, from: 0.25, to: 2, log2: 1}    # steps of a factor 2^1; or step: 0.25
  *         - {param: slices, values: [1, 3]}
  *   measure: {time: true, error: true, images: true, seconds: 1.5}   # seconds of timing a case, at most
- *   reference: {spp: 256, radius: 1, thickness: inf}   # radius: of the truth, in place of the techniques' own; inf
- *                                    # allowed. thickness: of the screen-space bound's surfaces; default: the radius
+ *   target: {radius: 1, weighting: cosine}   # what every image is compared with: the ray-traced visibility of this radius
+ *                                    # (inf allowed) and weighting (cosine, uniform). One or a list; default: each radius
+ *                                    # of the sweep, cosine
+ *   reference: {spp: 256, thickness: inf}   # thickness: of the screen-space bound's surfaces; default: the radius
  */
 #ifndef AOB_CONFIG_CONFIG_H
 #define AOB_CONFIG_CONFIG_H
@@ -52,11 +54,19 @@ struct aob_scene_choice {
     bool moves;
     struct aob_pose previous;         /* if it moves: a frame earlier */
     struct aob_convention convention; /* of a capture */
-    int width, height;         /* of a capture once it is loaded (captures.h), before the plan is made; */
-    char *gbuffer;             /* likewise its file in the cache, */
-    char digest[AOB_KEY_SIZE]; /* and what it was made of */
+    int width, height;           /* of a capture once it is loaded (captures.h), before the plan is made; */
+    char *gbuffer;               /* likewise its file in the cache, */
+    char geometry[AOB_KEY_SIZE]; /* and what it was made of: the file and what is stated of it; */
+    char digest[AOB_KEY_SIZE];   /* with the version of its reader */
     int line, column;
 };
+enum { AOB_CONFIG_MAX_VIEWS = 20000 };
+struct aob_target { /* one question: which visibility is asked for */
+    double radius;  /* scene units, a float's value; INFINITY allowed */
+    bool uniform;   /* weighting of the directions; false: by the cosine */
+};
+enum { AOB_CONFIG_MAX_TARGETS = 64 }; /* each is a truth traced and a score of every case */
+#define AOB_TARGET_MIN_RADIUS 1e-9
 struct aob_technique_choice {
     struct aob_value name;
     struct aob_axis *axes; /* fixed values are axes of one */
@@ -83,15 +93,24 @@ struct aob_config {
     int spp;          /* rays a pixel of the reference, even */
     double thickness; /* of what the depth shows, in the screen-space bound, scene units: 0 thin, INFINITY;
                          negative: each technique's radius */
-    double reference_radius; /* scene units; 0: 1 metre in the scene's units */
+    struct aob_target *targets; /* none: the plan takes them from the techniques' radii */
+    size_t target_count, target_capacity;
 };
 
 /* A YAML file. On false the line is FILE:LINE:COLUMN: what, and what is allowed; the config is empty. */
 bool aob_config_read(struct aob_config *config, const char *path, struct aob_error *error);
 void aob_config_finish(struct aob_config *config);
 
+/* Put FILE:LINE:COLUMN before the error that is there; FILE alone for line 0, nothing for what is from the command line.
+ * Always false. */
+bool aob_config_fail_at(const struct aob_config *config, int line, int column, struct aob_error *error);
+
 /* The defaults that a file starts from: nothing chosen, time, error and images measured, 1.5 s, 256 spp. */
 void aob_config_init(struct aob_config *config);
+
+/* Put targets of one weighting ("cosine", "uniform") from "R" or "R,R": for the command line. */
+bool aob_config_add_targets(struct aob_config *config, const char *radii, const char *weighting,
+                            struct aob_error *error);
 
 /* Put one axis of one value; for the command line. */
 void aob_axis_add(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name,

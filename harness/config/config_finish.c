@@ -32,6 +32,7 @@ void aob_config_finish(struct aob_config *config)
     free(config->sizes);
     free(config->backends);
     free(config->techniques);
+    free(config->targets);
     free(config->name);
     free(config->path);
     *config = (struct aob_config){0};

@@ -105,6 +105,8 @@ bool aob_config_read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
         reader.choice.fov_deg = 60;
     reader.choice.line = (int)node->start_mark.line + 1;
     reader.choice.column = (int)node->start_mark.column + 1;
+    if (ok && reader.config->scene_count + reader.view_count > AOB_CONFIG_MAX_VIEWS)
+        ok = aob_yaml_fail(yaml, node, "more than %d views of scenes", AOB_CONFIG_MAX_VIEWS);
     for (size_t i = 0; ok && i < reader.view_count; i++)
         push_scene(&reader, reader.views[i]);
     if (ok && !reader.view_count)

@@ -11,6 +11,16 @@ struct aob_yaml {
     const char *path;
     yaml_document_t document;
     struct aob_error *error;
+    size_t
+        visits; /* entries and elements read so far; through aliases they can be far more than the file has */
+};
+/* What no config needs and a hostile one would take minutes or all memory with is refused: besides what passes these
+ * bounds, %TAG lines. */
+enum {
+    AOB_YAML_MAX_DEPTH = 32,       /* lists and mappings within each other */
+    AOB_YAML_MAX_ANCHORS = 256,    /* in a file */
+    AOB_YAML_MAX_VISITS = 1000000, /* values that its aliases stand for */
+    AOB_YAML_MAX_TEXT = 4096       /* bytes of a value */
 };
 bool aob_yaml_load(struct aob_yaml *yaml, const char *path, const char *text, size_t size,
                    struct aob_error *error);
@@ -18,7 +28,9 @@ void aob_yaml_finish(struct aob_yaml *yaml);
 
 bool aob_yaml_fail(const struct aob_yaml *yaml, const yaml_node_t *node, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-yaml_node_t *aob_yaml_node(struct aob_yaml *yaml, int id);
+
+/* The value of a key, or NULL: the key is not there, or the node is no mapping. */
+const yaml_node_t *aob_yaml_find(struct aob_yaml *yaml, const yaml_node_t *node, const char *key);
 
 bool aob_yaml_text(struct aob_yaml *yaml, const yaml_node_t *node, const char **text); /* a scalar */
 bool aob_yaml_bool(struct aob_yaml *yaml, const yaml_node_t *node, bool *value);       /* true or false */

@@ -7,12 +7,28 @@
 
 enum { MAX_BINDS = AOB_MAX_IN + 4 };
 
-static struct aob_gpu_texture *upload(const struct aob_screen *screen, enum aob_format format, void *texels,
-                                      struct aob_error *error)
+static uint32_t use_of(enum aob_gpu_bind_kind kind)
+{
+    return kind == AOB_GPU_STORAGE ? AOB_GPU_USE_STORAGE : AOB_GPU_USE_SAMPLED;
+}
+
+static enum aob_gpu_bind_kind kind_of(enum aob_fetch fetch, enum aob_filter filter, int levels)
+{
+    return aob_prelude_is_storage(fetch, filter, levels) ? AOB_GPU_STORAGE : AOB_GPU_SAMPLED;
+}
+
+static enum aob_gpu_bind_kind input_kind(const struct aob_graph_bind *in, enum aob_fetch fetch)
+{
+    return kind_of(fetch, in->filter, in->level_count);
+}
+
+static struct aob_gpu_texture *upload(const struct aob_screen *screen, uint32_t uses, enum aob_format format,
+                                      void *texels, struct aob_error *error)
 {
     const struct aob_projection *view = &screen->gbuffer->projection;
-    struct aob_gpu_texture *texture =
-        aob_gpu_texture_create(screen->gpu, format, view->width, view->height, texels, error);
+    const struct aob_gpu_texture_desc desc = {
+        .format = format, .width = view->width, .height = view->height, .uses = uses, .texels = texels};
+    struct aob_gpu_texture *texture = aob_gpu_texture_create(screen->gpu, &desc, error);
     free(texels);
     return texture;
 }
@@ -22,14 +38,15 @@ bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struc
 {
     *screen = (struct aob_screen){.gpu = gpu, .gbuffer = gbuffer};
     struct aob_encoding *encoding = &screen->encoding;
+    uint32_t uses = use_of(kind_of((enum aob_fetch)options->fetch, AOB_NEAREST, 1));
     if (!aob_encoding_init(encoding, options, gbuffer, error))
         return false;
-    screen->depth = upload(screen, aob_encoding_depth_format(encoding),
+    screen->depth = upload(screen, uses, aob_encoding_depth_format(encoding),
                            aob_encoding_depth_texels(encoding, gbuffer), error);
     if (aob_encoding_is_shared(encoding))
         screen->normal = screen->depth;
     else if (screen->depth && encoding->normals != AOB_NORMALS_FROM_DEPTH)
-        screen->normal = upload(screen, aob_encoding_normal_format(encoding),
+        screen->normal = upload(screen, uses, aob_encoding_normal_format(encoding),
                                 aob_encoding_normal_texels(encoding, gbuffer), error);
     if (screen->depth && (screen->normal || encoding->normals == AOB_NORMALS_FROM_DEPTH))
         return true;
@@ -57,7 +74,30 @@ static void *table_texels(const struct aob_graph_texture *texture, const void *v
     return texels;
 }
 
-static bool create_textures(struct aob_frame *frame, const void *values, struct aob_error *error)
+/* What live passes do with a texture, so that a device may keep it in the form that suits just that. */
+static uint32_t texture_uses(const struct aob_pass_graph *graph, int texture, enum aob_fetch fetch)
+{
+    uint32_t uses = 0;
+    for (int i = 0; i < graph->pass_count; i++) {
+        const struct aob_graph_pass *pass = &graph->passes[i];
+        if (!pass->live)
+            continue;
+        if (pass->depth == texture)
+            uses |= use_of(kind_of(fetch, AOB_NEAREST, pass->depth_levels));
+        for (int k = 0; k < pass->in_count; k++)
+            if (pass->in[k].texture == texture)
+                uses |= use_of(input_kind(&pass->in[k], fetch));
+        for (int k = 0; k < pass->out_count; k++)
+            if (pass->out[k].texture == texture)
+                uses |= AOB_GPU_USE_TARGET;
+    }
+    for (int i = 0; i < AOB_OUTPUT_COUNT; i++)
+        if (graph->outputs[i] == texture)
+            uses |= AOB_GPU_USE_READ_BACK;
+    return uses;
+}
+
+static bool create_textures(struct aob_frame *frame, struct aob_error *error)
 {
     const struct aob_projection *view = &frame->screen->gbuffer->projection;
     for (int i = 0; i < frame->graph.texture_count; i++) {
@@ -66,12 +106,21 @@ static bool create_textures(struct aob_frame *frame, const void *values, struct 
         if (!texture->used)
             continue;
         aob_graph_texture_size(texture, view->width, view->height, &w, &h);
-        void *texels = table_texels(texture, values);
-        frame->textures[i] = aob_gpu_texture_create(frame->screen->gpu, texture->format, w, h, texels, error);
+        void *texels = table_texels(texture, frame->values);
+        frame->textures[i] = aob_gpu_texture_create(
+            frame->screen->gpu,
+            &(struct aob_gpu_texture_desc){.format = texture->format,
+                                           .width = w,
+                                           .height = h,
+                                           .levels = texture->levels,
+                                           .uses = texture_uses(&frame->graph, i, frame->fetch),
+                                           .texels = texels},
+            error);
         free(texels);
         if (!frame->textures[i])
             return aob_fail_in(error, "texture '%s'", texture->name);
-        frame->memory_bytes += (size_t)w * (size_t)h * aob_gpu_texel_size(texture->format);
+        frame->memory_bytes += aob_graph_texture_texels(texture, view->width, view->height) *
+                               aob_gpu_texel_size(texture->format);
     }
     return true;
 }
@@ -79,35 +128,47 @@ static bool create_textures(struct aob_frame *frame, const void *values, struct 
 static struct aob_gpu_bind make_bind(enum aob_gpu_bind_kind kind, int binding, enum aob_filter filter,
                                      const struct aob_gpu_texture *texture)
 {
-    return (struct aob_gpu_bind){kind, (uint32_t)binding, filter, texture};
+    return (struct aob_gpu_bind){
+        .kind = kind, .binding = (uint32_t)binding, .filter = filter, .texture = texture, .level_count = 1};
 }
 
 static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph_pass *pass,
-                           enum aob_fetch fetch, struct aob_gpu_bind binds[MAX_BINDS])
+                           struct aob_gpu_bind binds[MAX_BINDS])
 {
-    enum aob_gpu_bind_kind kind = fetch == AOB_FETCH_STORAGE ? AOB_GPU_STORAGE : AOB_GPU_SAMPLED;
+    enum aob_gpu_bind_kind kind = kind_of(frame->fetch, AOB_NEAREST, 1);
     size_t count = 0;
     if (pass->reads & AOB_DEPTH || (pass->reads && !frame->screen->normal))
         binds[count++] = make_bind(kind, AOB_BINDING_DEPTH, AOB_NEAREST, frame->screen->depth);
-    if (pass->depth >= 0)
-        binds[count++] = make_bind(kind, AOB_BINDING_OWN_DEPTH, AOB_NEAREST, frame->textures[pass->depth]);
+    if (pass->depth >= 0) {
+        binds[count] = make_bind(kind_of(frame->fetch, AOB_NEAREST, pass->depth_levels),
+                                 AOB_BINDING_OWN_DEPTH, AOB_NEAREST, frame->textures[pass->depth]);
+        binds[count++].level_count = pass->depth_levels;
+    }
     if ((pass->reads & AOB_NORMAL) && frame->screen->normal)
         binds[count++] = make_bind(kind, AOB_BINDING_NORMAL, AOB_NEAREST, frame->screen->normal);
-    for (int i = 0; i < pass->in_count; i++)
-        binds[count++] =
-            make_bind(pass->in[i].filter == AOB_BILINEAR ? AOB_GPU_SAMPLED : kind,
-                      AOB_BINDING_FIRST_INPUT + i, pass->in[i].filter, frame->textures[pass->in[i].texture]);
+    for (int i = 0; i < pass->in_count; i++) {
+        const struct aob_graph_bind *in = &pass->in[i];
+        binds[count] = make_bind(input_kind(in, frame->fetch), AOB_BINDING_FIRST_INPUT + i, in->filter,
+                                 frame->textures[in->texture]);
+        binds[count].first_level = in->level;
+        binds[count++].level_count = in->level_count;
+    }
     if (pass->draw == AOB_TRIANGLES)
         binds[count++] =
             make_bind(AOB_GPU_SAMPLED, AOB_BINDING_TRIANGLES, AOB_NEAREST, frame->screen->geometry->texture);
     return count;
 }
 
-static bool create_program(struct aob_frame *frame, int index, const void *values, enum aob_fetch fetch,
-                           struct aob_error *error)
+static struct aob_prelude_desc prelude_of(const struct aob_frame *frame, int index)
+{
+    return (struct aob_prelude_desc){&frame->graph, &frame->graph.passes[index], frame->values,
+                                     &frame->screen->encoding, frame->fetch};
+}
+
+static bool create_program(struct aob_frame *frame, int index, struct aob_error *error)
 {
     const struct aob_graph_pass *pass = &frame->graph.passes[index];
-    const struct aob_prelude_desc desc = {&frame->graph, pass, values, &frame->screen->encoding, fetch};
+    const struct aob_prelude_desc desc = prelude_of(frame, index);
     struct aob_text fragment = {0}, vertex = {0};
     struct aob_gpu *gpu = frame->screen->gpu;
     aob_prelude_write(&desc, &fragment);
@@ -121,33 +182,32 @@ static bool create_program(struct aob_frame *frame, int index, const void *value
     return frame->programs[index] || aob_fail_in(error, "pass '%s', shader '%s'", pass->name, pass->shader);
 }
 
-static bool create_pass(struct aob_frame *frame, int index, const void *values, enum aob_fetch fetch,
-                        struct aob_error *error)
+static bool create_pass(struct aob_frame *frame, int index, struct aob_error *error)
 {
     const struct aob_graph_pass *pass = &frame->graph.passes[index];
+    const struct aob_prelude_desc prelude = prelude_of(frame, index);
     const struct aob_projection *view = &frame->screen->gbuffer->projection;
     bool triangles = pass->draw == AOB_TRIANGLES;
     struct aob_gpu_bind binds[MAX_BINDS];
-    const struct aob_gpu_texture *targets[AOB_MAX_OUT];
+    struct aob_gpu_target targets[AOB_MAX_OUT];
     unsigned char block[AOB_UNIFORM_MAX];
-    if (!create_program(frame, index, values, fetch, error))
+    if (!create_program(frame, index, error))
         return false;
     for (int o = 0; o < pass->out_count; o++)
-        targets[o] = frame->textures[pass->out[o].texture];
-    frame->passes[index] = aob_gpu_pass_create(
-        frame->screen->gpu,
-        &(struct aob_gpu_pass_desc){
-            .program = frame->programs[index],
-            .binds = binds,
-            .bind_count = gather_binds(frame, pass, fetch, binds),
-            .targets = targets,
-            .target_count = (size_t)pass->out_count,
-            .vertex_count = triangles ? pass->per_triangle * (uint32_t)frame->screen->geometry->count : 0,
-            .blend = triangles ? AOB_GPU_ADD : AOB_GPU_REPLACE,
-            .uniforms = block,
-            .uniform_size =
-                aob_prelude_uniforms(&frame->graph, pass, values, view, &frame->screen->encoding, block)},
-        error);
+        targets[o] = (struct aob_gpu_target){frame->textures[pass->out[o].texture], pass->out[o].level};
+    struct aob_gpu_pass_desc desc = {
+        .program = frame->programs[index],
+        .binds = binds,
+        .bind_count = gather_binds(frame, pass, binds),
+        .targets = targets,
+        .target_count = (size_t)pass->out_count,
+        .vertex_count = triangles ? pass->per_triangle * (uint32_t)frame->screen->geometry->count : 0,
+        .blend = triangles ? AOB_GPU_ADD : AOB_GPU_REPLACE,
+        .uniforms = block,
+        .uniform_size = aob_prelude_uniforms(&prelude, view, 0, block)};
+    aob_graph_divided(view->width, view->height, aob_graph_target_divisor(&frame->graph, pass), &desc.width,
+                      &desc.height);
+    frame->passes[index] = aob_gpu_pass_create(frame->screen->gpu, &desc, error);
     return frame->passes[index] || aob_fail_in(error, "pass '%s'", pass->name);
 }
 
@@ -155,16 +215,18 @@ bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
                     const struct aob_technique *technique, const void *values, enum aob_fetch fetch,
                     struct aob_error *error)
 {
-    *frame = (struct aob_frame){.screen = screen};
-    bool ok = aob_graph_build(&frame->graph, technique, values, 1u << AOB_OUT_VISIBILITY, error);
+    *frame = (struct aob_frame){.screen = screen, .fetch = fetch};
+    memcpy(frame->values, values, technique->values_size);
+    bool ok =
+        aob_graph_build(&frame->graph, technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, error);
     if (!ok)
         return false;
     ok = aob_geometry_serves(screen->geometry, &frame->graph, &screen->gbuffer->projection, error);
     frame->unfit = !ok;
-    ok = ok && create_textures(frame, values, error);
+    ok = ok && create_textures(frame, error);
     for (int i = 0; ok && i < frame->graph.pass_count; i++)
         if (frame->graph.passes[i].live)
-            ok = create_pass(frame, i, values, fetch, error);
+            ok = create_pass(frame, i, error);
     if (!ok) {
         aob_fail_in(error, "%s", technique->name);
         aob_frame_finish(frame);
@@ -186,6 +248,28 @@ void aob_frame_finish(struct aob_frame *frame)
     frame->screen = NULL;
 }
 
+bool aob_frame_set(struct aob_frame *frame, int number, const void *values, struct aob_error *error)
+{
+    const struct aob_technique *technique = frame->graph.technique;
+    const struct aob_projection *view = &frame->screen->gbuffer->projection;
+    unsigned char block[AOB_UNIFORM_MAX];
+    for (uint32_t i = 0; i < technique->param_count; i++) {
+        const struct aob_param *param = &technique->params[i];
+        if (param->stage != AOB_UNIFORM &&
+            memcmp(frame->values + param->offset, (const char *)values + param->offset, 4) != 0)
+            return aob_fail(error, "%s: parameter '%s' is no uniform: another value needs another frame",
+                            technique->name, param->name);
+    }
+    memcpy(frame->values, values, technique->values_size);
+    for (int i = 0; i < frame->graph.pass_count; i++) {
+        const struct aob_prelude_desc prelude = prelude_of(frame, i);
+        size_t size = frame->passes[i] ? aob_prelude_uniforms(&prelude, view, number, block) : 0;
+        if (size && !aob_gpu_pass_set_uniforms(frame->screen->gpu, frame->passes[i], block, size, error))
+            return aob_fail_in(error, "%s: pass '%s'", technique->name, frame->graph.passes[i].name);
+    }
+    return true;
+}
+
 bool aob_frame_run(struct aob_frame *frame, struct aob_gpu_time *times, struct aob_error *error)
 {
     for (int i = 0; i < frame->graph.pass_count; i++) {
@@ -199,7 +283,7 @@ bool aob_frame_run(struct aob_frame *frame, struct aob_gpu_time *times, struct a
     return true;
 }
 
-static float first_component(const unsigned char *texel, enum aob_format format)
+static float component(const unsigned char *texel, enum aob_format format, int c)
 {
     uint16_t half;
     float whole;
@@ -207,33 +291,34 @@ static float first_component(const unsigned char *texel, enum aob_format format)
     case AOB_R8:
     case AOB_RG8:
     case AOB_RGBA8:
-        return (float)*texel / 255.0f;
+        return (float)texel[c] / 255.0f;
     case AOB_R16:
-        memcpy(&half, texel, sizeof half);
+        memcpy(&half, texel + 2 * c, sizeof half);
         return (float)half / 65535.0f;
     case AOB_R16F:
     case AOB_RG16F:
     case AOB_RGBA16F:
-        memcpy(&half, texel, sizeof half);
+        memcpy(&half, texel + 2 * c, sizeof half);
         return aob_half_to_float(half);
     default:
-        memcpy(&whole, texel, sizeof whole);
+        memcpy(&whole, texel + 4 * c, sizeof whole);
         return whole;
     }
 }
 
-bool aob_frame_read(struct aob_frame *frame, enum aob_output which, float *pixels, struct aob_error *error)
+bool aob_frame_read(struct aob_frame *frame, enum aob_output which, int components, float *pixels,
+                    struct aob_error *error)
 {
     const struct aob_gpu_texture *texture = frame->textures[frame->graph.outputs[which]];
-    size_t size = aob_gpu_texel_size(texture->format), w = (size_t)texture->width,
-           h = (size_t)texture->height;
-    size_t guard = (size_t)frame->screen->gbuffer->guard, inner = w - 2 * guard;
-    unsigned char *texels = aob_alloc(w * h, size);
-    bool ok = aob_gpu_texture_read(frame->screen->gpu, texture, texels, error);
+    const struct aob_projection *view = &frame->screen->gbuffer->projection;
+    size_t size = aob_gpu_texel_size(texture->format), stride = (size_t)texture->width;
+    size_t guard = (size_t)frame->screen->gbuffer->guard, w = (size_t)view->width, h = (size_t)view->height;
+    unsigned char *texels = aob_alloc(stride * (size_t)texture->height, size);
+    bool ok = aob_gpu_texture_read(frame->screen->gpu, texture, 0, texels, error);
     for (size_t y = guard; ok && y < h - guard; y++)
         for (size_t x = guard; x < w - guard; x++)
-            pixels[(y - guard) * inner + x - guard] =
-                first_component(texels + (y * w + x) * size, texture->format);
+            for (int c = 0; c < components; c++)
+                *pixels++ = component(texels + (y * stride + x) * size, texture->format, c);
     free(texels);
     return ok;
 }

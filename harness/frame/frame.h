@@ -26,6 +26,8 @@ void aob_screen_finish(struct aob_screen *screen);
 struct aob_frame {
     const struct aob_screen *screen; /* must outlive it */
     struct aob_pass_graph graph;
+    enum aob_fetch fetch;
+    unsigned char values[4 * AOB_MAX_PARAM];           /* the technique's own struct */
     struct aob_gpu_texture *textures[AOB_MAX_TEXTURE]; /* NULL where unused */
     struct aob_gpu_program *programs[AOB_MAX_PASS];
     struct aob_gpu_pass *passes[AOB_MAX_PASS]; /* NULL where pruned */
@@ -39,9 +41,16 @@ bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
                     struct aob_error *error);
 void aob_frame_finish(struct aob_frame *frame);
 
+/* What the next runs see: the frame's number (`aob_frame` in GLSL, 0 after aob_frame_init) and the values of the uniform
+ * parameters. Nothing is built again. Tables keep what they were filled with. False if a parameter that is no uniform
+ * has another value than the frame was built with, or the device fails. */
+bool aob_frame_set(struct aob_frame *frame, int number, const void *values, struct aob_error *error);
+
 /* All live passes in order; times[] has graph.pass_count rows (pruned passes get zeros) or is NULL. */
 bool aob_frame_run(struct aob_frame *frame, struct aob_gpu_time *times, struct aob_error *error);
 
-/* First component of an output, guard band cropped: width x height floats, row 0 at the top. */
-bool aob_frame_read(struct aob_frame *frame, enum aob_output which, float *pixels, struct aob_error *error);
+/* An output that the graph gives (aob_graph_gives), guard band cropped: width x height pixels of `components` floats,
+ * the texel's first ones, row 0 at the top. The texture has at least as many. */
+bool aob_frame_read(struct aob_frame *frame, enum aob_output which, int components, float *pixels,
+                    struct aob_error *error);
 #endif

@@ -40,7 +40,8 @@ void aob_geometry_init(struct aob_geometry *geometry, const struct aob_mesh *mes
         set_triangle(mesh, i, camera, &axes, geometry->texels + i * AOB_GEOMETRY_TEXELS);
 }
 
-size_t aob_geometry_bytes(const struct aob_geometry *geometry)
+/* Of the texture. */
+static size_t bytes_of(const struct aob_geometry *geometry)
 {
     return rows_of(geometry->count) * AOB_GEOMETRY_ROW * AOB_GEOMETRY_TEXELS * sizeof *geometry->texels;
 }
@@ -51,8 +52,12 @@ bool aob_geometry_upload(struct aob_geometry *geometry, struct aob_gpu *gpu, str
     if (rows > MOST_ROWS)
         return true; /* aob_geometry_serves refuses what needs it */
     geometry->gpu = gpu;
-    geometry->texture = aob_gpu_texture_create(gpu, AOB_RGBA32F, AOB_GEOMETRY_ROW * AOB_GEOMETRY_TEXELS,
-                                               (int)rows, geometry->texels, error);
+    const struct aob_gpu_texture_desc desc = {.format = AOB_RGBA32F,
+                                              .width = AOB_GEOMETRY_ROW * AOB_GEOMETRY_TEXELS,
+                                              .height = (int)rows,
+                                              .uses = AOB_GPU_USE_SAMPLED,
+                                              .texels = geometry->texels};
+    geometry->texture = aob_gpu_texture_create(gpu, &desc, error);
     return geometry->texture || aob_fail_in(error, "the scene's triangles");
 }
 
@@ -118,7 +123,7 @@ static bool serves_pass(const struct aob_geometry *geometry, const struct aob_pa
         return aob_fail(error,
                         "pass '%s': the scene's %zu triangles would take %zu MiB and %.3g vertices; at most "
                         "%d triangles and %.3g vertices fit: use a smaller mesh",
-                        pass->name, geometry->count, aob_geometry_bytes(geometry) >> 20,
+                        pass->name, geometry->count, bytes_of(geometry) >> 20,
                         (double)geometry->count * pass->per_triangle, MOST_ROWS * AOB_GEOMETRY_ROW,
                         (double)INT32_MAX);
     double fragments =

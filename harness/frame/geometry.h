@@ -23,8 +23,6 @@ void aob_geometry_init(struct aob_geometry *geometry, const struct aob_mesh *mes
 bool aob_geometry_upload(struct aob_geometry *geometry, struct aob_gpu *gpu, struct aob_error *error);
 void aob_geometry_finish(struct aob_geometry *geometry);
 
-size_t aob_geometry_bytes(const struct aob_geometry *geometry); /* of the texture */
-
 /* About how many fragments a frame of the pass has: the pixels of its outputs within the triangles' boxes along the view's
  * axes, each made larger by the pass's reach. A technique may draw less, or more if its shapes reach out of these.
  * `projection` is the G-buffer's, `divisor` the outputs'. */

@@ -1,117 +1,9 @@
 #include "prelude.h"
 #include <ctype.h>
 #include <string.h>
+#include "frame/texts.h"
 #include "geometry.h"
 #include "gpu/gpu.h"
-
-/* What does not depend on pass or parameters. `aob_texel_*` are written per pass, after this. */
-static const char gbuffer_text[] =
-    "#define aob_size ((param.aob_sizes.xy + (AOB_DEPTH_DIVISOR - 1)) / AOB_DEPTH_DIVISOR)\n"
-    "#define aob_target_size (param.aob_sizes.zw)\n"
-    "#define aob_frame (param.aob_misc.x)\n"
-    "#define aob_pixel (ivec2(gl_FragCoord.xy))\n"
-    "const float AOB_PI = 3.14159265358979;\n"
-    "const float AOB_SKY_Z = 1e9;\n"
-    "vec3 aob_position_at(vec2 q, float z) {\n"
-    "    float s = AOB_PERSPECTIVE == 1 ? z : 1.0;\n"
-    "    vec2 xy = (q - param.aob_lens.zw) * param.aob_lens.xy * s;\n"
-    "    return vec3(xy.x, -xy.y, -z);\n"
-    "}\n"
-    "vec2 aob_project(vec3 v) {\n"
-    "    float s = AOB_PERSPECTIVE == 1 ? -v.z : 1.0;\n"
-    "    return vec2(v.x, -v.y) / (param.aob_lens.xy * s) + param.aob_lens.zw;\n"
-    "}\n"
-    "vec3 aob_view_vector(vec3 v) { return AOB_PERSPECTIVE == 1 ? normalize(-v) : vec3(0.0, 0.0, 1.0); }\n"
-    "float aob_pixel_radius(float z, float r) { return r / (param.aob_lens.y * (AOB_PERSPECTIVE == 1 ? z : "
-    "1.0)); }\n"
-    "float aob_random(ivec2 p, int i) {\n"
-    "    uvec3 v = uvec3(uint(p.x), uint(p.y), uint(i) + uint(AOB_SEED) * 2654435769u) * 1664525u + "
-    "1013904223u;\n"
-    "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;\n"
-    "    v ^= v >> 16;\n"
-    "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;\n"
-    "    return float(v.x >> 8) * (1.0 / 16777216.0);\n"
-    "}\n";
-
-/* Pixel f of the whole G-buffer lies at (f / divisor) + 1/2 among the pixels of a divided depth: the projection in
- * param.aob_lens is scaled so (aob_prelude_uniforms). */
-static const char depth_text[] =
-    "float aob_gbuffer_z(ivec2 f) { return aob_decode_depth(aob_texel_depth(f)); }\n"
-    "float aob_view_z(ivec2 p) {\n"
-    "    ivec2 q = clamp(p, ivec2(0), aob_size - 1);\n"
-    "    float z = aob_own_z(q);\n"
-    "    return AOB_BORDER_FAR == 0 || q == p ? z : AOB_SKY_Z;\n"
-    "}\n"
-    "bool aob_is_sky(ivec2 p) { return aob_view_z(p) >= 0.5 * AOB_SKY_Z; }\n"
-    "vec3 aob_position(ivec2 p) { return aob_position_at(vec2(p) + 0.5, aob_view_z(p)); }\n"
-    "vec2 aob_image(ivec2 p) {\n"
-    "    return AOB_TARGET_DIVISOR == AOB_DEPTH_DIVISOR ? vec2(p) + 0.5\n"
-    "        : vec2(p * AOB_TARGET_DIVISOR) / float(AOB_DEPTH_DIVISOR) + 0.5;\n"
-    "}\n"
-    "float aob_surface_z(ivec2 p) {\n"
-    "#if AOB_TARGET_DIVISOR == AOB_DEPTH_DIVISOR\n"
-    "    return aob_view_z(p);\n"
-    "#else\n"
-    "    ivec2 q = clamp(p, ivec2(0), aob_target_size - 1);\n"
-    "    float z = aob_gbuffer_z(q * AOB_TARGET_DIVISOR);\n"
-    "    return AOB_BORDER_FAR == 0 || q == p ? z : AOB_SKY_Z;\n"
-    "#endif\n"
-    "}\n"
-    "bool aob_surface_is_sky(ivec2 p) { return aob_surface_z(p) >= 0.5 * AOB_SKY_Z; }\n"
-    "vec3 aob_surface(ivec2 p) { return aob_position_at(aob_image(p), aob_surface_z(p)); }\n";
-
-static const char normal_texture_text[] =
-    "vec3 aob_gbuffer_normal(ivec2 f) {\n"
-    "    return aob_decode_normal(aob_texel_normal(clamp(f, ivec2(0), param.aob_sizes.xy - 1)));\n"
-    "}\n";
-
-/* Of the two neighbours along each axis the one nearer in depth lies on the same surface. */
-static const char normal_from_depth_text[] =
-    "vec3 aob_gbuffer_position(ivec2 f) {\n"
-    "    return aob_position_at(vec2(f) / float(AOB_DEPTH_DIVISOR) + 0.5, aob_gbuffer_z(f));\n"
-    "}\n"
-    "vec3 aob_depth_step(ivec2 f, vec3 c, ivec2 axis) {\n"
-    "    ivec2 last = param.aob_sizes.xy - 1;\n"
-    "    ivec2 before = max(f - axis, ivec2(0)), after = min(f + axis, last);\n"
-    "    vec3 a = aob_gbuffer_position(before), b = aob_gbuffer_position(after);\n"
-    "    bool forward = before == f || (after != f && abs(b.z - c.z) < abs(c.z - a.z));\n"
-    "    return forward ? b - c : c - a;\n"
-    "}\n"
-    "vec3 aob_gbuffer_normal(ivec2 p) {\n"
-    "    ivec2 f = clamp(p, ivec2(0), param.aob_sizes.xy - 1);\n"
-    "    vec3 c = aob_gbuffer_position(f);\n"
-    "    vec3 n = cross(aob_depth_step(f, c, ivec2(0, 1)), aob_depth_step(f, c, ivec2(1, 0)));\n"
-    "    return n * inversesqrt(max(dot(n, n), 1e-30));\n"
-    "}\n";
-
-static const char normal_text[] =
-    "vec3 aob_normal(ivec2 p) { return aob_gbuffer_normal(p * AOB_DEPTH_DIVISOR); }\n"
-    "vec3 aob_surface_normal(ivec2 p) { return aob_gbuffer_normal(p * AOB_TARGET_DIVISOR); }\n";
-
-static const char vertex_triangle_text[] =
-    "vec4 aob_triangle_texel(int triangle, int k) {\n"
-    "    return texelFetch(aob_triangles, ivec2(triangle % AOB_ROW * 3 + k, triangle / AOB_ROW), 0);\n"
-    "}\n"
-    "vec3 aob_corner(int triangle, int k) { return aob_triangle_texel(triangle, k).xyz; }\n"
-    "vec3 aob_front(int triangle) {\n"
-    "    return vec3(aob_triangle_texel(triangle, 0).w, aob_triangle_texel(triangle, 1).w,\n"
-    "                aob_triangle_texel(triangle, 2).w);\n"
-    "}\n";
-
-/* Handed on by the vertices: a fragment that fetched them would pay more for that than for all else. */
-static const char fragment_triangle_text[] =
-    "vec3 aob_corner(int k) {\n"
-    "    return k == 0 ? aob_corner_0.xyz : k == 1 ? aob_corner_1.xyz : aob_corner_2.xyz;\n"
-    "}\n"
-    "vec3 aob_front() { return vec3(aob_corner_0.w, aob_corner_1.w, aob_corner_2.w); }\n";
-
-/* Image positions are in the depth's pixels, the rasteriser's in the outputs'; both have pixel 0 of the whole
- * G-buffer in the middle of their first one. */
-static const char clip_text[] =
-    "vec4 aob_clip(vec2 q) {\n"
-    "    vec2 t = (q - 0.5) * (float(AOB_DEPTH_DIVISOR) / float(AOB_TARGET_DIVISOR)) + 0.5;\n"
-    "    return vec4(2.0 * t / vec2(aob_target_size) - 1.0, 0.5, 1.0);\n"
-    "}\n";
 
 static const char *type_name(enum aob_format format)
 {
@@ -123,6 +15,12 @@ static const char *swizzle(enum aob_format format)
 {
     static const char *const names[] = {"", "x", "xy", "", "xyzw"};
     return names[aob_gpu_texel_components(format)];
+}
+
+static void add_upper(const char *name, struct aob_text *text)
+{
+    for (const char *c = name; *c; c++)
+        aob_text_add(text, "%c", toupper((unsigned char)*c));
 }
 
 static void add_constants(const struct aob_prelude_desc *desc, struct aob_text *text)
@@ -138,8 +36,7 @@ static void add_constants(const struct aob_prelude_desc *desc, struct aob_text *
         if (param->stage != AOB_CONSTANT)
             continue;
         aob_text_add(text, "#define ");
-        for (const char *c = param->name; *c; c++)
-            aob_text_add(text, "%c", toupper((unsigned char)*c));
+        add_upper(param->name, text);
         int32_t whole;
         float number;
         memcpy(&whole, (const char *)desc->values + param->offset, 4);
@@ -151,20 +48,27 @@ static void add_constants(const struct aob_prelude_desc *desc, struct aob_text *
     }
     aob_text_add(text, "#define AOB_SEED %s\n#define AOB_PERSPECTIVE %d\n#define AOB_BORDER_FAR %d\n", seed,
                  desc->encoding->perspective, desc->pass->border == AOB_FAR);
-    aob_text_add(text, "#define AOB_DEPTH_DIVISOR %d\n#define AOB_TARGET_DIVISOR %d\n",
+    aob_text_add(text, "#define AOB_DEPTH_DIVISOR %d\n#define AOB_DIVISOR %d\n",
                  aob_graph_depth_divisor(desc->graph, desc->pass),
                  aob_graph_target_divisor(desc->graph, desc->pass));
 }
 
-static void add_defines(const char *defines, struct aob_text *text)
+/* The pass's own defines, and what a text may ask about each input. */
+static void add_defines(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
-    for (const char *c = defines; *c;) {
-        size_t size = strcspn(c, " ");
-        size_t name = strcspn(c, "= ");
-        if (size)
-            aob_text_add(text, "#define %.*s %.*s\n", (int)name, c, (int)(size > name ? size - name - 1 : 0),
-                         c + name + (size > name));
-        c += size + (c[size] == ' ');
+    const struct aob_graph_pass *pass = desc->pass;
+    for (int i = 0; i < pass->define_count; i++)
+        aob_text_add(text, "#define %s (%d)\n", pass->defines[i].name, pass->defines[i].value);
+    for (int i = 0; i < pass->in_count; i++) {
+        const struct aob_graph_texture *texture = &desc->graph->textures[pass->in[i].texture];
+        aob_text_add(text, "#define AOB_TYPE_");
+        add_upper(pass->in[i].name, text);
+        aob_text_add(text, " %s\n", type_name(texture->format));
+        if (texture->fill)
+            continue;
+        aob_text_add(text, "#define AOB_DIVISOR_");
+        add_upper(pass->in[i].name, text);
+        aob_text_add(text, " %d\n", aob_graph_bind_divisor(desc->graph, &pass->in[i]));
     }
 }
 
@@ -180,71 +84,139 @@ static void add_uniforms(const struct aob_technique *technique, struct aob_text 
     aob_text_add(text, "} param;\n");
 }
 
-/* Declares image `name` and T aob_texel_<name>(ivec2), for coordinates that are inside it. */
-static void add_image(const char *name, enum aob_format format, int binding, bool storage,
+/* Declares image `name` and T aob_texel_<name>(ivec2), for coordinates that are inside it; of a sampled one of several
+ * levels also T aob_texel_<name>(ivec2, int), for a level that it shows. */
+static void add_image(const char *name, enum aob_format format, int binding, bool storage, int levels,
                       struct aob_text *text)
 {
+    const char *type = type_name(format), *part = swizzle(format);
     if (storage)
         aob_text_add(text,
                      "layout(%s, BIND(%d)) uniform readonly image2D aob_image_%s;\n"
                      "%s aob_texel_%s(ivec2 p) { return imageLoad(aob_image_%s, p).%s; }\n",
-                     aob_gpu_format_layout(format), binding, name, type_name(format), name, name,
-                     swizzle(format));
+                     aob_gpu_format_layout(format), binding, name, type, name, name, part);
     else
         aob_text_add(text,
                      "layout(BIND(%d)) uniform sampler2D aob_image_%s;\n"
                      "%s aob_texel_%s(ivec2 p) { return texelFetch(aob_image_%s, p, 0).%s; }\n",
-                     binding, name, type_name(format), name, name, swizzle(format));
+                     binding, name, type, name, name, part);
+    if (levels > 1)
+        aob_text_add(text, "%s aob_texel_%s(ivec2 p, int l) { return texelFetch(aob_image_%s, p, l).%s; }\n",
+                     type, name, name, part);
+}
+
+/* The last texel of a table, or of what the view fills of a target, whose texture may be larger. */
+static void add_edge(const struct aob_graph_texture *texture, int divisor, struct aob_text *text)
+{
+    if (texture->fill)
+        aob_text_add(text, "ivec2(%d, %d)", texture->width - 1, texture->height - 1);
+    else
+        aob_text_add(text, "aob_divided(%d) - 1", divisor);
+}
+
+static void add_one_level(const struct aob_graph_bind *bind, const struct aob_graph_texture *texture,
+                          struct aob_text *text)
+{
+    const char *type = type_name(texture->format), *name = bind->name;
+    aob_text_add(text, "%s aob_fetch_%s(ivec2 p) {\n    return aob_texel_%s(clamp(p, ivec2(0), ", type, name,
+                 name);
+    add_edge(texture, texture->divisor << bind->level, text);
+    aob_text_add(text, "));\n}\n%s aob_fetch_%s(ivec2 p, int level) { return aob_fetch_%s(p); }\n", type,
+                 name, name);
+}
+
+static void add_levels(const struct aob_graph_bind *bind, const struct aob_graph_texture *texture,
+                       struct aob_text *text)
+{
+    const char *type = type_name(texture->format), *name = bind->name;
+    aob_text_add(text,
+                 "%s aob_fetch_%s(ivec2 p, int level) {\n"
+                 "    int l = clamp(level, 0, %d);\n"
+                 "    ivec2 edge = aob_divided(%d << l) - 1;\n"
+                 "    return aob_texel_%s(clamp(p, ivec2(0), edge), l);\n}\n"
+                 "%s aob_fetch_%s(ivec2 p) { return aob_fetch_%s(p, 0); }\n",
+                 type, name, bind->level_count - 1, texture->divisor << bind->level, name, type, name, name);
+}
+
+/* A target may be larger than what the view fills of it; its edge is not the sampler's then. */
+static void add_sample(const struct aob_graph_bind *bind, const struct aob_graph_texture *texture,
+                       struct aob_text *text)
+{
+    const char *type = type_name(texture->format), *name = bind->name, *part = swizzle(texture->format);
+    if (texture->align > 0)
+        aob_text_add(
+            text,
+            "%s aob_sample_%s(vec2 uv, int level) {\n"
+            "    int l = clamp(level, 0, %d);\n"
+            "    vec2 size = vec2(aob_divided(%d << l)), whole = vec2(textureSize(aob_image_%s, l));\n"
+            "    return textureLod(aob_image_%s, clamp(uv * size, vec2(0.5), size - 0.5) / whole,"
+            " float(l)).%s;\n}\n"
+            "%s aob_sample_%s(vec2 uv) { return aob_sample_%s(uv, 0); }\n",
+            type, name, bind->level_count - 1, texture->divisor << bind->level, name, name, part, type, name,
+            name);
+    else
+        aob_text_add(text,
+                     "%s aob_sample_%s(vec2 uv) { return textureLod(aob_image_%s, uv, 0.0).%s; }\n"
+                     "%s aob_sample_%s(vec2 uv, int level) { return aob_sample_%s(uv); }\n",
+                     type, name, name, part, type, name, name);
+}
+
+bool aob_prelude_is_storage(enum aob_fetch fetch, enum aob_filter filter, int levels)
+{
+    return fetch == AOB_FETCH_STORAGE && filter == AOB_NEAREST && levels == 1;
 }
 
 static void add_input(const struct aob_prelude_desc *desc, int index, struct aob_text *text)
 {
     const struct aob_graph_bind *bind = &desc->pass->in[index];
     const struct aob_graph_texture *texture = &desc->graph->textures[bind->texture];
-    bool storage = desc->fetch == AOB_FETCH_STORAGE && bind->filter == AOB_NEAREST;
-    const char *type = type_name(texture->format);
-    add_image(bind->name, texture->format, AOB_BINDING_FIRST_INPUT + index, storage, text);
-    if (texture->fill)
-        aob_text_add(text,
-                     "%s aob_fetch_%s(ivec2 p) { return aob_texel_%s(clamp(p, ivec2(0), ivec2(%d, %d))); }\n",
-                     type, bind->name, bind->name, texture->width - 1, texture->height - 1);
+    add_image(bind->name, texture->format, AOB_BINDING_FIRST_INPUT + index,
+              aob_prelude_is_storage(desc->fetch, bind->filter, bind->level_count), bind->level_count, text);
+    if (bind->level_count > 1)
+        add_levels(bind, texture, text);
     else
-        aob_text_add(text,
-                     "%s aob_fetch_%s(ivec2 p) {\n"
-                     "    ivec2 edge = (param.aob_sizes.xy + %d) / %d - 1;\n"
-                     "    return aob_texel_%s(clamp(p, ivec2(0), edge));\n}\n",
-                     type, bind->name, texture->divisor - 1, texture->divisor, bind->name);
+        add_one_level(bind, texture, text);
     if (bind->filter == AOB_BILINEAR)
-        aob_text_add(text, "%s aob_sample_%s(vec2 uv) { return textureLod(aob_image_%s, uv, 0.0).%s; }\n",
-                     type, bind->name, bind->name, swizzle(texture->format));
+        add_sample(bind, texture, text);
+}
+
+static void add_own_depth(const struct aob_prelude_desc *desc, struct aob_text *text)
+{
+    int levels = desc->pass->depth_levels;
+    enum aob_format format = desc->graph->textures[desc->pass->depth].format;
+    /* A half float's greatest value is what a device may make of AOB_SKY_Z. */
+    const char *sky = format == AOB_R16F ? "z >= 65504.0 ? AOB_SKY_Z : z" : "z";
+    add_image("own_depth", format, AOB_BINDING_OWN_DEPTH,
+              aob_prelude_is_storage(desc->fetch, AOB_NEAREST, levels), levels, text);
+    aob_text_add(
+        text, "float aob_own_z(ivec2 q) {\n    float z = aob_texel_own_depth(q);\n    return %s;\n}\n", sky);
+    if (levels > 1)
+        aob_text_add(text,
+                     "float aob_own_z(ivec2 q, int l) {\n    float z = aob_texel_own_depth(q, l);\n"
+                     "    return %s;\n}\n",
+                     sky);
 }
 
 static void add_depth(const struct aob_prelude_desc *desc, bool storage, struct aob_text *text)
 {
-    const struct aob_graph_pass *pass = desc->pass;
-    add_image("depth", aob_encoding_depth_format(desc->encoding), AOB_BINDING_DEPTH, storage, text);
+    add_image("depth", aob_encoding_depth_format(desc->encoding), AOB_BINDING_DEPTH, storage, 1, text);
     aob_encoding_write_depth(desc->encoding, text);
-    if (pass->depth >= 0) {
-        enum aob_format format = desc->graph->textures[pass->depth].format;
-        add_image("own_depth", format, AOB_BINDING_OWN_DEPTH, storage, text);
-        /* A half float's greatest value is what a device may make of AOB_SKY_Z. */
-        aob_text_add(text,
-                     "float aob_own_z(ivec2 q) {\n    float z = aob_texel_own_depth(q);\n"
-                     "    return %s;\n}\n",
-                     format == AOB_R16F ? "z >= 65504.0 ? AOB_SKY_Z : z" : "z");
-    } else
+    if (desc->pass->depth >= 0)
+        add_own_depth(desc, text);
+    else
         aob_text_add(text, "float aob_own_z(ivec2 q) { return aob_decode_depth(aob_texel_depth(q)); }\n");
-    aob_text_add(text, "%s", depth_text);
+    aob_text_add(text, "#define AOB_DEPTH_LEVELS %d\n%s", desc->pass->depth_levels, aob_text_frame_depth);
 }
 
 static void add_normal(const struct aob_prelude_desc *desc, bool storage, struct aob_text *text)
 {
     bool derived = desc->encoding->normals == AOB_NORMALS_FROM_DEPTH;
     if (!derived) {
-        add_image("normal", aob_encoding_normal_format(desc->encoding), AOB_BINDING_NORMAL, storage, text);
+        add_image("normal", aob_encoding_normal_format(desc->encoding), AOB_BINDING_NORMAL, storage, 1, text);
         aob_encoding_write_normal(desc->encoding, text);
     }
-    aob_text_add(text, "%s%s", derived ? normal_from_depth_text : normal_texture_text, normal_text);
+    aob_text_add(text, "%s%s", derived ? aob_text_frame_normal_from_depth : aob_text_frame_normal_texture,
+                 aob_text_frame_normal);
 }
 
 static void add_corners(const char *direction, struct aob_text *text)
@@ -264,9 +236,9 @@ static void add_shader(const struct aob_technique *technique, const char *name, 
 static void add_head(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
     add_constants(desc, text);
-    add_defines(desc->pass->defines, text);
+    add_defines(desc, text);
     add_uniforms(desc->graph->technique, text);
-    aob_text_add(text, "%s", gbuffer_text);
+    aob_text_add(text, "%s", aob_text_frame_prelude);
 }
 
 void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_text *text)
@@ -275,8 +247,8 @@ void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_te
     for (int i = 0; i < desc->pass->in_count; i++)
         add_input(desc, i, text);
     add_corners("out", text);
-    aob_text_add(text, "#define AOB_ROW %d\nlayout(BIND(%d)) uniform sampler2D aob_triangles;\n%s%s",
-                 AOB_GEOMETRY_ROW, AOB_BINDING_TRIANGLES, vertex_triangle_text, clip_text);
+    aob_text_add(text, "#define AOB_ROW %d\nlayout(BIND(%d)) uniform sampler2D aob_triangles;\n%s",
+                 AOB_GEOMETRY_ROW, AOB_BINDING_TRIANGLES, aob_text_frame_triangle_vertex);
     add_shader(desc->graph->technique, desc->pass->vertex, text);
     aob_text_add(text,
                  "\n#line 1 1\nvoid main() {\n"
@@ -305,31 +277,31 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
                      type_name(desc->graph->textures[pass->out[o].texture].format), pass->out[o].name);
     if (pass->draw == AOB_TRIANGLES) {
         add_corners("in", text);
-        aob_text_add(text, "%s", fragment_triangle_text);
+        aob_text_add(text, "%s", aob_text_frame_triangle_fragment);
     }
     add_shader(desc->graph->technique, pass->shader, text);
 }
 
-size_t aob_prelude_uniforms(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass,
-                            const void *values, const struct aob_projection *projection,
-                            const struct aob_encoding *encoding, unsigned char block[AOB_UNIFORM_MAX])
+size_t aob_prelude_uniforms(const struct aob_prelude_desc *desc, const struct aob_projection *projection,
+                            int frame, unsigned char block[AOB_UNIFORM_MAX])
 {
-    int width, height;
-    double g = aob_graph_depth_divisor(graph, pass);
-    aob_graph_texture_size(&graph->textures[pass->out[0].texture], projection->width, projection->height,
-                           &width, &height);
+    const struct aob_technique *technique = desc->graph->technique;
+    double g = aob_graph_depth_divisor(desc->graph, desc->pass);
     float lens[4] = {(float)(projection->sx * g), (float)(projection->sy * g),
                      (float)((projection->cx - 0.5) / g + 0.5), (float)((projection->cy - 0.5) / g + 0.5)};
-    int32_t sizes[8] = {projection->width, projection->height, width, height};
-    float range[4] = {encoding->near, encoding->far};
+    int32_t sizes[4] = {projection->width, projection->height}, misc[4] = {frame};
+    float range[4] = {desc->encoding->near, desc->encoding->far};
+    aob_graph_divided(projection->width, projection->height,
+                      aob_graph_target_divisor(desc->graph, desc->pass), &sizes[2], &sizes[3]);
     memset(block, 0, AOB_UNIFORM_MAX);
     memcpy(block, lens, sizeof lens);
     memcpy(block + 16, sizes, sizeof sizes);
+    memcpy(block + 32, misc, sizeof misc);
     memcpy(block + 48, range, sizeof range);
     size_t used = AOB_UNIFORM_HEAD;
-    for (uint32_t i = 0; i < graph->technique->param_count; i++)
-        if (graph->technique->params[i].stage == AOB_UNIFORM) {
-            memcpy(block + used, (const char *)values + graph->technique->params[i].offset, 4);
+    for (uint32_t i = 0; i < technique->param_count; i++)
+        if (technique->params[i].stage == AOB_UNIFORM) {
+            memcpy(block + used, (const char *)desc->values + technique->params[i].offset, 4);
             used += 4;
         }
     return (used + 15) / 16 * 16;

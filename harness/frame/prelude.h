@@ -10,17 +10,35 @@
 #include "technique/graph.h"
 #include "technique/option.h"
 
-/* Bindings: 0 the uniform block, these for the G-buffer and the pass's own depth, then its inputs in order. */
-enum { AOB_BINDING_DEPTH = 1, AOB_BINDING_NORMAL, AOB_BINDING_OWN_DEPTH, AOB_BINDING_FIRST_INPUT };
-enum { AOB_BINDING_TRIANGLES = AOB_BINDING_FIRST_INPUT + AOB_MAX_IN }; /* always sampled */
+/* The bindings of a pass. What may be read as a storage image comes first: on OpenGL a binding is an image unit, of
+ * which drivers have 16 or 32 (the standard asks for 8, which holds depths, normal and four inputs). Reserved numbers
+ * belong to what technique.h reserves; a texture of the last frame will be an input like others. */
+enum aob_binding {
+    AOB_BINDING_UNIFORMS,
+    AOB_BINDING_DEPTH,
+    AOB_BINDING_NORMAL,
+    AOB_BINDING_OWN_DEPTH,
+    AOB_BINDING_FIRST_INPUT,
+    AOB_BINDING_VELOCITY = AOB_BINDING_FIRST_INPUT + AOB_MAX_IN, /* reserved */
+    AOB_BINDING_ALBEDO,                                          /* reserved */
+    AOB_BINDING_MATERIAL,                                        /* reserved: roughness and metalness */
+    AOB_BINDING_IMAGE_COUNT,                                     /* from here on never an image */
+    AOB_BINDING_TRIANGLES = AOB_BINDING_IMAGE_COUNT,
+    AOB_BINDING_LIGHT, /* reserved: a block */
+    AOB_BINDING_TRACE, /* reserved: the storage buffer that a trace of reads goes to */
+    AOB_BINDING_COUNT,
+};
 
 struct aob_prelude_desc {
     const struct aob_pass_graph *graph;
     const struct aob_graph_pass *pass;
     const void *values;                  /* the technique's own struct */
     const struct aob_encoding *encoding; /* of the screen */
-    enum aob_fetch fetch;                /* of every nearest read; bilinear inputs are always sampled */
+    enum aob_fetch fetch;                /* of the reads that aob_prelude_is_storage is for */
 };
+
+/* Whether a texture is read as a storage image: not if it is bilinear or shows several levels. */
+bool aob_prelude_is_storage(enum aob_fetch fetch, enum aob_filter filter, int levels);
 
 /* The whole program text for aob_gpu_program_create; the shader's own lines are numbered from 1. */
 void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *text);
@@ -31,7 +49,6 @@ void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_te
 /* The std140 block: projection (of the pixels of the depth that the pass reads), sizes, frame, range of the depth
  * encoding, then the uniform parameters in table order. */
 enum { AOB_UNIFORM_HEAD = 64, AOB_UNIFORM_MAX = AOB_UNIFORM_HEAD + 4 * AOB_MAX_PARAM };
-size_t aob_prelude_uniforms(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass,
-                            const void *values, const struct aob_projection *projection,
-                            const struct aob_encoding *encoding, unsigned char block[AOB_UNIFORM_MAX]);
+size_t aob_prelude_uniforms(const struct aob_prelude_desc *desc, const struct aob_projection *projection,
+                            int frame, unsigned char block[AOB_UNIFORM_MAX]);
 #endif

@@ -3,53 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
+#include "frame/texts.h"
 
 /* A triangle's texels, in this order; ROW triangles a row of the texture. */
 enum { CORNER, PLANE = 3, SHADING, TEXELS = SHADING + 3, ROW = 2048 };
-
-static const char vertex_text[] =
-    "layout(std140, BIND(0)) uniform View { vec4 scale; vec4 centre; vec4 ray; vec4 range; };\n"
-    "layout(BIND(1)) uniform sampler2D triangles;\n"
-    "layout(location = 0) flat out int triangle;\n"
-    "layout(location = 1) out vec3 shading;\n"
-    "vec4 texel(int i) { return texelFetch(triangles, ivec2(triangle % 2048 * 7 + i, triangle / 2048), 0); "
-    "}\n"
-    "void main() {\n"
-    "    triangle = VERTEX_ID / 3;\n"
-    "    vec3 p = texel(VERTEX_ID % 3).xyz;\n"
-    "    shading = texel(4 + VERTEX_ID % 3).xyz;\n"
-    "    bool perspective = range.z > 0.0;\n"
-    "    float w = perspective ? -p.z : 1.0;\n"
-    "    float z = perspective ? range.x : 1.0 + p.z * range.x;\n"
-    "    gl_Position = vec4(p.xy * scale.xy + centre.xy * w, z, w); }\n";
-
-/* The plane n.p = d, met by the ray from o along r, at the depth (d - n.o) / n.r; within the triangle's own depths,
- * because a pixel that is covered by a hair may lie beside a triangle seen from its edge. */
-static const char fragment_text[] =
-    "layout(std140, BIND(0)) uniform View { vec4 scale; vec4 centre; vec4 ray; vec4 range; };\n"
-    "layout(BIND(1)) uniform sampler2D triangles;\n"
-    "layout(location = 0) flat in int triangle;\n"
-    "layout(location = 1) in vec3 shading;\n"
-    "layout(location = 0) out vec4 surface;\n"
-    "layout(location = 1) out vec4 shaded;\n"
-    "vec4 texel(int i) { return texelFetch(triangles, ivec2(triangle % 2048 * 7 + i, triangle / 2048), 0); "
-    "}\n"
-    "void main() {\n"
-    "    bool perspective = range.z > 0.0;\n"
-    "    vec2 across = (gl_FragCoord.xy - ray.xy) * ray.zw;\n"
-    "    vec3 o = perspective ? vec3(0.0) : vec3(across, 0.0);\n"
-    "    vec3 r = perspective ? vec3(across, -1.0) : vec3(0.0, 0.0, -1.0);\n"
-    "    vec4 plane = texel(3);\n"
-    "    vec3 n = plane.xyz;\n"
-    "    float along = dot(n, r), low = texel(0).w, high = texel(1).w;\n"
-    "    float depth = along != 0.0 ? (plane.w - dot(n, o)) / along : low;\n"
-    "    depth = min(max(depth, low), high);\n"
-    "    n = along > 0.0 ? -n : n;\n"
-    "    float size = dot(shading, shading);\n"
-    "    vec3 s = size > 0.0 ? shading * inversesqrt(size) : n;\n"
-    "    surface = vec4(n, depth);\n"
-    "    shaded = vec4(dot(s, n) < 0.0 ? -s : s, float(triangle + 1));\n"
-    "    gl_FragDepth = perspective ? range.x / max(depth, range.x) : 1.0 - depth * range.x; }\n";
 
 struct view_block {  /* std140 */
     float scale[4];  /* x, y of clip space a unit of view space (over w) */
@@ -108,8 +65,12 @@ static bool upload(struct raster *raster, struct aob_error *error)
     float(*texels)[4] = aob_alloc(rows * ROW * TEXELS, sizeof *texels);
     for (size_t i = 0; i < count; i++)
         set_triangle(raster, i, texels + i * TEXELS);
-    raster->triangles =
-        aob_gpu_texture_create(raster->gpu, AOB_RGBA32F, ROW * TEXELS, (int)rows, texels, error);
+    const struct aob_gpu_texture_desc desc = {.format = AOB_RGBA32F,
+                                              .width = ROW * TEXELS,
+                                              .height = (int)rows,
+                                              .uses = AOB_GPU_USE_SAMPLED,
+                                              .texels = texels};
+    raster->triangles = aob_gpu_texture_create(raster->gpu, &desc, error);
     free(texels);
     return raster->triangles;
 }
@@ -130,15 +91,17 @@ static bool draw(struct raster *raster, const struct aob_projection *view, struc
 {
     struct view_block block = describe_view(raster, view);
     const struct aob_gpu_bind bind = {.binding = 1, .texture = raster->triangles};
-    raster->surface =
-        aob_gpu_texture_create(raster->gpu, AOB_RGBA32F, view->width, view->height, NULL, error);
-    raster->shaded = raster->surface ? aob_gpu_texture_create(raster->gpu, AOB_RGBA32F, view->width,
-                                                              view->height, NULL, error)
-                                     : NULL;
+    const struct aob_gpu_texture_desc image = {.format = AOB_RGBA32F,
+                                               .width = view->width,
+                                               .height = view->height,
+                                               .uses = AOB_GPU_USE_TARGET | AOB_GPU_USE_READ_BACK};
+    raster->surface = aob_gpu_texture_create(raster->gpu, &image, error);
+    raster->shaded = raster->surface ? aob_gpu_texture_create(raster->gpu, &image, error) : NULL;
     if (!raster->shaded)
         return false;
-    const struct aob_gpu_texture *targets[] = {raster->surface, raster->shaded};
-    raster->program = aob_gpu_program_create_geometry(raster->gpu, vertex_text, fragment_text, error);
+    const struct aob_gpu_target targets[] = {{raster->surface, 0}, {raster->shaded, 0}};
+    raster->program = aob_gpu_program_create_geometry(raster->gpu, aob_text_frame_raster_vertex,
+                                                      aob_text_frame_raster_fragment, error);
     if (!raster->program)
         return false;
     struct aob_gpu_pass_desc desc = {.program = raster->program,
@@ -159,8 +122,8 @@ static bool read_back(struct raster *raster, struct aob_hits *hits, struct aob_e
     int width = raster->surface->width, height = raster->surface->height;
     size_t pixels = (size_t)width * (size_t)height;
     float(*surface)[4] = aob_alloc(pixels, sizeof *surface), (*shaded)[4] = aob_alloc(pixels, sizeof *shaded);
-    bool ok = aob_gpu_texture_read(raster->gpu, raster->surface, surface, error) &&
-              aob_gpu_texture_read(raster->gpu, raster->shaded, shaded, error);
+    bool ok = aob_gpu_texture_read(raster->gpu, raster->surface, 0, surface, error) &&
+              aob_gpu_texture_read(raster->gpu, raster->shaded, 0, shaded, error);
     if (ok) {
         *hits = (struct aob_hits){.width = width, .height = height};
         hits->primitive = aob_alloc(pixels, sizeof *hits->primitive);

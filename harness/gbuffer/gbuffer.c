@@ -109,26 +109,27 @@ static bool copy_channels(struct aob_gbuffer *gbuffer, const struct aob_image *i
     return gbuffer->normal && gbuffer->shading;
 }
 
-bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,
-                      int width, int height, int guard, struct aob_error *error)
+bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_gbuffer_desc *desc,
+                      struct aob_error *error)
 {
     struct aob_image image = {0};
-    *gbuffer = (struct aob_gbuffer){.projection = aob_camera_projection(camera, width, height, guard),
-                                    .guard = guard};
+    *gbuffer = (struct aob_gbuffer){
+        .projection = aob_camera_projection(desc->camera, desc->width, desc->height, desc->guard),
+        .guard = desc->guard};
     if (!aob_image_read(&image, path, error))
         return false;
     bool fits = image.width == gbuffer->projection.width && image.height == gbuffer->projection.height;
     size_t count = (size_t)image.width * (size_t)image.height;
     if (fits) {
         gbuffer->albedo = interleave(&image, albedo_names, 3, 3);
-        gbuffer->velocity = camera->moves ? interleave(&image, velocity_names, 2, 2) : NULL;
+        gbuffer->velocity = desc->camera->moves ? interleave(&image, velocity_names, 2, 2) : NULL;
     }
-    bool ok = fits && copy_channels(gbuffer, &image, count) && !gbuffer->velocity == !camera->moves;
+    bool ok = fits && copy_channels(gbuffer, &image, count) && !gbuffer->velocity == !desc->camera->moves;
     aob_image_finish(&image);
     if (!ok) {
         aob_gbuffer_finish(gbuffer);
-        return aob_fail(error, "%s: not a G-buffer of %dx%d with a guard band of %d", path, width, height,
-                        guard);
+        return aob_fail(error, "%s: not a G-buffer of %dx%d with a guard band of %d", path, desc->width,
+                        desc->height, desc->guard);
     }
     return true;
 }

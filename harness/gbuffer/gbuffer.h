@@ -30,8 +30,12 @@ void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,
 /* Into a file, with the materials of the mesh that was cast (an empty one of a capture) / from such a file; that allocates too. */
 bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh, const char *path,
                        struct aob_error *error);
-bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_camera *camera,
-                      int width, int height, int guard, struct aob_error *error);
+struct aob_gbuffer_desc { /* what such a file must be of */
+    const struct aob_camera *camera;
+    int width, height, guard; /* pixels; the guard band lies around width x height */
+};
+bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_gbuffer_desc *desc,
+                      struct aob_error *error);
 
 /* The other way: what was seen, for the screen-space bound of a capture (reference/bound.h). Depth, normals and which
  * pixels are sky (primitive 0 or none); no place on a triangle. Allocates; aob_hits_finish frees. */

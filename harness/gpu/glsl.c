@@ -1,17 +1,14 @@
 #include "glsl.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "gpu/texts.h"
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 #include <glslang/Include/glslang_c_interface.h>
 #include <glslang/Public/resource_limits_c.h>
 
-const char aob_glsl_screen_triangle[] = "void main()\n"
-                                        "{\n"
-                                        "    vec2 corner = vec2((VERTEX_ID << 1) & 2, VERTEX_ID & 2);\n"
-                                        "    gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);\n"
-                                        "}\n";
+const char *const aob_glsl_screen_triangle = aob_text_gpu_screen_triangle;
 
 static const char *const prefix[] = {
     [AOB_GLSL_VULKAN] = "#version 450\n"
@@ -106,22 +103,22 @@ uint32_t *aob_glsl_compile(const char *text, enum aob_glsl_stage stage, enum aob
     static pthread_once_t once = PTHREAD_ONCE_INIT;
     pthread_once(&once, start_glslang);
     struct aob_text code = {0};
-    aob_text_add(&code, "%s%s#line 1\n%s", prefix[client], aob_glsl_arithmetic, text);
+    aob_text_add(&code, "%s%s#line 1\n%s", prefix[client], aob_text_gpu_arithmetic, text);
     uint32_t *words = compile(code.data, stage, client, word_count, error);
     aob_text_finish(&code);
     return words;
 }
 
-uint32_t aob_glsl_bindings(const uint32_t *words, size_t word_count)
+uint64_t aob_glsl_bindings(const uint32_t *words, size_t word_count)
 {
     enum { HEADER_WORDS = 5, OP_DECORATE = 71, DECORATION_BINDING = 33 };
-    uint32_t bindings = 0;
+    uint64_t bindings = 0;
     size_t at = HEADER_WORDS;
     while (at < word_count && words[at] >> 16) {
         bool is_binding =
             (words[at] & 0xffff) == OP_DECORATE && at + 3 < word_count && words[at + 2] == DECORATION_BINDING;
         if (is_binding)
-            bindings |= 1u << (words[at + 3] < 31 ? words[at + 3] : 31);
+            bindings |= (uint64_t)1 << (words[at + 3] < 63 ? words[at + 3] : 63);
         at += words[at] >> 16;
     }
     return bindings;

@@ -22,12 +22,9 @@ enum aob_glsl_stage { AOB_GLSL_VERTEX, AOB_GLSL_FRAGMENT };
 uint32_t *aob_glsl_compile(const char *text, enum aob_glsl_stage stage, enum aob_glsl_client client,
                            size_t *word_count, struct aob_error *error);
 
-/* Bit n: the words declare BIND(n); a binding beyond 30 sets bit 31. */
-uint32_t aob_glsl_bindings(const uint32_t *words, size_t word_count);
-
-/* The functions above, put in front of every text. */
-extern const char aob_glsl_arithmetic[];
+/* Bit n: the words declare BIND(n); a binding beyond 62 sets bit 63. */
+uint64_t aob_glsl_bindings(const uint32_t *words, size_t word_count);
 
 /* The vertex program of every pass without one of its own: one triangle that covers the target; the body of the text, as above. */
-extern const char aob_glsl_screen_triangle[];
+extern const char *const aob_glsl_screen_triangle;
 #endif

@@ -3,38 +3,11 @@
 #include "base/text.h"
 #include <string.h>
 
-enum { MAX_BINDING = 15, MAX_SIDE = 16384, MAX_UNIFORM_SIZE = 16384 };
+enum { MAX_SIDE = 16384, MAX_UNIFORM_SIZE = 16384 };
 
 const struct aob_gpu_fns *const aob_gpu_backends[] = {
     &aob_gpu_vulkan, &aob_gpu_gl_egl, &aob_gpu_gl_osmesa, &aob_gpu_null, NULL,
 };
-
-static const struct {
-    size_t size;
-    int components;
-    const char *layout;
-} formats[AOB_FORMAT_COUNT] = {
-    [AOB_R8] = {1, 1, "r8"},           [AOB_R16] = {2, 1, "r16"},
-    [AOB_R16F] = {2, 1, "r16f"},       [AOB_R32F] = {4, 1, "r32f"},
-    [AOB_RG8] = {2, 2, "rg8"},         [AOB_RG16F] = {4, 2, "rg16f"},
-    [AOB_RG32F] = {8, 2, "rg32f"},     [AOB_RGBA8] = {4, 4, "rgba8"},
-    [AOB_RGBA16F] = {8, 4, "rgba16f"}, [AOB_RGBA32F] = {16, 4, "rgba32f"},
-};
-
-size_t aob_gpu_texel_size(enum aob_format format)
-{
-    return formats[format].size;
-}
-
-int aob_gpu_texel_components(enum aob_format format)
-{
-    return formats[format].components;
-}
-
-const char *aob_gpu_format_layout(enum aob_format format)
-{
-    return formats[format].layout;
-}
 
 const struct aob_gpu_fns *aob_gpu_find(const char *name)
 {
@@ -69,17 +42,38 @@ void aob_gpu_close(struct aob_gpu *gpu)
         gpu->fns->close(gpu);
 }
 
-struct aob_gpu_texture *aob_gpu_texture_create(struct aob_gpu *gpu, enum aob_format format, int width,
-                                               int height, const void *texels, struct aob_error *error)
+static int most_levels(int width, int height)
 {
-    const char *name = gpu->info.backend;
+    int levels = 1;
+    for (int side = width > height ? width : height; side > 1; side >>= 1)
+        levels++;
+    return levels;
+}
+
+static bool check_texture(const char *name, const struct aob_gpu_texture_desc *desc, struct aob_error *error)
+{
+    const uint32_t known =
+        AOB_GPU_USE_SAMPLED | AOB_GPU_USE_STORAGE | AOB_GPU_USE_TARGET | AOB_GPU_USE_READ_BACK;
+    int width = desc->width, height = desc->height;
+    if ((unsigned)desc->format >= AOB_FORMAT_COUNT)
+        return aob_fail(error, "%s: texture format %d does not exist", name, (int)desc->format);
+    if (width < 1 || height < 1 || width > MAX_SIDE || height > MAX_SIDE)
+        return aob_fail(error, "%s: texture size %dx%d is outside 1..%d", name, width, height, MAX_SIDE);
+    if (desc->levels < 0 || desc->levels > most_levels(width, height))
+        return aob_fail(error, "%s: texture %dx%d with %d levels: this size has 1..%d", name, width, height,
+                        desc->levels, most_levels(width, height));
+    if (!desc->uses || desc->uses & ~known)
+        return aob_fail(error, "%s: texture %dx%d with uses 0x%x: it must have some of AOB_GPU_USE_...", name,
+                        width, height, desc->uses);
+    return true;
+}
+
+struct aob_gpu_texture *aob_gpu_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
+                                               struct aob_error *error)
+{
     struct aob_gpu_texture *texture = NULL;
-    if ((unsigned)format >= AOB_FORMAT_COUNT)
-        aob_fail(error, "%s: texture format %d does not exist", name, (int)format);
-    else if (width < 1 || height < 1 || width > MAX_SIDE || height > MAX_SIDE)
-        aob_fail(error, "%s: texture size %dx%d is outside 1..%d", name, width, height, MAX_SIDE);
-    else
-        gpu->fns->texture_create(gpu, format, width, height, texels, &texture, error);
+    if (check_texture(gpu->info.backend, desc, error))
+        gpu->fns->texture_create(gpu, desc, &texture, error);
     return texture;
 }
 
@@ -89,26 +83,43 @@ void aob_gpu_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *textur
         gpu->fns->texture_destroy(gpu, texture);
 }
 
-bool aob_gpu_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels,
+bool aob_gpu_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                           struct aob_error *error)
 {
-    return gpu->fns->texture_read(gpu, texture, texels, error);
+    const char *name = gpu->info.backend;
+    if (!(texture->uses & AOB_GPU_USE_READ_BACK))
+        return aob_fail(error,
+                        "%s: texture %dx%d was made without AOB_GPU_USE_READ_BACK, so it cannot be read",
+                        name, texture->width, texture->height);
+    if (level < 0 || level >= texture->levels)
+        return aob_fail(error, "%s: texture %dx%d has no level %d to read: it has 0..%d", name,
+                        texture->width, texture->height, level, texture->levels - 1);
+    return gpu->fns->texture_read(gpu, texture, level, texels, error);
+}
+
+static struct aob_gpu_program *create_program(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+                                              struct aob_error *error)
+{
+    struct aob_gpu_program *program = NULL;
+    if (!gpu->fns->program_create(gpu, vertex, fragment, &program, error))
+        return NULL;
+    program->geometry = vertex;
+    if (!(program->bindings >> (AOB_GPU_MAX_BINDING + 1)))
+        return program;
+    aob_fail(error, "%s: program with a BIND beyond %d", gpu->info.backend, AOB_GPU_MAX_BINDING);
+    gpu->fns->program_destroy(gpu, program);
+    return NULL;
 }
 
 struct aob_gpu_program *aob_gpu_program_create(struct aob_gpu *gpu, const char *glsl, struct aob_error *error)
 {
-    struct aob_gpu_program *program = NULL;
-    gpu->fns->program_create(gpu, NULL, glsl, &program, error);
-    return program;
+    return create_program(gpu, NULL, glsl, error);
 }
 
 struct aob_gpu_program *aob_gpu_program_create_geometry(struct aob_gpu *gpu, const char *vertex,
                                                         const char *fragment, struct aob_error *error)
 {
-    struct aob_gpu_program *program = NULL;
-    if (gpu->fns->program_create(gpu, vertex, fragment, &program, error))
-        program->geometry = true;
-    return program;
+    return create_program(gpu, vertex, fragment, error);
 }
 
 void aob_gpu_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program)
@@ -117,13 +128,37 @@ void aob_gpu_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *progra
         gpu->fns->program_destroy(gpu, program);
 }
 
-static bool is_target(const struct aob_gpu_pass_desc *desc, size_t count,
-                      const struct aob_gpu_texture *texture)
+static int target_width(const struct aob_gpu_target *target)
 {
-    for (size_t i = 0; i < count; i++)
-        if (desc->targets[i] == texture)
-            return true;
-    return false;
+    return aob_gpu_level_side(target->texture->width, target->level);
+}
+
+static int target_height(const struct aob_gpu_target *target)
+{
+    return aob_gpu_level_side(target->texture->height, target->level);
+}
+
+static bool check_target(const char *name, const struct aob_gpu_pass_desc *desc, size_t index,
+                         struct aob_error *error)
+{
+    const struct aob_gpu_target *first = &desc->targets[0], *target = &desc->targets[index];
+    if (!target->texture)
+        return aob_fail(error, "%s: pass without a texture at target %zu", name, index);
+    if (!(target->texture->uses & AOB_GPU_USE_TARGET))
+        return aob_fail(error,
+                        "%s: pass with a texture at target %zu that was made without AOB_GPU_USE_TARGET",
+                        name, index);
+    if (target->level < 0 || target->level >= target->texture->levels)
+        return aob_fail(error, "%s: pass with level %d at target %zu: its texture has 0..%d", name,
+                        target->level, index, target->texture->levels - 1);
+    if (target_width(target) != target_width(first) || target_height(target) != target_height(first))
+        return aob_fail(error, "%s: pass with targets of two sizes: %dx%d and %dx%d", name,
+                        target_width(first), target_height(first), target_width(target),
+                        target_height(target));
+    for (size_t i = 0; i < index; i++)
+        if (desc->targets[i].texture == target->texture) /* of one size, so it is the same level */
+            return aob_fail(error, "%s: pass with one level at two targets, %zu and %zu", name, i, index);
+    return true;
 }
 
 static bool check_targets(const char *name, const struct aob_gpu_pass_desc *desc, struct aob_error *error)
@@ -131,25 +166,46 @@ static bool check_targets(const char *name, const struct aob_gpu_pass_desc *desc
     if (desc->target_count < 1 || desc->target_count > AOB_MAX_OUT)
         return aob_fail(error, "%s: pass with %zu targets: there must be 1..%d", name, desc->target_count,
                         AOB_MAX_OUT);
+    for (size_t i = 0; i < desc->target_count; i++)
+        if (!check_target(name, desc, i, error))
+            return false;
+    int width = target_width(desc->targets), height = target_height(desc->targets);
+    if (desc->width < 0 || desc->height < 0 || desc->width > width || desc->height > height)
+        return aob_fail(error, "%s: pass with an area of %dx%d on targets of %dx%d: it must lie within them",
+                        name, desc->width, desc->height, width, height);
+    return true;
+}
+
+/* After the rest of the bind: which levels it shows. */
+static bool check_levels(const char *name, const struct aob_gpu_pass_desc *desc,
+                         const struct aob_gpu_bind *bind, struct aob_error *error)
+{
+    int first = bind->first_level, levels = bind->texture->levels;
+    if (first < 0 || first >= levels || bind->level_count < 0 || bind->level_count > levels - first)
+        return aob_fail(error, "%s: pass with %d levels from %d at binding %u: its texture has 0..%d", name,
+                        bind->level_count, first, bind->binding, levels - 1);
+    int count = aob_gpu_bind_levels(bind);
+    if (bind->kind == AOB_GPU_STORAGE && count != 1)
+        return aob_fail(error, "%s: pass with %d levels at binding %u: a storage image shows one", name,
+                        count, bind->binding);
     for (size_t i = 0; i < desc->target_count; i++) {
-        const struct aob_gpu_texture *first = desc->targets[0], *target = desc->targets[i];
-        if (!target)
-            return aob_fail(error, "%s: pass without a texture at target %zu", name, i);
-        if (target->width != first->width || target->height != first->height)
-            return aob_fail(error, "%s: pass with targets of two sizes: %dx%d and %dx%d", name, first->width,
-                            first->height, target->width, target->height);
-        if (is_target(desc, i, target))
-            return aob_fail(error, "%s: pass with one texture at two targets, the second %zu", name, i);
+        const struct aob_gpu_target *target = &desc->targets[i];
+        if (target->texture == bind->texture && target->level >= first && target->level < first + count)
+            return aob_fail(
+                error, "%s: pass reads level %d of the texture at binding %u and writes it at target %zu",
+                name, target->level, bind->binding, i);
     }
     return true;
 }
 
-static bool check_bind(const char *name, const struct aob_gpu_pass_desc *desc,
-                       const struct aob_gpu_bind *bind, uint32_t earlier, struct aob_error *error)
+static bool check_bind(const char *name, const struct aob_gpu_bind *bind, uint32_t earlier,
+                       struct aob_error *error)
 {
-    if (bind->binding < 1 || bind->binding > MAX_BINDING)
+    static const char *const uses[] = {
+        [AOB_GPU_SAMPLED] = "AOB_GPU_USE_SAMPLED", [AOB_GPU_STORAGE] = "AOB_GPU_USE_STORAGE"};
+    if (bind->binding < 1 || bind->binding > AOB_GPU_MAX_BINDING)
         return aob_fail(error, "%s: pass with binding %u: it must be 1..%d", name, bind->binding,
-                        MAX_BINDING);
+                        AOB_GPU_MAX_BINDING);
     if (earlier >> bind->binding & 1)
         return aob_fail(error, "%s: pass with two textures at binding %u", name, bind->binding);
     if (!bind->texture)
@@ -160,9 +216,10 @@ static bool check_bind(const char *name, const struct aob_gpu_pass_desc *desc,
     if (bind->filter != AOB_NEAREST && bind->filter != AOB_BILINEAR)
         return aob_fail(error, "%s: pass with an unknown filter %d at binding %u", name, (int)bind->filter,
                         bind->binding);
-    if (is_target(desc, desc->target_count, bind->texture))
-        return aob_fail(error, "%s: pass reads and writes the texture at binding %u", name, bind->binding);
-    return true;
+    uint32_t use = bind->kind == AOB_GPU_SAMPLED ? AOB_GPU_USE_SAMPLED : AOB_GPU_USE_STORAGE;
+    return bind->texture->uses & use ||
+           aob_fail(error, "%s: pass with a texture at binding %u that was made without %s", name,
+                    bind->binding, uses[bind->kind]);
 }
 
 static bool check_bindings(const char *name, const struct aob_gpu_pass_desc *desc, struct aob_error *error)
@@ -174,14 +231,15 @@ static bool check_bindings(const char *name, const struct aob_gpu_pass_desc *des
     if (desc->uniforms)
         bound |= 1;
     for (size_t i = 0; i < desc->bind_count; i++) {
-        if (!check_bind(name, desc, &desc->binds[i], bound, error))
+        if (!check_bind(name, &desc->binds[i], bound, error) ||
+            !check_levels(name, desc, &desc->binds[i], error))
             return false;
         bound |= 1u << desc->binds[i].binding;
     }
-    uint32_t unbound = desc->program->bindings & ~bound;
+    uint64_t unbound = desc->program->bindings & ~(uint64_t)bound;
     if (unbound)
         return aob_fail(error, "%s: pass binds nothing at %d, which its program declares", name,
-                        __builtin_ctz(unbound));
+                        __builtin_ctzll(unbound));
     return true;
 }
 
@@ -199,23 +257,43 @@ static bool check_geometry(const char *name, const struct aob_gpu_pass_desc *des
            aob_fail(error, "%s: pass with an unknown blend %d", name, (int)desc->blend);
 }
 
+static struct aob_gpu_pass *create_pass(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc,
+                                        struct aob_error *error)
+{
+    struct aob_gpu_pass_desc whole = *desc;
+    struct aob_gpu_pass *pass = NULL;
+    whole.width = desc->width ? desc->width : target_width(desc->targets);
+    whole.height = desc->height ? desc->height : target_height(desc->targets);
+    if (gpu->fns->pass_create(gpu, &whole, &pass, error))
+        pass->uniform_size = desc->uniform_size;
+    return pass;
+}
+
 struct aob_gpu_pass *aob_gpu_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc,
                                          struct aob_error *error)
 {
     const char *name = gpu->info.backend;
-    struct aob_gpu_pass *pass = NULL;
     if (!desc->program)
         aob_fail(error, "%s: pass without a program", name);
     else if (check_targets(name, desc, error) && check_bindings(name, desc, error) &&
              check_geometry(name, desc, error))
-        gpu->fns->pass_create(gpu, desc, &pass, error);
-    return pass;
+        return create_pass(gpu, desc, error);
+    return NULL;
 }
 
 void aob_gpu_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass)
 {
     if (pass)
         gpu->fns->pass_destroy(gpu, pass);
+}
+
+bool aob_gpu_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block, size_t size,
+                               struct aob_error *error)
+{
+    if (!size || size != pass->uniform_size)
+        return aob_fail(error, "%s: uniform block of %zu bytes for a pass that was made with %zu",
+                        gpu->info.backend, size, pass->uniform_size);
+    return gpu->fns->pass_set_uniforms(gpu, pass, block, error);
 }
 
 bool aob_gpu_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,

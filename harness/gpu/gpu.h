@@ -21,8 +21,11 @@ struct aob_gpu_info {    /* for the record's fingerprint; strings live as long a
     const char *backend; /* "vulkan" */
     const char *device;  /* "llvmpipe (LLVM 15.0.6, 256 bits)" */
     const char *driver;  /* "Mesa 22.3.6" and the API version */
-    bool software;       /* a processor does the work: costs are its CPU time */
-    bool draws_nothing;  /* the null backend: images are zero and no fault of a technique */
+    const char *
+        device_class; /* what a history may follow: "cpu", "integrated", "discrete", "virtual"; "gpu" where the
+                                 API does not say which */
+    bool software;    /* a processor does the work: costs are its CPU time */
+    bool draws_nothing; /* the null backend: images are zero and no fault of a technique */
 };
 
 struct aob_gpu_desc {
@@ -34,15 +37,41 @@ struct aob_gpu_time {
     int64_t wall_ns, cpu_ns; /* of submit to completion; cpu: all threads of this process */
 };
 
+/* What a texture may be used for: a device keeps it in the form that is fastest for just that, so ask for no
+ * more than is needed. A use that it was not made for is refused. */
+enum aob_gpu_use {
+    AOB_GPU_USE_SAMPLED = 1,   /* bound as AOB_GPU_SAMPLED */
+    AOB_GPU_USE_STORAGE = 2,   /* bound as AOB_GPU_STORAGE */
+    AOB_GPU_USE_TARGET = 4,    /* drawn to by a pass */
+    AOB_GPU_USE_READ_BACK = 8, /* read by aob_gpu_texture_read */
+};
+struct aob_gpu_texture_desc {
+    enum aob_format format;
+    int width, height; /* in texels, of level 0 */
+    int levels;        /* 0 means 1; each level's sides are half of those above it: aob_gpu_level_side */
+    uint32_t uses;     /* bits of enum aob_gpu_use, at least one */
+    const void
+        *texels; /* of level 0, tightly packed, row 0 at the top, in the format's own bits; NULL: undefined
+                           content, as that of the other levels always is */
+};
+
 enum aob_gpu_bind_kind {
     AOB_GPU_SAMPLED, /* uniform sampler2D, clamped to the edge, at `binding` */
     AOB_GPU_STORAGE, /* uniform readonly image2D, at `binding` */
 };
 struct aob_gpu_bind {
     enum aob_gpu_bind_kind kind;
-    uint32_t binding; /* 1..15, unique in the pass; 0 is the uniform block */
-    enum aob_filter filter;
+    uint32_t binding;       /* 1..AOB_GPU_MAX_BINDING, unique in the pass; 0 is the uniform block */
+    enum aob_filter filter; /* within a level; of the levels the nearest is read */
     const struct aob_gpu_texture *texture;
+    int first_level; /* GLSL's lod 0 */
+    int level_count; /* 0: all from first_level on. A storage image shows one level */
+};
+enum { AOB_GPU_MAX_BINDING = 31 };
+
+struct aob_gpu_target {
+    const struct aob_gpu_texture *texture;
+    int level;
 };
 enum aob_gpu_blend {
     AOB_GPU_REPLACE,
@@ -52,11 +81,13 @@ struct aob_gpu_pass_desc {
     const struct aob_gpu_program *program;
     const struct aob_gpu_bind *binds;
     size_t bind_count;
-    const struct aob_gpu_texture *const *targets; /* location 0, 1, ...; all of one size, 1..AOB_MAX_OUT */
+    const struct aob_gpu_target *targets; /* location 0, 1, ...; levels of one size, 1..AOB_MAX_OUT */
     size_t target_count;
+    int width, height;    /* area drawn, in texels from row and column 0; the rest of the level keeps what it
+                             holds. 0: the level's whole width or height */
     const void *uniforms; /* std140 block at binding 0 (copied); NULL: the program declares none */
     size_t uniform_size;
-    /* Of a program with a vertex text only, zero for others. Its targets are cleared to 0 first; triangles are
+    /* Of a program with a vertex text only, zero for others. The area is cleared to 0 first; triangles are
      * drawn in order, both sides alike. */
     uint32_t vertex_count; /* three a triangle */
     bool depth_test;       /* against a float depth of the pass's own, cleared to 0: the greater wins */
@@ -70,10 +101,10 @@ struct aob_gpu_fns {
     const char *const *environment; /* NULL-ended "NAME=value" that a worker's process must start with */
     struct aob_gpu *(*open)(const struct aob_gpu_desc *desc, struct aob_error *error);
     void (*close)(struct aob_gpu *gpu);
-    bool (*texture_create)(struct aob_gpu *gpu, enum aob_format format, int width, int height,
-                           const void *texels, struct aob_gpu_texture **texture, struct aob_error *error);
+    bool (*texture_create)(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
+                           struct aob_gpu_texture **texture, struct aob_error *error);
     void (*texture_destroy)(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
-    bool (*texture_read)(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels,
+    bool (*texture_read)(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                          struct aob_error *error);
     bool (*program_create)(struct aob_gpu *gpu, const char *vertex /* NULL: the screen triangle */,
                            const char *fragment, struct aob_gpu_program **program, struct aob_error *error);
@@ -81,6 +112,8 @@ struct aob_gpu_fns {
     bool (*pass_create)(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass **pass,
                         struct aob_error *error);
     void (*pass_destroy)(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
+    bool (*pass_set_uniforms)(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
+                              struct aob_error *error);
     bool (*pass_run)(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
                      struct aob_error *error);
 };
@@ -90,11 +123,16 @@ struct aob_gpu { /* first member of every backend's own struct */
 };
 struct aob_gpu_texture { /* likewise */
     enum aob_format format;
-    int width, height;
+    int width, height; /* of level 0 */
+    int levels;
+    uint32_t uses;
 };
 struct aob_gpu_program { /* likewise */
-    uint32_t bindings;   /* bit n: it declares BIND(n), so a pass must bind it */
+    uint64_t bindings;   /* bit n: it declares BIND(n), so a pass must bind it */
     bool geometry;       /* it has a vertex text */
+};
+struct aob_gpu_pass {    /* likewise */
+    size_t uniform_size; /* 0: it has no block */
 };
 
 extern const struct aob_gpu_fns *const aob_gpu_backends[]; /* NULL-ended, in the order of `list backends` */
@@ -104,16 +142,17 @@ const struct aob_gpu_fns *aob_gpu_find(const char *name);  /* NULL if unknown */
 struct aob_gpu *aob_gpu_open(const char *backend, const struct aob_gpu_desc *desc, struct aob_error *error);
 void aob_gpu_close(struct aob_gpu *gpu);
 
-/* Tightly packed texels, row 0 at the top, in the format's own bits; NULL texels: undefined content. Every
- * texture can be sampled, read as a storage image, drawn to and read back. */
-struct aob_gpu_texture *aob_gpu_texture_create(struct aob_gpu *gpu, enum aob_format format, int width,
-                                               int height, const void *texels, struct aob_error *error);
+/* NULL after one line. A desc without a use, or with more levels than its size has, is refused. */
+struct aob_gpu_texture *aob_gpu_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
+                                               struct aob_error *error);
 void aob_gpu_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
-bool aob_gpu_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels,
+
+/* Writes the level's texels, aob_gpu_level_bytes of them, packed as those that a texture is made with. */
+bool aob_gpu_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                           struct aob_error *error);
 
 /* A fragment program from whole GLSL 4.50 text (prelude included, with BIND(n) macros: see gpu/glsl.h), drawn
- * over the full target by one triangle. A compile error's first line, with its line number, is the reason. */
+ * over the pass's area by one triangle. A compile error's first line, with its line number, is the reason. */
 struct aob_gpu_program *aob_gpu_program_create(struct aob_gpu *gpu, const char *glsl,
                                                struct aob_error *error);
 
@@ -124,15 +163,24 @@ struct aob_gpu_program *aob_gpu_program_create_geometry(struct aob_gpu *gpu, con
                                                         const char *fragment, struct aob_error *error);
 void aob_gpu_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program);
 
-/* A pass is recorded once and run many times. It reads and writes whole textures; a texture must not be both.
- * Its program and textures must outlive it; binds, targets and uniforms are copied. */
+/* A pass is recorded once and run many times. It may read other levels of a texture that it writes a level of,
+ * never the same one. Its program and textures must outlive it; binds, targets and uniforms are copied. */
 struct aob_gpu_pass *aob_gpu_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc,
                                          struct aob_error *error);
 void aob_gpu_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
 
+/* The block that the next runs read, of the size that the pass was made with. Copied; between runs only, so it is
+ * in no run's time. */
+bool aob_gpu_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block, size_t size,
+                               struct aob_error *error);
+
 /* One submit and fence (or draw and glFinish): complete on return. `time` may be NULL. */
 bool aob_gpu_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
                       struct aob_error *error);
+
+/* A level's width or height in texels, from that of level 0: half of the one above, rounded down, at least 1. */
+int aob_gpu_level_side(int side, int level);
+size_t aob_gpu_level_bytes(const struct aob_gpu_texture *texture, int level);
 
 size_t aob_gpu_texel_size(enum aob_format format);         /* bytes */
 int aob_gpu_texel_components(enum aob_format format);      /* 1, 2 or 4 */

@@ -1,38 +1,21 @@
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "plan.h"
 #include "technique/param.h"
 
-/* `all`, or those that are not at their defaults. */
-static void add_values(const struct aob_param *params, size_t count, const double *values, bool all,
+static void add_values(const struct aob_param *params, size_t count, const double *values,
                        struct aob_text *text)
 {
     for (size_t i = 0; i < count; i++) {
-        if (!all && values[i] == params[i].initial)
-            continue;
         aob_text_add(text, " %s=", params[i].name);
         aob_param_print(&params[i], values[i], text);
     }
 }
 
-static void add_case(const struct aob_case *c, bool all, struct aob_text *text)
-{
-    aob_text_add(text, "%s", c->technique->name);
-    add_values(c->technique->params, c->technique->param_count, c->params, true, text);
-    aob_text_add(text, " %s %dx%d", c->backend, c->width, c->height);
-    add_values(aob_option_params, AOB_OPTION_COUNT, c->options, all, text);
-}
-
-void aob_case_describe(const struct aob_case *c, struct aob_text *text)
-{
-    aob_text_add(text, "%s/%s ", c->scene->name, c->scene->view);
-    add_case(c, false, text);
-}
-
 void aob_case_settings(const struct aob_case *c, struct aob_text *text)
 {
-    add_case(c, true, text);
+    aob_text_add(text, "%s", c->technique->name);
+    add_values(c->technique->params, c->technique->param_count, c->params, text);
+    aob_text_add(text, " %s %dx%d", c->backend, c->width, c->height);
+    add_values(aob_option_params, AOB_OPTION_COUNT, c->options, text);
 }
 
 struct aob_options aob_case_options(const struct aob_case *c)
@@ -76,44 +59,5 @@ bool aob_case_judge(const struct aob_case *c, struct aob_error *error)
 
 bool aob_case_same_block(const struct aob_case *a, const struct aob_case *b)
 {
-    struct aob_options oa = aob_case_options(a), ob = aob_case_options(b);
-    return a->scene == b->scene && a->width == b->width && a->height == b->height &&
-           a->backend == b->backend && oa.guard_band == ob.guard_band && oa.gbuffer == ob.gbuffer &&
-           oa.threads == ob.threads;
-}
-
-void aob_plan_filter(struct aob_plan *plan, const char *filter)
-{
-    size_t kept = 0;
-    for (size_t i = 0; i < plan->case_count; i++) {
-        struct aob_text text = {0};
-        aob_case_describe(&plan->cases[i], &text);
-        if (strstr(text.data, filter))
-            plan->cases[kept++] = plan->cases[i];
-        else
-            free(plan->cases[i].params);
-        aob_text_finish(&text);
-    }
-    plan->case_count = kept;
-}
-
-double aob_plan_estimate_s(const struct aob_plan *plan)
-{
-    double seconds = 0;
-    for (size_t i = 0; i < plan->case_count; i++) {
-        const struct aob_case *c = &plan->cases[i];
-        bool first_of_view = true, first_of_radius = true;
-        for (size_t j = 0; j < i && first_of_radius; j++) {
-            const struct aob_case *other = &plan->cases[j];
-            bool same = other->scene == c->scene && other->width == c->width && other->height == c->height;
-            first_of_view = first_of_view && !same;
-            first_of_radius = !same || other->reference_radius != c->reference_radius;
-        }
-        /* The truth of a view once, and a screen-space bound for each radius. */
-        int traces = (first_of_view && !c->scene->gbuffer) + first_of_radius;
-        if (plan->config->measure_error)
-            seconds += traces * ((double)c->width * c->height * plan->config->spp / 4e6);
-        seconds += 1 + (plan->config->measure_time ? plan->config->seconds : 0);
-    }
-    return seconds;
+    return a->block == b->block;
 }

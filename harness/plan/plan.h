@@ -21,7 +21,12 @@ struct aob_plan_scene {                /* one view of one scene */
     bool framed;
     bool loaded; /* by this run: its warnings are printed, its framing is known */
     double metres_per_unit;
-    char digest[AOB_KEY_SIZE]; /* of the geometry's source: file bytes, or name and program version */
+    char geometry[AOB_KEY_SIZE]; /* of the geometry's source, the same for every build of the program */
+    char digest[AOB_KEY_SIZE];   /* of that and the version of what reads it */
+    /* What the cases are compared with, at most AOB_CONFIG_MAX_TARGETS: the config's, or each radius of the scene's cases
+     * in order; none if no error is measured. */
+    struct aob_target *targets;
+    size_t target_count, target_capacity;
 };
 struct aob_case {
     const struct aob_plan_scene *scene;
@@ -30,33 +35,53 @@ struct aob_case {
     const struct aob_technique_info *technique;
     double *params;                   /* one a row of the technique's table */
     double options[AOB_OPTION_COUNT]; /* one a row of aob_option_params */
-    double reference_radius;          /* scene units */
-    char key[AOB_KEY_SIZE];           /* of everything that decides the result; the same in every run */
+    double reference_radius;          /* of its own target, scene units; 0 where there are no targets */
+    size_t block;                     /* see aob_case_same_block */
+    /* Of everything that decides the result, and of no wish (time, error, images, seconds): the same in every run that
+     * asks the same question. */
+    char key[AOB_KEY_SIZE];
+};
+struct aob_variation { /* what has more than one value in a plan */
+    bool scene, backend, size, options[AOB_OPTION_COUNT];
+    bool (*params)[AOB_MAX_PARAM]; /* a row for each technique of the list */
 };
 struct aob_plan {
     const struct aob_config *config; /* must outlive the plan, like the technique list */
+    const struct aob_technique_list *techniques;
     struct aob_plan_scene *scenes;
     size_t scene_count;
     struct aob_case *cases; /* cases of one block lie together; no two have the same key */
     size_t case_count, case_capacity;
+    struct aob_variation variation; /* of the whole plan: a filter changes no description */
 };
 
-enum { AOB_PLAN_MAX_CASES = 20000 };
+enum { AOB_PLAN_MAX_CASES = 20000, AOB_BLOCK_MAX = 6 }; /* cases of a sweep; of a block */
 
 /* Captures must be loaded (captures.h). False: one line, FILE:LINE:COLUMN where the config has a position. */
 bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
                      const struct aob_technique_list *techniques, struct aob_error *error);
 void aob_plan_finish(struct aob_plan *plan);
 
-/* Keep the cases whose description holds `filter` (plain text). */
+/* Keep the cases whose description holds `filter` (plain text). A space at its end matches the description's end too. */
 void aob_plan_filter(struct aob_plan *plan, const char *filter);
 
-/* "corner/front gtao radius=0.5 slices=3 ... vulkan 480x270 fetch=storage": every parameter in table order, the run
- * options that are not at their defaults. */
-void aob_case_describe(const struct aob_case *c, struct aob_text *text);
+/* A case of the plan by what tells it from the others, in a line for people: "corner/front gtao radius=0.5 slices=3
+ * gl-egl". The technique always; scene, backend and size where they vary in the plan; parameters and options that vary,
+ * then those that are not at their defaults. */
+void aob_case_describe(const struct aob_plan *plan, const struct aob_case *c, struct aob_text *text);
 
-/* All parameters and all options, without scene and view: a part of the key. */
+/* Technique, all parameters, backend, size and all options, without scene and view: a part of the key. */
 void aob_case_settings(const struct aob_case *c, struct aob_text *text);
+
+/* What a history follows from one program to the next: technique by name, parameters, options, geometry, camera, size,
+ * backend and class of device (a word: "cpu", "integrated", "discrete"). Neither the program nor the question is in it. */
+void aob_case_series(const struct aob_case *c, const char *device_class, char key[AOB_KEY_SIZE]);
+
+/* The technique's parameter `radius`, scene units; NAN without one. */
+double aob_case_radius(const struct aob_case *c);
+
+/* Which of its scene's targets is the case's own: the first of its radius; 0, the first, where there is none. */
+size_t aob_case_own_target(const struct aob_case *c);
 
 /* What options, size and scene cannot be together; one line then. */
 bool aob_case_judge(const struct aob_case *c, struct aob_error *error);

@@ -72,6 +72,23 @@ void aob_bound_destroy(struct aob_bound *bound)
     free(bound);
 }
 
+/* The mean of all directions about the normal, which is 2/3 of it with the cosine and 1/2 without. */
+static void fill_open_direction(const struct aob_bound *bound, const struct aob_visibility_desc *desc,
+                                size_t term, struct aob_visibility *result)
+{
+    bool all = desc->width == 0 || desc->height == 0;
+    int width = all ? bound->hits.width : desc->width, height = all ? bound->hits.height : desc->height;
+    float length = desc->terms[term].uniform ? 0.5f : 2.0f / 3;
+    result->bent = aob_alloc((size_t)width * (size_t)height, sizeof *result->bent);
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
+            size_t from = (size_t)(y + (all ? 0 : desc->y0)) * (size_t)bound->hits.width +
+                          (size_t)(x + (all ? 0 : desc->x0));
+            for (int c = 0; c < 3 && bound->hits.primitive[from] != AOB_NO_PRIMITIVE; c++)
+                result->bent[y * width + x][c] = length * bound->hits.normal[from][c];
+        }
+}
+
 /* Nothing could be rebuilt, so nothing occludes. */
 static void fill_open(const struct aob_bound *bound, const struct aob_visibility_desc *desc,
                       struct aob_visibility *result)
@@ -80,9 +97,12 @@ static void fill_open(const struct aob_bound *bound, const struct aob_visibility
     size_t count = all ? (size_t)bound->hits.width * (size_t)bound->hits.height
                        : (size_t)desc->width * (size_t)desc->height;
     for (size_t t = 0; t < desc->term_count; t++) {
-        result[t] = (struct aob_visibility){AOB_NEW_ARRAY(float, count), AOB_NEW_ARRAY(float, count)};
+        result[t] =
+            (struct aob_visibility){.ao = AOB_NEW_ARRAY(float, count), .se = AOB_NEW_ARRAY(float, count)};
         for (size_t i = 0; i < count; i++)
             result[t].ao[i] = 1;
+        if (desc->terms[t].bent)
+            fill_open_direction(bound, desc, t, &result[t]);
     }
 }
 

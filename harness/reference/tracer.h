@@ -53,6 +53,7 @@ struct aob_visibility_term {
                              first, however far along the ray; else along the ray */
     const float *falloff; /* `falloff_count` values over sqrt(t) = 0..1, linear between; NULL: 1 */
     size_t falloff_count; /* >= 1 with a table; 1: that value throughout */
+    bool bent;            /* the mean open direction is wanted too */
 };
 struct aob_visibility_desc {
     const struct aob_visibility_term *terms;
@@ -64,6 +65,10 @@ struct aob_visibility_desc {
 struct aob_visibility { /* width * height floats each, scene part only; sky pixels are 1 with se 0 */
     float *ao;          /* (A+B)/2, before any map */
     float *se;          /* |A-B|/2: the standard error's estimate of the pixel; pool it as an RMS */
+    float (*bent)
+        [3]; /* mean over directions of direction times openness, view space: 0 where closed, and its length
+                           is below 1 (2/3 on an open plane, cosine-weighted). Sky pixels are 0. NULL unless the term
+                           asks for it */
 };
 /* Fills result[term_count] (its arrays are allocated here; aob_visibility_finish frees). False and one line
  * for bad spp, part, radius or falloff, and where terms differ in of_triangle, whose rays have no end; nothing is

@@ -10,7 +10,7 @@ enum { TILE = 8 };
 /* A term in unit space. */
 struct term {
     float radius;
-    bool uniform;
+    bool uniform, bent;
     const float *falloff;
     size_t falloff_count;
     double scale; /* root of the distance -> place in the table */
@@ -27,6 +27,7 @@ struct job {
     bool of_triangle;
     int x0, y0, width, height;
     uint32_t seed;
+    struct aob_frame_axes axes; /* of view space */
     struct aob_visibility *result;
 };
 
@@ -113,6 +114,34 @@ static double occlusion(const struct job *job, const struct term *term, const st
                                 : plain_occlusion(job, term, scratch->distance);
 }
 
+/* The mean of the open directions in world space, each weighed as the visibility weighs it; a closed direction counts
+ * 0. With the mixture's density the weights are divided by their own sum, as in weighted_occlusion. */
+static struct aob_vec3 open_direction(const struct job *job, const struct term *term,
+                                      const struct scratch *scratch)
+{
+    const struct aob_directions *d = &scratch->directions;
+    struct aob_vec3 sum = {0, 0, 0};
+    double all = 0;
+    for (size_t i = 0; i < job->sampler.count; i++) {
+        double weight = job->sampler.mixture ? (term->uniform ? 1 : d->cosine[i]) / (d->cosine[i] + 0.5) : 1;
+        double open = scratch->distance[i] < term->radius ? 1 - falloff_at(term, scratch->distance[i]) : 1;
+        all += weight;
+        sum = aob_vec_add(sum, aob_vec_scale(aob_vec(d->x[i], d->y[i], d->z[i]), weight * open));
+    }
+    return aob_vec_scale(sum, 1 / all);
+}
+
+static void add_bent(const struct job *job, size_t k, size_t out, const struct scratch *scratch)
+{
+    if (!job->terms[k].bent)
+        return;
+    struct aob_vec3 half = aob_vec_scale(open_direction(job, &job->terms[k], scratch), 0.5);
+    float *bent = job->result[k].bent[out];
+    bent[0] += (float)aob_vec_dot(half, job->axes.right);
+    bent[1] += (float)aob_vec_dot(half, job->axes.up);
+    bent[2] += (float)aob_vec_dot(half, job->axes.back);
+}
+
 /* In place of the distances along the rays. Neighbouring rays often meet one triangle. */
 static void measure_triangles(const struct job *job, const struct aob_surface *surface,
                               const struct scratch *scratch)
@@ -158,13 +187,16 @@ static void do_pixel(const struct job *job, int x, int y, const struct scratch *
     struct aob_surface surface;
     aob_surface_at(job->tracer, job->camera, job->hits, pixel, &surface);
     trace_half(job, &surface, pixel, 0, scratch);
-    for (size_t k = 0; k < job->term_count; k++)
+    for (size_t k = 0; k < job->term_count; k++) {
         scratch->half[k] = occlusion(job, &job->terms[k], scratch);
+        add_bent(job, k, out, scratch);
+    }
     trace_half(job, &surface, pixel, 1, scratch);
     for (size_t k = 0; k < job->term_count; k++) {
         double a = scratch->half[k], b = occlusion(job, &job->terms[k], scratch);
         job->result[k].ao[out] = (float)(1 - (a + b) / 2);
         job->result[k].se[out] = (float)(fabs(a - b) / 2);
+        add_bent(job, k, out, scratch);
     }
 }
 
@@ -231,6 +263,7 @@ static struct term unit_term(const struct aob_visibility_term *from, double to_u
 {
     struct term term = {.radius = (float)(from->radius * to_unit),
                         .uniform = from->uniform,
+                        .bent = from->bent,
                         .falloff = from->falloff,
                         .falloff_count = from->falloff_count};
     if (term.radius > 0 && from->falloff)
@@ -253,6 +286,7 @@ static void job_init(struct job *job, const struct aob_tracer *tracer, const str
                         .width = all ? hits->width : desc->width,
                         .height = all ? hits->height : desc->height,
                         .seed = desc->seed,
+                        .axes = aob_camera_axes(camera),
                         .result = result};
     size_t pixels = (size_t)job->width * (size_t)job->height;
     for (size_t i = 0; i < desc->term_count; i++) {
@@ -262,6 +296,7 @@ static void job_init(struct job *job, const struct aob_tracer *tracer, const str
         uniform |= desc->terms[i].uniform;
         result[i].ao = aob_alloc(pixels, sizeof *result[i].ao);
         result[i].se = aob_alloc(pixels, sizeof *result[i].se);
+        result[i].bent = desc->terms[i].bent ? aob_alloc(pixels, sizeof *result[i].bent) : NULL;
     }
     aob_sampler_init(&job->sampler, (size_t)desc->spp / 2, uniform);
 }
@@ -284,5 +319,6 @@ void aob_visibility_finish(struct aob_visibility *visibility)
 {
     free(visibility->ao);
     free(visibility->se);
+    free(visibility->bent);
     *visibility = (struct aob_visibility){0};
 }

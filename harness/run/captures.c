@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
-#include "base/json.h"
 #include "gbuffer/capture.h"
+#include "job/capture_job.h"
 
 /* Everything that the G-buffer is made of. */
 static bool make_digest(struct aob_scene_choice *choice, struct aob_error *error)
@@ -13,11 +13,13 @@ static bool make_digest(struct aob_scene_choice *choice, struct aob_error *error
     char bytes[AOB_KEY_SIZE];
     if (!aob_hash_file(choice->capture, bytes, error))
         return false;
-    aob_text_add(&text, "%s %s ", aob_capture_version, bytes);
+    aob_text_add(&text, "%s ", bytes);
     aob_convention_print(&choice->convention, &text);
     aob_text_add(&text, " %d %.17g %.17g %.17g  %.17g %.17g %.17g  %.17g %.17g", choice->has_camera,
                  choice->eye[0], choice->eye[1], choice->eye[2], choice->target[0], choice->target[1],
                  choice->target[2], choice->fov_deg, choice->ortho_height);
+    aob_hash_text(text.data, choice->geometry);
+    aob_text_add(&text, " %s", aob_capture_version);
     aob_hash_text(text.data, choice->digest);
     aob_text_finish(&text);
     return true;
@@ -33,33 +35,36 @@ static char *make_path(const struct aob_scene_choice *choice, struct aob_error *
     return path;
 }
 
-static void take_answer(void *user, json_t *answer)
+static void take_answer(void *user, const json_t *object)
 {
     struct aob_scene_choice *choice = user;
+    struct aob_capture_answer answer;
     json_t *warning;
     size_t at;
-    json_array_foreach(json_object_get(answer, "warnings"), at, warning)
-        aob_warn("%s", json_string_value(warning));
-    choice->width = (int)json_integer_value(json_object_get(answer, "width"));
-    choice->height = (int)json_integer_value(json_object_get(answer, "height"));
-    choice->fov_deg = json_number_value(json_object_get(answer, "fov_deg"));
-    choice->ortho_height = json_number_value(json_object_get(answer, "ortho_height"));
-    choice->ortho = choice->ortho_height > 0;
-    choice->has_camera = aob_json_to_vector(json_object_get(answer, "eye"), choice->eye, 3) &&
-                         aob_json_to_vector(json_object_get(answer, "target"), choice->target, 3);
+    if (!aob_capture_answer_from_json(object, &answer))
+        return;
+    json_array_foreach(answer.warnings, at, warning) aob_warn("%s", json_string_value(warning));
+    choice->width = answer.width;
+    choice->height = answer.height;
+    choice->fov_deg = answer.fov_deg;
+    choice->ortho_height = answer.ortho_height;
+    choice->ortho = answer.ortho_height > 0;
+    choice->has_camera = true;
+    memcpy(choice->eye, answer.eye, sizeof choice->eye);
+    memcpy(choice->target, answer.target, sizeof choice->target);
 }
 
 static json_t *make_job(const struct aob_scene_choice *choice)
 {
-    const struct aob_convention *c = &choice->convention;
-    return json_pack("{s:s, s:s, s:s, s:i, s:i, s:b, s:o, s:o, s:o, s:s, s:s, s:f, s:f, s:o, s:o}", "job",
-                     "capture", "file", choice->capture, "out", choice->gbuffer, "depth", (int)c->depth,
-                     "normals", (int)c->normals, "left_handed", c->left_handed, "near",
-                     aob_json_number(c->near), "far", aob_json_number(c->far), "up",
-                     aob_json_vector(c->up, 3), "depth_channel", c->depth_channel, "normal_channel",
-                     c->normal_channel, "fov_deg", choice->fov_deg, "ortho_height", choice->ortho_height,
-                     "eye", choice->has_camera ? aob_json_vector(choice->eye, 3) : json_null(), "target",
-                     choice->has_camera ? aob_json_vector(choice->target, 3) : json_null());
+    struct aob_capture_job job = {.file = choice->capture,
+                                  .out = choice->gbuffer,
+                                  .convention = choice->convention,
+                                  .fov_deg = choice->fov_deg,
+                                  .ortho_height = choice->ortho_height,
+                                  .has_camera = choice->has_camera};
+    memcpy(job.eye, choice->eye, sizeof job.eye);
+    memcpy(job.target, choice->target, sizeof job.target);
+    return aob_capture_job_to_json(&job);
 }
 
 /* A frame of 40 million pixels takes about 2.5 GB, and a damaged header may claim one. */

@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/child.h"
 #include "base/json.h"
+#include "gpu/gpu.h"
 
 struct answers {
     const struct aob_job_desc *desc;
@@ -48,15 +49,7 @@ bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_
     return aob_fail(error, "%s", text);
 }
 
-json_t *aob_dispatch_modules(const struct aob_dispatch *dispatch)
-{
-    json_t *modules = json_array();
-    for (size_t i = 0; i < dispatch->module_count; i++)
-        json_array_append_new(modules, json_string(dispatch->modules[i]));
-    return modules;
-}
-
-static void add_technique(void *user, json_t *answer)
+static void add_technique(void *user, const json_t *answer)
 {
     aob_technique_list_add(user, answer);
 }
@@ -66,7 +59,7 @@ bool aob_dispatch_describe(const struct aob_dispatch *dispatch, struct aob_techn
 {
     *list = (struct aob_technique_list){0};
     struct aob_job_desc desc = {
-        .job = json_pack("{s:s, s:o}", "job", "describe", "modules", aob_dispatch_modules(dispatch)),
+        .job = json_pack("{s:s, s:o}", "job", "describe", "modules", aob_modules_to_json(&dispatch->modules)),
         .timeout_s = 60,
         .memory_limit = (size_t)4 << 30,
         .on_answer = add_technique,
@@ -75,9 +68,33 @@ bool aob_dispatch_describe(const struct aob_dispatch *dispatch, struct aob_techn
         return true;
     if (!*error->text)
         aob_fail(error, "the worker describes no technique");
-    if (dispatch->module_count && !strstr(error->text, dispatch->modules[0]))
-        aob_fail_in(error, "loading modules (%s%s)", dispatch->modules[0],
-                    dispatch->module_count > 1 ? ", ..." : "");
+    const struct aob_modules *modules = &dispatch->modules;
+    if (modules->count && !strstr(error->text, modules->paths[0]))
+        aob_fail_in(error, "loading modules (%s%s)", modules->paths[0], modules->count > 1 ? ", ..." : "");
     aob_technique_list_finish(list);
     return false;
+}
+
+static void take_device(void *user, const json_t *answer)
+{
+    json_t **device = user;
+    json_decref(*device);
+    *device = json_deep_copy(answer);
+}
+
+json_t *aob_dispatch_probe(const struct aob_dispatch *dispatch, const char *backend, struct aob_error *error)
+{
+    json_t *device = NULL;
+    struct aob_job_desc desc = {.job = json_pack("{s:s, s:s}", "job", "probe", "backend", backend),
+                                .env = aob_gpu_find(backend)->environment,
+                                .timeout_s = 30,
+                                .on_answer = take_device,
+                                .user = &device};
+    bool ok = aob_dispatch_job(dispatch, &desc, error);
+    if (ok && device)
+        return device;
+    if (ok)
+        aob_fail(error, "%s: the worker says nothing of its device", backend);
+    json_decref(device);
+    return NULL;
 }

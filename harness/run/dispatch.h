@@ -1,24 +1,24 @@
-/* Jobs for workers (worker.h), each in a process of its own, from the program's main process. */
+/* Jobs for workers (worker/worker.h), each in a process of its own, from the program's main process. */
 #ifndef AOB_RUN_DISPATCH_H
 #define AOB_RUN_DISPATCH_H
 #include <jansson.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include "base/error.h"
+#include "job/modules.h"
 #include "technique/registry.h"
 
 struct aob_dispatch {
     const char *program;        /* path of the executable that answers to `worker` */
-    const char *const *modules; /* paths of --module files */
-    size_t module_count;
-    bool validate; /* Vulkan validation layer in workers */
+    struct aob_modules modules; /* paths of --module files */
+    bool validate;              /* Vulkan validation layer in workers */
 };
 struct aob_job_desc {
     json_t *job;            /* taken */
     const char *const *env; /* NULL, or NULL-ended "NAME=value" */
     double timeout_s;
-    size_t memory_limit;                           /* bytes; 0: none */
-    void (*on_answer)(void *user, json_t *answer); /* borrowed */
+    size_t memory_limit;                                 /* bytes; 0: none */
+    void (*on_answer)(void *user, const json_t *answer); /* borrowed */
     void *user;
 };
 /* False: the worker could not start, crashed, took too long or said that the job cannot be done; one line
@@ -30,5 +30,6 @@ bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_
 bool aob_dispatch_describe(const struct aob_dispatch *dispatch, struct aob_technique_list *list,
                            struct aob_error *error);
 
-json_t *aob_dispatch_modules(const struct aob_dispatch *dispatch); /* a new array of the paths, for a job */
+/* What a backend's device says of itself, {device, driver, class}; NULL after a line if it cannot be opened. Decref it. */
+json_t *aob_dispatch_probe(const struct aob_dispatch *dispatch, const char *backend, struct aob_error *error);
 #endif

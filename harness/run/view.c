@@ -6,27 +6,11 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "job/mesh_job.h"
+#include "job/view_job.h"
 #include "measurement.h"
 #include "reference/bound.h"
 #include "reference/tracer.h"
-
-static json_t *pose_to_json(struct aob_vec3 eye, struct aob_vec3 target)
-{
-    return json_pack("{s:[fff], s:[fff]}", "eye", eye.x, eye.y, eye.z, "target", target.x, target.y,
-                     target.z);
-}
-
-json_t *aob_camera_to_json(const struct aob_camera *camera)
-{
-    json_t *json = pose_to_json(camera->eye, camera->target);
-    json_object_set_new(json, "fov_deg", json_real(camera->fov_deg));
-    json_object_set_new(json, "ortho_height", json_real(camera->ortho_height));
-    json_object_set_new(json, "shift", aob_json_vector(camera->shift, 2));
-    json_object_set_new(json, "previous",
-                        camera->moves ? pose_to_json(camera->previous_eye, camera->previous_target)
-                                      : json_null());
-    return json;
-}
 
 static char *cache_path(const struct aob_measurement *m, const char *kind, const char *what,
                         const char *suffix)
@@ -37,39 +21,39 @@ static char *cache_path(const struct aob_measurement *m, const char *kind, const
     return aob_path_join(m->cache, name);
 }
 
-static void take_box(void *user, json_t *answer)
+struct box {
+    struct aob_vec3 low, high;
+};
+
+static void take_box(void *user, const json_t *object)
 {
+    struct box *box = user;
+    struct aob_mesh_answer answer;
     json_t *warning;
     size_t at;
-    json_array_foreach(json_object_get(answer, "warnings"), at, warning)
-        aob_warn("%s", json_string_value(warning));
-    struct aob_vec3 *box = user;
-    double low[3], high[3];
-    if (aob_json_to_vector(json_object_get(answer, "low"), low, 3) &&
-        aob_json_to_vector(json_object_get(answer, "high"), high, 3)) {
-        box[0] = aob_vec(low[0], low[1], low[2]);
-        box[1] = aob_vec(high[0], high[1], high[2]);
-    }
+    if (!aob_mesh_answer_from_json(object, &answer))
+        return;
+    *box = (struct box){answer.low, answer.high};
+    json_array_foreach(answer.warnings, at, warning) aob_warn("%s", json_string_value(warning));
 }
 
-/* Once a run. Time and memory in proportion to the file: a small hostile one would loop or allocate without end.
- * Real meshes take about 0.04 s a megabyte and 20 bytes of memory a byte. */
+/* Each mesh is imported once a run. Limits grow with the file, so a small hostile file cannot loop or allocate for
+ * ever. Real meshes take about 0.04 s a megabyte and 20 bytes of memory a byte. */
 static bool import_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, const char *path,
                         struct aob_error *error)
 {
-    struct aob_vec3 box[2] = {{0}};
+    struct box box = {aob_vec(0, 0, 0), aob_vec(0, 0, 0)};
     size_t size = aob_file_size(scene->file);
-    struct aob_job_desc desc = {
-        .job = json_pack("{s:s, s:s, s:s}", "job", "mesh", "file", scene->file, "out", path),
-        .timeout_s = 10 + 2e-6 * (double)size,
-        .memory_limit = ((size_t)1 << 30) + 64 * size,
-        .on_answer = take_box,
-        .user = box};
+    struct aob_job_desc desc = {.job = aob_mesh_job_to_json(&(struct aob_mesh_job){scene->file, path}),
+                                .timeout_s = 10 + 2e-6 * (double)size,
+                                .memory_limit = ((size_t)1 << 30) + 64 * size,
+                                .on_answer = take_box,
+                                .user = &box};
     if (!aob_dispatch_job(m->dispatch, &desc, error))
         return strstr(error->text, scene->file) ? false
                                                 : aob_fail_in(error, "%s: the mesh loader", scene->file);
     if (scene->framed)
-        scene->camera = aob_scene_framing(box[0], box[1]);
+        scene->camera = aob_scene_framing(box.low, box.high);
     scene->loaded = true;
     return true;
 }
@@ -104,46 +88,82 @@ static char *term_path(const struct aob_measurement *m, const struct aob_case *c
     return path;
 }
 
-/* What a case is compared with: the truth, its definition, and the definition within the screen-space bound. A capture
- * has no geometry, so its truth and definition are those of the bound. A technique that draws the scene's triangles is
- * not bound to the screen: it knows all that its definition asks for. NULL: the case has no such term. */
-enum term_kind { TERM_TRUTH, TERM_DEFINITION, TERM_SCREEN, TERM_COUNT };
-
-static json_t *make_term(const struct aob_measurement *m, size_t index, enum term_kind kind)
+/* What a capture shows has no geometry, so all of its references are those of the screen-space bound. */
+static void bind_to_screen(const struct aob_measurement *m, json_t *term)
 {
-    const struct aob_case *c = &m->plan->cases[index];
-    const json_t *definition = m->states[index].definition;
-    bool captured = c->scene->gbuffer != NULL;
-    if (kind != TERM_TRUTH && !definition)
-        return NULL;
-    json_t *term = kind == TERM_TRUTH
-                       ? json_pack("{s:o, s:b, s:n, s:b}", "radius", aob_json_number(c->reference_radius),
-                                   "uniform", 0, "falloff", "of_triangle", 0)
-                       : json_deep_copy(definition);
-    if (captured || (kind == TERM_SCREEN && !m->states[index].triangles))
-        json_object_set_new(term, "screen",
-                            m->plan->config->thickness < 0 ? json_incref(json_object_get(term, "radius"))
-                                                           : aob_json_number(m->plan->config->thickness));
-    return term;
+    double thickness = m->plan->config->thickness;
+    aob_term_set_bound(term, thickness < 0 ? aob_json_to_number(json_object_get(term, "radius")) : thickness);
 }
 
-/* Adds the term to the view's job unless its file is there already; returns that file. */
-static char *want_term(struct aob_measurement *m, size_t index, enum term_kind kind, json_t *missing)
+/* The terms that a view's job is to trace; the files that they go to are the keys of `known`. */
+struct missing {
+    json_t *terms, *known;
+};
+
+/* Adds the term to the view's job unless its file is there already; returns that file. Takes the term. */
+static char *want_term(struct aob_measurement *m, const struct aob_case *c, json_t *term,
+                       struct missing *missing)
 {
-    const struct aob_case *c = &m->plan->cases[index];
-    json_t *term = make_term(m, index, kind);
-    if (!term)
-        return NULL;
     char *path = term_path(m, c, term);
-    bool wanted = aob_file_exists(path);
-    for (size_t i = 0; i < json_array_size(missing) && !wanted; i++)
-        wanted = strcmp(json_string_value(json_object_get(json_array_get(missing, i), "out")), path) == 0;
-    if (!wanted) {
+    if (!json_object_get(missing->known, path) && !aob_file_exists(path)) {
         json_object_set_new(term, "out", json_string(path));
-        json_array_append(missing, term);
+        json_array_append(missing->terms, term);
+        json_object_set_new(missing->known, path, json_true());
     }
     json_decref(term);
     return path;
+}
+
+static char *want_truth(struct aob_measurement *m, const struct aob_case *c, const struct aob_target *target,
+                        bool bent, struct missing *missing)
+{
+    json_t *term = aob_term_to_json(
+        &(struct aob_term){.radius = target->radius, .uniform = target->uniform, .bent = bent});
+    if (c->scene->gbuffer)
+        bind_to_screen(m, term);
+    return want_term(m, c, term, missing);
+}
+
+/* What a case claims to compute, traced freely, or within the screen-space bound. A technique that draws the scene's
+ * triangles is not bound to the screen: it knows all that its definition asks for. NULL: it claims nothing. */
+static char *want_claim(struct aob_measurement *m, size_t index, bool bound, struct missing *missing)
+{
+    const struct aob_state *state = &m->states[index];
+    const struct aob_case *c = &m->plan->cases[index];
+    if (!state->definition)
+        return NULL;
+    json_t *term = json_deep_copy(state->definition);
+    if (c->scene->gbuffer || (bound && !state->triangles))
+        bind_to_screen(m, term);
+    return want_term(m, c, term, missing);
+}
+
+static bool gives_bent_normal(const struct aob_state *state)
+{
+    return state->outputs >> AOB_OUT_BENT_NORMAL & 1;
+}
+
+struct aob_job_view aob_job_view_of(const struct aob_case *c, const struct aob_view_files *files)
+{
+    return (struct aob_job_view){.mesh = files->mesh,
+                                 .scene = c->scene->name,
+                                 .captured = c->scene->gbuffer != NULL,
+                                 .camera = c->scene->camera,
+                                 .width = c->width,
+                                 .height = c->height,
+                                 .guard = aob_case_options(c).guard_band,
+                                 .gbuffer = files->gbuffer};
+}
+
+static bool trace_view(struct aob_measurement *m, const struct aob_case *c,
+                       const struct aob_view_files *files, json_t *terms, struct aob_error *error)
+{
+    int spp = m->plan->config->spp;
+    double rays = (double)c->width * c->height * spp;
+    struct aob_job_view view = aob_job_view_of(c, files);
+    struct aob_job_desc desc = {.job = aob_view_job_to_json(&view, spp, json_incref(terms)),
+                                .timeout_s = 300 + rays / 1e5 * (double)json_array_size(terms)};
+    return aob_dispatch_job(m->dispatch, &desc, error) || aob_fail_in(error, "scene '%s'", c->scene->name);
 }
 
 static bool same_view(const struct aob_case *a, const struct aob_case *b)
@@ -151,33 +171,57 @@ static bool same_view(const struct aob_case *a, const struct aob_case *b)
     return a->scene == b->scene && a->width == b->width && a->height == b->height;
 }
 
-static bool trace_view(struct aob_measurement *m, const struct aob_case *c, const char *mesh,
-                       const char *gbuffer, json_t *missing, struct aob_error *error)
+static void want_case(struct aob_measurement *m, size_t index, int guard, struct missing *missing)
 {
-    int guard = aob_case_options(c).guard_band;
-    double rays = (double)c->width * c->height * m->plan->config->spp;
-    json_t *job = json_pack("{s:s, s:s, s:b, s:o, s:i, s:i, s:i, s:i, s:s, s:O}", "job", "view",
-                            mesh ? "mesh" : "scene", mesh ? mesh : c->scene->name, "captured",
-                            c->scene->gbuffer != NULL, "camera", aob_camera_to_json(&c->scene->camera),
-                            "width", c->width, "height", c->height, "guard", guard, "spp",
-                            m->plan->config->spp, "gbuffer", gbuffer, "terms", missing);
-    struct aob_job_desc desc = {.job = job, .timeout_s = 300 + rays / 1e5 * (double)json_array_size(missing)};
-    return aob_dispatch_job(m->dispatch, &desc, error) || aob_fail_in(error, "scene '%s'", c->scene->name);
+    const struct aob_case *c = &m->plan->cases[index];
+    if (m->states[index].stage != AOB_PENDING)
+        return;
+    for (size_t t = 0; t < c->scene->target_count; t++)
+        free(want_truth(m, c, &c->scene->targets[t], gives_bent_normal(&m->states[index]), missing));
+    free(want_claim(m, index, false, missing));
+    if (aob_case_options(c).guard_band == guard)
+        free(want_claim(m, index, true, missing));
 }
 
 /* All terms of the view that the plan still needs are traced at once: one set of rays serves them all. The bound of
  * another guard band is rebuilt from another G-buffer than this job's. */
-static void want_whole_view(struct aob_measurement *m, const struct aob_case *c, json_t *missing)
+static void want_whole_view(struct aob_measurement *m, size_t index, struct missing *missing)
 {
-    int guard = aob_case_options(c).guard_band;
-    for (size_t i = 0; i < m->plan->case_count; i++) {
-        const struct aob_case *other = &m->plan->cases[i];
-        if (m->states[i].stage != AOB_PENDING || !same_view(c, other))
-            continue;
-        for (int kind = 0; kind < TERM_COUNT; kind++)
-            if (kind != TERM_SCREEN || aob_case_options(other).guard_band == guard)
-                free(want_term(m, i, (enum term_kind)kind, missing));
+    const struct aob_case *cases = m->plan->cases;
+    int guard = aob_case_options(&cases[index]).guard_band;
+    size_t first = m->place[index];
+    while (first > 0 && same_view(&cases[index], &cases[m->by_view[first - 1]]))
+        first--;
+    for (size_t i = first; i < m->plan->case_count && same_view(&cases[index], &cases[m->by_view[i]]); i++)
+        want_case(m, m->by_view[i], guard, missing);
+}
+
+static char *gbuffer_path(const struct aob_measurement *m, const struct aob_case *c)
+{
+    struct aob_text text = {0};
+    if (c->scene->gbuffer)
+        return aob_strdup(c->scene->gbuffer);
+    describe_view(c, aob_case_options(c).guard_band, true, &text);
+    char *path = cache_path(m, "gbuffer", text.data, ".exr");
+    aob_text_finish(&text);
+    return path;
+}
+
+static bool make_files(struct aob_measurement *m, const size_t *indices, struct aob_view_files *files,
+                       struct missing *missing, struct aob_error *error)
+{
+    const struct aob_case *c = &m->plan->cases[indices[0]];
+    for (size_t t = 0; t < files->target_count; t++)
+        files->truth[t] = want_truth(m, c, &c->scene->targets[t], files->bent, missing);
+    for (size_t i = 0; i < files->count && files->target_count; i++) {
+        files->definition[i] = want_claim(m, indices[i], false, missing);
+        files->screen[i] = want_claim(m, indices[i], true, missing);
     }
+    if (json_array_size(missing->terms))
+        want_whole_view(m, indices[0], missing);
+    else if (aob_file_exists(files->gbuffer))
+        return true;
+    return trace_view(m, c, files, missing->terms, error);
 }
 
 bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t count,
@@ -189,28 +233,20 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
     char *mesh = scene->file ? load_mesh(m, scene, error) : NULL;
     if (scene->file && !mesh)
         return false;
-    struct aob_text text = {0};
-    json_t *missing = json_array();
-    *files = (struct aob_view_files){.count = count, .mesh = mesh};
-    files->reference = AOB_NEW_ARRAY(char *, count);
-    files->definition = AOB_NEW_ARRAY(char *, count);
-    files->screen = AOB_NEW_ARRAY(char *, count);
-    describe_view(c, aob_case_options(c).guard_band, true, &text);
-    files->gbuffer =
-        scene->gbuffer ? aob_strdup(scene->gbuffer) : cache_path(m, "gbuffer", text.data, ".exr");
-    for (size_t i = 0; i < count && m->plan->config->measure_error; i++) {
-        files->reference[i] = want_term(m, indices[i], TERM_TRUTH, missing);
-        files->definition[i] = want_term(m, indices[i], TERM_DEFINITION, missing);
-        files->screen[i] = want_term(m, indices[i], TERM_SCREEN, missing);
-    }
-    bool ok = true;
-    if (json_array_size(missing))
-        want_whole_view(m, c, missing);
-    if (json_array_size(missing) || !aob_file_exists(files->gbuffer))
-        ok = trace_view(m, c, mesh, files->gbuffer, missing, error);
+    struct missing missing = {json_array(), json_object()};
+    *files = (struct aob_view_files){.mesh = mesh,
+                                     .gbuffer = gbuffer_path(m, c),
+                                     .truth = AOB_NEW_ARRAY(char *, scene->target_count),
+                                     .target_count = scene->target_count,
+                                     .definition = AOB_NEW_ARRAY(char *, count),
+                                     .screen = AOB_NEW_ARRAY(char *, count),
+                                     .count = count};
+    for (size_t i = 0; i < count; i++)
+        files->bent = files->bent || gives_bent_normal(&m->states[indices[i]]);
+    bool ok = make_files(m, indices, files, &missing, error);
     m->shares.reference += (double)(aob_clock_wall_ns() - start) * 1e-9;
-    json_decref(missing);
-    aob_text_finish(&text);
+    json_decref(missing.terms);
+    json_decref(missing.known);
     if (!ok)
         aob_view_files_finish(files);
     return ok;
@@ -218,12 +254,13 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
 
 void aob_view_files_finish(struct aob_view_files *files)
 {
+    for (size_t t = 0; t < files->target_count; t++)
+        free(files->truth[t]);
     for (size_t i = 0; i < files->count; i++) {
-        free(files->reference[i]);
         free(files->definition[i]);
         free(files->screen[i]);
     }
-    free(files->reference);
+    free(files->truth);
     free(files->definition);
     free(files->screen);
     free(files->gbuffer);

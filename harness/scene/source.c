@@ -60,7 +60,7 @@ static bool digest_file(const char *file, char key[AOB_KEY_SIZE], struct aob_err
     const char *ending = strrchr(file, '.');
     if (!aob_hash_file(file, key, error))
         return false;
-    aob_text_add(&text, "%s %s %s", key, ending ? ending : "", aob_mesh_importer_version);
+    aob_text_add(&text, "%s %s", key, ending ? ending : "");
     if (ending && strcmp(ending, ".gltf") == 0)
         add_buffers(file, &text);
     if (ending && strcasecmp(ending, ".obj") == 0)
@@ -80,4 +80,15 @@ bool aob_source_digest(const struct aob_scene_info *info, const char *file, char
     aob_mesh_digest(&mesh, key);
     aob_mesh_finish(&mesh);
     return true;
+}
+
+void aob_source_import_digest(const char *file, const char geometry[AOB_KEY_SIZE], char key[AOB_KEY_SIZE])
+{
+    struct aob_text text = {0};
+    aob_text_add(&text, "%s %s", geometry, aob_mesh_importer_version);
+    if (file)
+        aob_hash_text(text.data, key);
+    else
+        memmove(key, geometry, AOB_KEY_SIZE);
+    aob_text_finish(&text);
 }

@@ -17,7 +17,7 @@ static bool near_border(const struct aob_score_desc *desc, int x, int y, size_t 
     return fmin(horizontal, vertical) < reach;
 }
 
-static bool judge_values(const struct aob_score_desc *desc, struct aob_error *error)
+bool aob_score_judge(const struct aob_score_desc *desc, struct aob_error *error)
 {
     for (size_t i = 0; i < (size_t)desc->width * (size_t)desc->height; i++)
         if (!aob_score_is_sky(desc, i) && !(desc->image[i] >= 0 && desc->image[i] <= 1))
@@ -70,10 +70,8 @@ static double mean(double sum, size_t count)
     return count ? sum / (double)count : NAN;
 }
 
-bool aob_score(const struct aob_score_desc *desc, struct aob_score *score, struct aob_error *error)
+void aob_score(const struct aob_score_desc *desc, struct aob_metrics *metrics)
 {
-    if (!judge_values(desc, error))
-        return false;
     struct sums sums = {0};
     double *errors = AOB_NEW_ARRAY(double, (size_t)desc->width *(size_t)desc->height);
     for (int y = 0; y < desc->height; y++)
@@ -82,30 +80,17 @@ bool aob_score(const struct aob_score_desc *desc, struct aob_score *score, struc
     double total = 0;
     for (size_t i = 0; i < sums.count; i++)
         total += errors[i];
-    *score = (struct aob_score){.rmse = sqrt(mean(sums.square, sums.count)),
-                                .mae = mean(total, sums.count),
-                                .bias = mean(sums.bias, sums.count),
-                                .p95 = sums.count ? aob_quantile(errors, sums.count, 0.95) : NAN,
-                                .max = sums.count ? aob_quantile(errors, sums.count, 1) : NAN,
-                                .band_rmse = sqrt(mean(sums.band, sums.band_count)),
-                                .border_rmse = sqrt(mean(sums.border, sums.border_count)),
-                                .border_share = sums.square > 0 ? sums.border / sums.square : 0,
-                                .reference_se = sqrt(mean(sums.se, sums.count)),
-                                .pixels = sums.count,
-                                .band_pixels = sums.band_count};
+    aob_metrics_init(metrics);
+    metrics->rmse = sqrt(mean(sums.square, sums.count));
+    metrics->mae = mean(total, sums.count);
+    metrics->bias = mean(sums.bias, sums.count);
+    metrics->p95 = sums.count ? aob_quantile(errors, sums.count, 0.95) : NAN;
+    metrics->max = sums.count ? aob_quantile(errors, sums.count, 1) : NAN;
+    metrics->band_rmse = sqrt(mean(sums.band, sums.band_count));
+    metrics->border_rmse = sqrt(mean(sums.border, sums.border_count));
+    metrics->border_share = sums.square > 0 ? sums.border / sums.square : 0;
+    metrics->reference_se = sqrt(mean(sums.se, sums.count));
+    metrics->pixels = (double)sums.count;
+    metrics->band_pixels = (double)sums.band_count;
     free(errors);
-    return true;
-}
-
-double aob_score_rmse(const struct aob_score_desc *desc, const float *a, const float *b)
-{
-    double sum = 0;
-    size_t count = 0;
-    for (size_t i = 0; i < (size_t)desc->width * (size_t)desc->height; i++)
-        if (!aob_score_is_sky(desc, i)) {
-            double e = (double)a[i] - b[i];
-            sum += e * e;
-            count++;
-        }
-    return sqrt(mean(sum, count));
 }

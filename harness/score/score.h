@@ -4,6 +4,7 @@
 #define AOB_SCORE_SCORE_H
 #include <stddef.h>
 #include "base/error.h"
+#include "store/metric.h"
 
 struct aob_score_desc {
     int width, height;
@@ -15,28 +16,19 @@ struct aob_score_desc {
     double pixel_scale; /* sy of the projection: scene units a pixel covers, at depth 1 if perspective */
     int perspective;
 };
-struct aob_score {              /* NAN where no pixel is in the class */
-    double rmse, mae, bias;     /* bias: mean of image minus truth */
-    double p95, max;            /* of the absolute error */
-    double band_rmse;           /* pixels whose truth is below AOB_BAND_LIMIT */
-    double border_rmse;         /* pixels closer to the image's edge than the radius's projection */
-    double border_share;        /* of the squared error, in those pixels; 0 where there is no error */
-    double reference_se;        /* truth_se pooled as an RMS; 0 without one */
-    size_t pixels, band_pixels; /* scored */
-};
 #define AOB_BAND_LIMIT 0.995
 
 /* Whether pixel i, counted from the top left, is sky; a depth that is NaN is. */
 bool aob_score_is_sky(const struct aob_score_desc *desc, size_t i);
 
-/* False with a line if the image holds a value that is not finite or lies outside [0, 1]. */
-bool aob_score(const struct aob_score_desc *desc, struct aob_score *score, struct aob_error *error);
+/* False with a line if the image holds a value, over a surface, that is not finite or lies outside [0, 1]. */
+bool aob_score_judge(const struct aob_score_desc *desc, struct aob_error *error);
+
+/* The metrics that are sums over pixels; those of flip.h, ssim.h and split.h are NAN, and so is one without a pixel in
+ * its class. */
+void aob_score(const struct aob_score_desc *desc, struct aob_metrics *metrics);
 
 /* A technique that draws nothing: its image has one value over pixels whose truth spans more than 0.05. Then false, with
  * a line that gives the value. */
 bool aob_score_judge_drawn(const struct aob_score_desc *desc, struct aob_error *error);
-
-/* RMS of the difference of two images over the non-sky pixels of desc (its image, truth and radius are not
- * used). */
-double aob_score_rmse(const struct aob_score_desc *desc, const float *a, const float *b);
 #endif

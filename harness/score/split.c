@@ -2,7 +2,7 @@
 #include <math.h>
 
 void aob_split(const struct aob_score_desc *desc, const float *definition, const float *screen,
-               struct aob_split *split)
+               struct aob_metrics *metrics)
 {
     double square[3] = {0}, product[3] = {0};
     size_t count = 0;
@@ -19,10 +19,10 @@ void aob_split(const struct aob_score_desc *desc, const float *definition, const
         count++;
     }
     double n = count ? (double)count : NAN;
-    *split = (struct aob_split){.definition_rmse = sqrt(square[0] / n),
-                                .missing_rmse = sqrt(square[1] / n),
-                                .estimator_rmse = sqrt(square[2] / n),
-                                .definition_missing = product[0] / n,
-                                .missing_estimator = product[1] / n,
-                                .definition_estimator = product[2] / n};
+    metrics->definition_rmse = sqrt(square[0] / n);
+    metrics->missing_rmse = sqrt(square[1] / n);
+    metrics->estimator_rmse = sqrt(square[2] / n);
+    metrics->definition_missing = product[0] / n;
+    metrics->missing_estimator = product[1] / n;
+    metrics->definition_estimator = product[2] / n;
 }

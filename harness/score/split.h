@@ -6,12 +6,8 @@
 #define AOB_SCORE_SPLIT_H
 #include "score.h"
 
-struct aob_split { /* NAN where no pixel is scored */
-    double definition_rmse, missing_rmse, estimator_rmse;
-    double definition_missing, definition_estimator, missing_estimator; /* mean products, not centred */
-};
-
-/* Over the non-sky pixels of desc; `definition` and `screen` are width x height floats. */
+/* Sets these metrics, over the non-sky pixels of desc; NAN where there is none. `definition` and `screen` are width x
+ * height floats. The mean products are not centred. */
 void aob_split(const struct aob_score_desc *desc, const float *definition, const float *screen,
-               struct aob_split *split);
+               struct aob_metrics *metrics);
 #endif

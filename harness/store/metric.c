@@ -9,18 +9,20 @@
     }
 
 const struct aob_metric aob_metric_table[] = {
-    METRIC(rmse, .title = "RMSE", .better = AOB_BETTER_LESS,
+    METRIC(rmse, .title = "RMSE", .brief = true, .better = AOB_BETTER_LESS,
            .doc = "Root of the mean squared error of visibility, 0 to 1, against the target."),
-    METRIC(band_rmse, .title = "RMSE in band", .better = AOB_BETTER_LESS,
+    METRIC(band_rmse, .title = "RMSE in band", .brief = true, .better = AOB_BETTER_LESS,
            .doc = "RMSE over the pixels whose true visibility is below 0.995: where there is occlusion."),
     METRIC(border_rmse, .title = "RMSE at the border", .better = AOB_BETTER_LESS,
-           .doc = "RMSE over the pixels that lie nearer to the view's edge than the target's radius reaches."),
+           .doc =
+               "RMSE over the pixels that lie nearer to the view's edge than the target's radius reaches."),
     METRIC(border_share, .title = "border share", .better = AOB_BETTER_NONE,
            .doc = "Share of the squared error that lies in those pixels."),
     METRIC(mae, .title = "MAE", .better = AOB_BETTER_LESS, .doc = "Mean of the absolute error."),
-    METRIC(bias, .title = "bias", .better = AOB_BETTER_ZERO,
+    METRIC(bias, .title = "bias", .brief = true, .better = AOB_BETTER_ZERO,
            .doc = "Mean of technique minus reference; a negative one is too dark."),
-    METRIC(p95, .title = "p95", .better = AOB_BETTER_LESS, .doc = "95th percentile of the absolute error."),
+    METRIC(p95, .title = "p95", .brief = true, .better = AOB_BETTER_LESS,
+           .doc = "95th percentile of the absolute error."),
     METRIC(max, .title = "max", .better = AOB_BETTER_LESS, .doc = "Largest absolute error of a pixel."),
     METRIC(reference_se, .title = "reference SE", .better = AOB_BETTER_NONE,
            .doc = "Standard error of the reference itself, as an RMS over the pixels."),
@@ -30,8 +32,8 @@ const struct aob_metric aob_metric_table[] = {
            .doc = "Mean structural similarity: 1 where the two images are equal."),
     METRIC(pixels, .title = "pixels", .unit = "pixels", .whole = true, .better = AOB_BETTER_NONE,
            .doc = "Pixels that are scored; the sky is not."),
-    METRIC(band_pixels, .title = "pixels in band", .unit = "pixels", .whole = true,
-           .better = AOB_BETTER_NONE, .doc = "Those of them whose true visibility is below 0.995."),
+    METRIC(band_pixels, .title = "pixels in band", .unit = "pixels", .whole = true, .better = AOB_BETTER_NONE,
+           .doc = "Those of them whose true visibility is below 0.995."),
     METRIC(definition_rmse, .title = "definition", .better = AOB_BETTER_LESS,
            .doc = "RMS of the part of the error that the technique's definition asks for."),
     METRIC(missing_rmse, .title = "missing", .better = AOB_BETTER_LESS,
@@ -44,6 +46,15 @@ const struct aob_metric aob_metric_table[] = {
            .better = AOB_BETTER_NONE, .doc = "Mean product of these two parts of the error."),
     METRIC(missing_estimator, .group = "covariance", .title = "missing x estimator",
            .better = AOB_BETTER_NONE, .doc = "Mean product of these two parts of the error."),
+    METRIC(bent_mean, .output = AOB_OUT_BENT_NORMAL, .title = "bent normal", .unit = "degrees",
+           .better = AOB_BETTER_LESS,
+           .doc =
+               "Mean angle between the technique's bent normal and the traced mean of the open directions."),
+    METRIC(bent_p95, .output = AOB_OUT_BENT_NORMAL, .title = "bent normal p95", .unit = "degrees",
+           .better = AOB_BETTER_LESS, .doc = "95th percentile of that angle."),
+    METRIC(bent_pixels, .output = AOB_OUT_BENT_NORMAL, .title = "bent normal pixels", .unit = "pixels",
+           .whole = true, .better = AOB_BETTER_NONE,
+           .doc = "Pixels whose angle counts: those that are not nearly closed."),
     {.name = NULL},
 };
 

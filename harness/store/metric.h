@@ -5,9 +5,10 @@
 #define AOB_STORE_METRIC_H
 #include <aobudget/technique.h>
 #include <jansson.h>
+#include <stdbool.h>
 #include <stddef.h>
 
-enum aob_better { /* what of two values a reader should prefer */
+enum aob_better {                  /* what of two values a reader should prefer */
                   AOB_BETTER_NONE, /* it describes; neither is better */
                   AOB_BETTER_LESS,
                   AOB_BETTER_MORE,
@@ -20,16 +21,18 @@ struct aob_metrics {
     double definition_rmse, missing_rmse, estimator_rmse;
     double definition_missing, definition_estimator, missing_estimator;
     double flip, ssim, pixels, band_pixels;
+    double bent_mean, bent_p95, bent_pixels;
 };
 
 struct aob_metric {
-    const char *name;       /* of the JSON field, lower_snake; the column of the CSV file */
-    const char *title;      /* the head of a table's column: "RMSE in band" */
-    const char *unit;       /* "pixels"; NULL: a number without one */
-    const char *doc;        /* one sentence */
+    const char *name;  /* of the JSON field, lower_snake; the column of the CSV file */
+    const char *title; /* the head of a table's column: "RMSE in band" */
+    const char *unit;  /* "pixels"; NULL: a number without one */
+    const char *doc;   /* one sentence */
     enum aob_better better;
     enum aob_output output; /* whose image is scored */
     bool whole;             /* a count: written without a fraction */
+    bool brief;             /* one of the few that the caption of a picture has room for */
     const char *group;      /* NULL, or the JSON object below the target's that holds it: "covariance" */
     size_t offset;          /* of the double in struct aob_metrics */
 };

@@ -13,21 +13,56 @@ static bool same_text(const json_t *a, const json_t *b, const char *name)
     return ta && tb && strcmp(ta, tb) == 0;
 }
 
-static bool judge_earlier_run(const struct aob_run_folder *folder, const json_t *info,
-                              struct aob_error *error)
+static bool same_device(const json_t *a, const json_t *b)
+{
+    return same_text(a, b, "device") && same_text(a, b, "driver");
+}
+
+/* A backend that could not be opened, then or now, has measured nothing that could be mixed. What it was then stays
+ * known for the next time. */
+static bool judge_devices(const struct aob_run_folder *folder, const json_t *earlier, json_t *info,
+                          struct aob_error *error)
+{
+    json_t *devices = json_object_get(info, "devices"), *now;
+    const char *backend;
+    json_object_foreach(devices, backend, now)
+    {
+        json_t *then = json_object_get(json_object_get(earlier, "devices"), backend);
+        if (json_is_object(then) && json_is_object(now) && !same_device(then, now))
+            return aob_fail(
+                error,
+                "%s holds a run on another device (%s: %s, %s; now it is %s, %s): use --fresh to discard it, "
+                "or another --out",
+                folder->path, backend, json_string_value(json_object_get(then, "device")),
+                json_string_value(json_object_get(then, "driver")),
+                json_string_value(json_object_get(now, "device")),
+                json_string_value(json_object_get(now, "driver")));
+        if (json_is_object(then) && !json_is_object(now))
+            json_object_set(devices, backend, then);
+    }
+    return true;
+}
+
+static const char *find_difference(const json_t *earlier, const json_t *info)
+{
+    if (!earlier)
+        return "a run whose run.json is missing or damaged";
+    if (!same_text(earlier, info, "config_hash"))
+        return "a run of another config, or of this one before it was changed";
+    return same_text(earlier, info, "build") ? NULL : "a run of another build of this program";
+}
+
+static bool judge_earlier_run(const struct aob_run_folder *folder, json_t *info, struct aob_error *error)
 {
     if (!aob_file_exists(folder->info) && !aob_file_exists(folder->journal_path))
         return true;
     json_t *earlier = json_load_file(folder->info, 0, NULL);
-    const char *other = !earlier ? "a run whose run.json is missing or damaged"
-                        : !same_text(earlier, info, "config_hash")
-                            ? "a run of another config, or of this one "
-                              "before it was changed"
-                        : !same_text(earlier, info, "build") ? "a run of another build of this program"
-                                                             : NULL;
+    const char *other = find_difference(earlier, info);
+    bool ok = other ? aob_fail(error, "%s holds %s: use --fresh to discard it, or another --out",
+                               folder->path, other)
+                    : judge_devices(folder, earlier, info, error);
     json_decref(earlier);
-    return !other ||
-           aob_fail(error, "%s holds %s: use --fresh to discard it, or another --out", folder->path, other);
+    return ok;
 }
 
 /* Names are ours: 32 hexadecimal digits and .exr. */
@@ -45,26 +80,29 @@ static void discard_images(const char *images)
         closedir(directory);
 }
 
-static bool discard_earlier_run(struct aob_run_folder *folder, const char *images, struct aob_error *error)
+static bool discard_earlier_run(struct aob_run_folder *folder, const char *images, const char *truths,
+                                struct aob_error *error)
 {
     discard_images(images);
+    discard_images(truths);
     return ftruncate(folder->journal.file, 0) == 0 ||
            aob_fail(error, "%s: cannot be emptied", folder->journal_path);
 }
 
-bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, const json_t *info, bool fresh,
+bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t *info, bool fresh,
                          struct aob_error *error)
 {
     *folder = (struct aob_run_folder){.path = aob_strdup(path),
                                       .info = aob_path_join(path, "run.json"),
                                       .journal_path = aob_path_join(path, "journal.jsonl")};
-    char *images = aob_path_join(path, "images");
+    char *images = aob_path_join(path, "images"), *truths = aob_path_join(path, "truths");
     bool ok = aob_folder_create(path, error) && aob_folder_create(images, error) &&
-              (fresh || judge_earlier_run(folder, info, error)) &&
+              aob_folder_create(truths, error) && (fresh || judge_earlier_run(folder, info, error)) &&
               aob_journal_open(&folder->journal, folder->journal_path, error) &&
-              (!fresh || discard_earlier_run(folder, images, error)) &&
+              (!fresh || discard_earlier_run(folder, images, truths, error)) &&
               aob_run_folder_describe(folder, info, error);
     free(images);
+    free(truths);
     return ok;
 }
 

@@ -1,4 +1,4 @@
-/* The folder of a run: journal.jsonl, run.json (what run it is), images/, report/. */
+/* The folder of a run: journal.jsonl, run.json (which run it is), images/, truths/, report/. */
 #ifndef AOB_STORE_RUN_FOLDER_H
 #define AOB_STORE_RUN_FOLDER_H
 #include <jansson.h>
@@ -11,9 +11,10 @@ struct aob_run_folder {
     struct aob_journal journal;       /* open for appending; one run a folder */
 };
 
-/* Creates or reopens. What an earlier run left is kept if its run.json names the same config_hash and build as
- * `info`, discarded if `fresh`, else refused: figures would be lost, or figures of two programs mixed. */
-bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, const json_t *info, bool fresh,
+/* Creates or reopens. What an earlier run left is kept if its run.json names the same config_hash, build and devices as
+ * `info`, and discarded if `fresh`; else it is refused, because figures would be lost, or figures of two programs or two
+ * devices mixed. `info` takes over the earlier device of a backend that could not be opened now. */
+bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t *info, bool fresh,
                          struct aob_error *error);
 bool aob_run_folder_describe(const struct aob_run_folder *folder, const json_t *info,
                              struct aob_error *error);

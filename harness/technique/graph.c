@@ -1,6 +1,7 @@
 #include "graph.h"
 #include <math.h>
 #include <string.h>
+#include "graph_judge.h"
 
 enum { MAX_TABLE = 8192 };
 
@@ -26,7 +27,29 @@ static bool copy_name(struct aob_pass_graph *graph, const char *what, const char
 
 static bool graph_wants(const struct aob_graph *graph, enum aob_output which)
 {
-    return which < AOB_OUTPUT_COUNT && own(graph)->wanted >> which & 1;
+    return (unsigned)which < AOB_OUTPUT_COUNT && own(graph)->wanted >> which & 1;
+}
+
+static bool judge_texture(const struct aob_pass_graph *graph, const struct aob_tex_desc *desc)
+{
+    if (graph->texture_count == AOB_MAX_TEXTURE)
+        return aob_fail(graph->error, "texture '%s': more than %d textures", desc->name, AOB_MAX_TEXTURE);
+    if ((unsigned)desc->format >= AOB_FORMAT_COUNT || desc->divisor > 64 || desc->levels > AOB_MAX_LEVEL)
+        return aob_fail(graph->error,
+                        "texture '%s': unknown format, a divisor over 64 or more than %d levels", desc->name,
+                        AOB_MAX_LEVEL);
+    if (desc->fill ? desc->divisor || desc->levels || !desc->width || !desc->height ||
+                         desc->width > MAX_TABLE || desc->height > MAX_TABLE
+                   : desc->width || desc->height)
+        return aob_fail(
+            graph->error,
+            "texture '%s': a table has fill, width and height (1..%d), no divisor and no levels; a "
+            "target none of the three",
+            desc->name, MAX_TABLE);
+    for (int i = 0; i < graph->texture_count; i++)
+        if (strcmp(graph->textures[i].name, desc->name) == 0)
+            return aob_fail(graph->error, "two textures are named '%s'", desc->name);
+    return true;
 }
 
 static aob_tex graph_texture(struct aob_graph *interface, const struct aob_tex_desc *desc)
@@ -34,28 +57,13 @@ static aob_tex graph_texture(struct aob_graph *interface, const struct aob_tex_d
     struct aob_pass_graph *graph = own(interface);
     struct aob_graph_texture texture = {.format = desc->format,
                                         .divisor = desc->divisor ? (int)desc->divisor : 1,
+                                        .levels = desc->levels ? (int)desc->levels : 1,
+                                        .align = desc->levels ? (int)desc->levels - 1 : 0,
                                         .width = (int)desc->width,
                                         .height = (int)desc->height,
                                         .fill = desc->fill};
-    if (!copy_name(graph, "texture", desc->name, texture.name))
+    if (!copy_name(graph, "texture", desc->name, texture.name) || !judge_texture(graph, desc))
         return (aob_tex){0};
-    if (graph->texture_count == AOB_MAX_TEXTURE)
-        return aob_fail(graph->error, "texture '%s': more than %d textures", desc->name, AOB_MAX_TEXTURE),
-               (aob_tex){0};
-    if ((unsigned)desc->format >= AOB_FORMAT_COUNT || desc->divisor > 64)
-        return aob_fail(graph->error, "texture '%s': unknown format or a divisor over 64", desc->name),
-               (aob_tex){0};
-    if (desc->fill ? desc->divisor || !desc->width || !desc->height || desc->width > MAX_TABLE ||
-                         desc->height > MAX_TABLE
-                   : desc->width || desc->height)
-        return aob_fail(
-                   graph->error,
-                   "texture '%s': a table has fill, width and height (1..%d) and no divisor; a target none",
-                   desc->name, MAX_TABLE),
-               (aob_tex){0};
-    for (int i = 0; i < graph->texture_count; i++)
-        if (strcmp(graph->textures[i].name, texture.name) == 0)
-            return aob_fail(graph->error, "two textures are named '%s'", desc->name), (aob_tex){0};
     graph->textures[graph->texture_count++] = texture;
     return (aob_tex){(uint32_t)graph->texture_count};
 }
@@ -76,6 +84,11 @@ static bool copy_binds(struct aob_pass_graph *graph, const struct aob_pass *pass
                             bind->name);
         copy->texture = (int)bind->tex.id - 1;
         copy->filter = bind->filter;
+        if (bind->level >= (uint32_t)graph->textures[copy->texture].levels)
+            return aob_fail(graph->error, "pass '%s': bind '%s' has level %u, its texture '%s' has %d",
+                            pass->name, bind->name, bind->level, graph->textures[copy->texture].name,
+                            graph->textures[copy->texture].levels);
+        copy->level = (int)bind->level;
         for (int i = 0; i < *count; i++)
             if (strcmp(into[i].name, copy->name) == 0)
                 return aob_fail(graph->error, "pass '%s': two binds are named '%s'", pass->name, bind->name);
@@ -118,6 +131,42 @@ static bool copy_draw(struct aob_pass_graph *graph, const struct aob_pass *desc,
     return true;
 }
 
+static bool copy_defines(struct aob_pass_graph *graph, const struct aob_pass *desc,
+                         struct aob_graph_pass *pass)
+{
+    for (int i = 0; i < AOB_MAX_DEFINE && desc->defines[i].name; i++) {
+        const char *name = desc->defines[i].name;
+        size_t size = strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
+        if (size == 0 || size >= AOB_NAME_SIZE || name[size] || (*name >= '0' && *name <= '9') ||
+            strncmp(name, "AOB_", 4) == 0)
+            return aob_fail(
+                graph->error,
+                "pass '%s': define '%.60s': a name is at most %d upper-case letters, digits and _, and "
+                "does not begin with AOB_",
+                pass->name, name, AOB_NAME_SIZE - 1);
+        strcpy(pass->defines[i].name, name);
+        pass->defines[i].value = desc->defines[i].value;
+        pass->define_count++;
+    }
+    return true;
+}
+
+static bool judge_reads(const struct aob_pass_graph *graph, const struct aob_pass *desc)
+{
+    uint32_t reserved = AOB_VELOCITY | AOB_MATERIAL | AOB_LIGHT;
+    if (desc->reads & reserved)
+        return aob_fail(
+            graph->error,
+            "pass '%s' reads the velocity, material or light: they are reserved, and this program has "
+            "none to give yet",
+            desc->name);
+    if ((desc->reads & ~(uint32_t)(AOB_DEPTH | AOB_NORMAL)) || (unsigned)desc->border > AOB_FAR)
+        return aob_fail(graph->error, "pass '%s': unknown bits in reads or border", desc->name);
+    if (desc->depth.id > (uint32_t)graph->texture_count)
+        return aob_fail(graph->error, "pass '%s': its depth is no texture of this graph", desc->name);
+    return true;
+}
+
 static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
 {
     struct aob_pass_graph *graph = own(interface);
@@ -135,15 +184,7 @@ static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
     if (!has_shader(graph->technique, pass->shader))
         return aob_fail(graph->error, "pass '%s': the module has no shader text '%s'", pass->name,
                         pass->shader);
-    if (desc->defines && strlen(desc->defines) >= sizeof pass->defines)
-        return aob_fail(graph->error, "pass '%s': defines are longer than %zu characters", pass->name,
-                        sizeof pass->defines - 1);
-    strcpy(pass->defines, desc->defines ? desc->defines : "");
-    if ((desc->reads & ~(uint32_t)(AOB_DEPTH | AOB_NORMAL)) || (unsigned)desc->border > AOB_FAR)
-        return aob_fail(graph->error, "pass '%s': unknown bits in reads or border", pass->name);
-    if (desc->depth.id > (uint32_t)graph->texture_count)
-        return aob_fail(graph->error, "pass '%s': its depth is no texture of this graph", pass->name);
-    if (!copy_draw(graph, desc, pass) ||
+    if (!copy_defines(graph, desc, pass) || !judge_reads(graph, desc) || !copy_draw(graph, desc, pass) ||
         !copy_binds(graph, desc, desc->in, AOB_MAX_IN, pass->in, &pass->in_count) ||
         !copy_binds(graph, desc, desc->out, AOB_MAX_OUT, pass->out, &pass->out_count))
         return false;
@@ -154,109 +195,53 @@ static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
 static bool graph_output(struct aob_graph *interface, enum aob_output which, aob_tex tex)
 {
     struct aob_pass_graph *graph = own(interface);
-    if (which >= AOB_OUTPUT_COUNT || tex.id == 0 || tex.id > (uint32_t)graph->texture_count)
+    if ((unsigned)which >= AOB_OUTPUT_COUNT || tex.id == 0 || tex.id > (uint32_t)graph->texture_count)
         return aob_fail(graph->error, "an output is unknown or has no texture of this graph");
-    if (graph->textures[tex.id - 1].divisor != 1 || graph->textures[tex.id - 1].fill)
+    const struct aob_graph_texture *texture = &graph->textures[tex.id - 1];
+    const char *name = aob_output_name(which);
+    if (which > AOB_OUT_BENT_NORMAL)
+        return aob_fail(
+            graph->error,
+            "output %s is reserved: this program has no reference yet to compare it with; lay it where "
+            "aob_wants() asks for it",
+            name);
+    if (graph->outputs[which] >= 0)
+        return aob_fail(graph->error, "output %s is given twice", name);
+    if (texture->divisor != 1 || texture->fill)
         return aob_fail(graph->error,
-                        "output texture '%s' is not full size: upsampling is part of the technique",
-                        graph->textures[tex.id - 1].name);
+                        "output %s: texture '%s' is not full size: upsampling is part of the technique", name,
+                        texture->name);
+    if (which == AOB_OUT_BENT_NORMAL && texture->format != AOB_RGBA16F && texture->format != AOB_RGBA32F)
+        return aob_fail(graph->error, "output %s: texture '%s' is %s: must be rgba16f or rgba32f", name,
+                        texture->name, aob_format_name(texture->format));
     graph->outputs[which] = (int)tex.id - 1;
     return true;
 }
 
-static const struct aob_graph_ops graph_ops = {graph_wants, graph_texture, graph_pass, graph_output};
-
-static int writer_of(const struct aob_pass_graph *graph, int texture, int before)
+static aob_tex graph_previous(struct aob_graph *interface, aob_tex tex)
 {
-    for (int p = 0; p < before; p++)
-        for (int o = 0; o < graph->passes[p].out_count; o++)
-            if (graph->passes[p].out[o].texture == texture)
-                return p;
-    return -1;
+    (void)tex;
+    aob_fail(own(interface)->error, "previous textures are reserved: this program runs single frames yet");
+    return (aob_tex){0};
 }
 
-static bool is_written(const struct aob_pass_graph *graph, int texture, int before)
-{
-    return graph->textures[texture].fill || writer_of(graph, texture, before) >= 0;
-}
-
-static bool judge_depth(const struct aob_pass_graph *graph, int index)
-{
-    const struct aob_graph_pass *pass = &graph->passes[index];
-    if (pass->depth < 0)
-        return true;
-    const struct aob_graph_texture *depth = &graph->textures[pass->depth];
-    if (!(pass->reads & AOB_DEPTH))
-        return aob_fail(graph->error, "pass '%s' has a depth and does not read it", pass->name);
-    if ((depth->format != AOB_R16F && depth->format != AOB_R32F) || depth->fill)
-        return aob_fail(graph->error, "pass '%s': its depth '%s' is not a target of r16f or r32f", pass->name,
-                        depth->name);
-    return writer_of(graph, pass->depth, index) >= 0 ||
-           aob_fail(graph->error, "pass '%s' reads depth '%s', which no earlier pass writes", pass->name,
-                    depth->name);
-}
-
-static bool judge_pass(const struct aob_pass_graph *graph, int index)
-{
-    const struct aob_graph_pass *pass = &graph->passes[index];
-    if (pass->out_count == 0)
-        return aob_fail(graph->error, "pass '%s' writes nothing", pass->name);
-    for (int o = 0; o < pass->out_count; o++) {
-        const struct aob_graph_texture *texture = &graph->textures[pass->out[o].texture];
-        if (texture->fill)
-            return aob_fail(graph->error, "pass '%s' writes the table '%s'", pass->name, texture->name);
-        if (texture->divisor != graph->textures[pass->out[0].texture].divisor)
-            return aob_fail(graph->error, "pass '%s': its outputs have different sizes", pass->name);
-        if (writer_of(graph, pass->out[o].texture, index) >= 0)
-            return aob_fail(graph->error, "pass '%s': texture '%s' is already written by an earlier pass",
-                            pass->name, texture->name);
-    }
-    for (int i = 0; i < pass->in_count; i++)
-        if (!is_written(graph, pass->in[i].texture, index))
-            return aob_fail(graph->error, "pass '%s' reads texture '%s', which no earlier pass writes",
-                            pass->name, graph->textures[pass->in[i].texture].name);
-    return judge_depth(graph, index);
-}
-
-static void mark_live(struct aob_pass_graph *graph, int texture)
-{
-    int writer = writer_of(graph, texture, graph->pass_count);
-    graph->textures[texture].used = true;
-    if (writer < 0 || graph->passes[writer].live)
-        return;
-    struct aob_graph_pass *pass = &graph->passes[writer];
-    pass->live = true;
-    for (int o = 0; o < pass->out_count; o++)
-        graph->textures[pass->out[o].texture].used = true;
-    for (int i = 0; i < pass->in_count; i++)
-        mark_live(graph, pass->in[i].texture);
-    if (pass->depth >= 0)
-        mark_live(graph, pass->depth);
-}
-
-static bool judge_outputs(struct aob_pass_graph *graph)
-{
-    for (int which = 0; which < AOB_OUTPUT_COUNT; which++) {
-        if (!(graph->wanted >> which & 1))
-            continue;
-        if (graph->outputs[which] < 0)
-            return aob_fail(graph->error, "the graph gives no visibility output");
-        if (writer_of(graph, graph->outputs[which], graph->pass_count) < 0)
-            return aob_fail(graph->error, "no pass writes the output texture '%s'",
-                            graph->textures[graph->outputs[which]].name);
-        mark_live(graph, graph->outputs[which]);
-    }
-    return true;
-}
+static const struct aob_graph_ops graph_ops = {graph_wants, graph_texture, graph_pass, graph_output,
+                                               graph_previous};
 
 bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *technique, const void *values,
-                     uint32_t wanted, struct aob_error *error)
+                     uint32_t required, uint32_t wanted, struct aob_error *error)
 {
     struct aob_error cause = {{0}};
     const char *why = NULL;
-    *graph = (struct aob_pass_graph){
-        .interface = {&graph_ops}, .technique = technique, .wanted = wanted, .error = &cause};
+    *graph = (struct aob_pass_graph){.interface = {&graph_ops},
+                                     .technique = technique,
+                                     .required = required,
+                                     .wanted = wanted | required,
+                                     .error = &cause};
     memset(graph->outputs, 0xff, sizeof graph->outputs);
+    if (technique->frames > 1)
+        return aob_fail(error, "%s: frames is %u: it is reserved, and this program runs single frames yet",
+                        technique->name, technique->frames);
     if (technique->check && !technique->check(values, &why))
         return aob_fail(error, "%s: %s", technique->name, why ? why : "these values do not go together");
     bool ok = technique->build(&graph->interface, values);
@@ -264,9 +249,7 @@ bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *t
         aob_fail(&cause, "build() failed without a reason");
     if (ok && *cause.text) /* a failed call that build() did not look at */
         ok = false;
-    for (int p = 0; ok && p < graph->pass_count; p++)
-        ok = judge_pass(graph, p);
-    ok = ok && judge_outputs(graph);
+    ok = ok && aob_graph_judge(graph);
     graph->error = NULL;
     return ok || aob_fail(error, "%s: %s", technique->name, cause.text);
 }

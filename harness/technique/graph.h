@@ -13,7 +13,8 @@ enum { AOB_NAME_SIZE = 48 };
 struct aob_graph_texture {
     char name[AOB_NAME_SIZE];
     enum aob_format format;
-    int divisor;
+    int divisor, levels; /* of a target; level l is divided by divisor << l. 1 of a table */
+    int align; /* level 0 is allocated in multiples of 2^align, for its levels and those drawn with it */
     int width, height; /* of a table; 0: divided from the screen */
     void (*fill)(const void *values, void *texels);
     bool used; /* by a live pass */
@@ -22,24 +23,32 @@ struct aob_graph_bind {
     char name[AOB_NAME_SIZE];
     int texture; /* index into textures */
     enum aob_filter filter;
+    int level;       /* written, or of an input the finest read */
+    int level_count; /* of an input: levels that it shows */
+};
+struct aob_graph_define {
+    char name[AOB_NAME_SIZE];
+    int value;
 };
 struct aob_graph_pass {
-    char name[AOB_NAME_SIZE], shader[AOB_NAME_SIZE], defines[128];
+    char name[AOB_NAME_SIZE], shader[AOB_NAME_SIZE];
+    struct aob_graph_define defines[AOB_MAX_DEFINE];
     uint32_t reads;
-    int depth; /* texture read in place of the G-buffer's depth, or -1 */
+    int depth;        /* texture read in place of the G-buffer's depth, or -1 */
+    int depth_levels; /* levels of it that are read, from the finest */
     enum aob_border border;
     enum aob_draw draw;
     char vertex[AOB_NAME_SIZE]; /* of AOB_TRIANGLES, like the next two; else empty and 0 */
     uint32_t per_triangle;
     float reach;
     struct aob_graph_bind in[AOB_MAX_IN], out[AOB_MAX_OUT];
-    int in_count, out_count;
+    int define_count, in_count, out_count;
     bool live; /* something wanted depends on it */
 };
 struct aob_pass_graph {
     struct aob_graph interface; /* what build() sees; first member */
     const struct aob_technique *technique;
-    uint32_t wanted; /* bits 1 << enum aob_output */
+    uint32_t required, wanted; /* bits 1 << enum aob_output; what is required is wanted as well */
     struct aob_graph_texture textures[AOB_MAX_TEXTURE];
     int texture_count;
     struct aob_graph_pass passes[AOB_MAX_PASS];
@@ -48,22 +57,38 @@ struct aob_pass_graph {
     struct aob_error *error;       /* during build() only */
 };
 
-/* Runs check() and build() of the technique (its code: only ever in a worker) and judges the result: names
- * known and unique, every texture written before it is read and by one pass only, none read and written by
- * one pass, outputs of one size, every wanted output full size and written. On false the line names technique
- * and object. */
-bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *technique, const void *values,
-                     uint32_t wanted, struct aob_error *error);
+/* What a run asks of a technique: every one gives visibility, some a bent normal. */
+enum { AOB_OUTPUTS_REQUIRED = 1 << AOB_OUT_VISIBILITY, AOB_OUTPUTS_WANTED = 1 << AOB_OUT_BENT_NORMAL };
 
-/* Divisor of the depth that a pass reads, and of what it writes. */
+/* Runs check() and build() of the technique (its code: only ever in a worker) and judges the result: names
+ * known and unique, every level of a texture written before it is read and by one pass only, outputs of a pass of one
+ * size, every required output given, every given one full size and written. What nothing wanted depends on is not
+ * live. On false the line names technique and object. required, wanted: bits 1 << enum aob_output. */
+bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *technique, const void *values,
+                     uint32_t required, uint32_t wanted, struct aob_error *error);
+
+/* Whether the technique gives an output that is wanted. */
+bool aob_graph_gives(const struct aob_pass_graph *graph, enum aob_output which);
+const char *aob_output_name(enum aob_output which); /* "bent_normal" */
+
+/* Divisors, of the depth that a pass reads, of what it writes, and of the texels of a bind. */
 int aob_graph_depth_divisor(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass);
 int aob_graph_target_divisor(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass);
+int aob_graph_bind_divisor(const struct aob_pass_graph *graph, const struct aob_graph_bind *bind);
 
 /* Whether a live pass draws the scene's triangles. */
 bool aob_graph_needs_triangles(const struct aob_pass_graph *graph);
 
-/* Pixels of a texture in a G-buffer of width x height: divided, rounded up; a table's own. */
+/* Pixels of the view that a divisor leaves of width x height, rounded up. */
+void aob_graph_divided(int width, int height, int divisor, int *w, int *h);
+
+/* Texels to allocate of a texture's finest level for a G-buffer of width x height; a table's own. A target of several
+ * levels is made as large as its coarsest level needs, since APIs halve sizes rounding down; so are those that a pass
+ * writes together with it, since the targets of a pass have one size. */
 void aob_graph_texture_size(const struct aob_graph_texture *texture, int width, int height, int *w, int *h);
+
+/* All levels of it. */
+size_t aob_graph_texture_texels(const struct aob_graph_texture *texture, int width, int height);
 
 /* Of the live passes, their texts, formats and the compile-time constants: what the compiled programs depend
  * on. */

@@ -1,14 +1,31 @@
 #include "graph.h"
 #include <string.h>
 
+void aob_graph_divided(int width, int height, int divisor, int *w, int *h)
+{
+    *w = (width + divisor - 1) / divisor;
+    *h = (height + divisor - 1) / divisor;
+}
+
 void aob_graph_texture_size(const struct aob_graph_texture *texture, int width, int height, int *w, int *h)
 {
     *w = texture->width;
     *h = texture->height;
     if (texture->fill)
         return;
-    *w = (width + texture->divisor - 1) / texture->divisor;
-    *h = (height + texture->divisor - 1) / texture->divisor;
+    aob_graph_divided(width, height, texture->divisor << texture->align, w, h);
+    *w <<= texture->align;
+    *h <<= texture->align;
+}
+
+size_t aob_graph_texture_texels(const struct aob_graph_texture *texture, int width, int height)
+{
+    int w, h;
+    size_t texels = 0;
+    aob_graph_texture_size(texture, width, height, &w, &h);
+    for (int level = 0; level < texture->levels; level++)
+        texels += (size_t)(w >> level) * (size_t)(h >> level);
+    return texels;
 }
 
 int aob_graph_depth_divisor(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass)
@@ -16,9 +33,29 @@ int aob_graph_depth_divisor(const struct aob_pass_graph *graph, const struct aob
     return pass->depth < 0 ? 1 : graph->textures[pass->depth].divisor;
 }
 
+int aob_graph_bind_divisor(const struct aob_pass_graph *graph, const struct aob_graph_bind *bind)
+{
+    return graph->textures[bind->texture].divisor << bind->level;
+}
+
 int aob_graph_target_divisor(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass)
 {
-    return graph->textures[pass->out[0].texture].divisor;
+    return aob_graph_bind_divisor(graph, &pass->out[0]);
+}
+
+bool aob_graph_gives(const struct aob_pass_graph *graph, enum aob_output which)
+{
+    return graph->wanted >> which & 1 && graph->outputs[which] >= 0;
+}
+
+const char *aob_output_name(enum aob_output which)
+{
+    static const char *const names[AOB_OUTPUT_COUNT] = {
+        [AOB_OUT_VISIBILITY] = "visibility",         [AOB_OUT_BENT_NORMAL] = "bent_normal",
+        [AOB_OUT_VISIBILITY_RGB] = "visibility_rgb", [AOB_OUT_SPECULAR] = "specular",
+        [AOB_OUT_IRRADIANCE] = "irradiance",
+    };
+    return names[which];
 }
 
 bool aob_graph_needs_triangles(const struct aob_pass_graph *graph)
@@ -51,9 +88,9 @@ static void add_binds(const struct aob_pass_graph *graph, const struct aob_graph
 {
     for (int i = 0; i < count; i++) {
         const struct aob_graph_texture *texture = &graph->textures[binds[i].texture];
-        aob_text_add(text, " %s=%s:%s/%d,%dx%d~%d", binds[i].name, texture->name,
-                     aob_format_name(texture->format), texture->divisor, texture->width, texture->height,
-                     binds[i].filter);
+        aob_text_add(text, " %s=%s:%s/%d*%d,%dx%d~%d@%d+%d", binds[i].name, texture->name,
+                     aob_format_name(texture->format), texture->divisor, texture->levels, texture->width,
+                     texture->height, binds[i].filter, binds[i].level, binds[i].level_count);
     }
 }
 
@@ -71,8 +108,11 @@ void aob_graph_digest(const struct aob_pass_graph *graph, const void *values, ch
         const struct aob_graph_pass *pass = &graph->passes[p];
         if (!pass->live)
             continue;
-        aob_text_add(&text, "%s %s [%s] %u /%d %d in", pass->name, pass->shader, pass->defines, pass->reads,
-                     aob_graph_depth_divisor(graph, pass), pass->border);
+        aob_text_add(&text, "%s %s [", pass->name, pass->shader);
+        for (int d = 0; d < pass->define_count; d++)
+            aob_text_add(&text, " %s=%d", pass->defines[d].name, pass->defines[d].value);
+        aob_text_add(&text, "] %u /%d*%d %d in", pass->reads, aob_graph_depth_divisor(graph, pass),
+                     pass->depth_levels, pass->border);
         add_binds(graph, pass->in, pass->in_count, &text);
         aob_text_add(&text, " out");
         add_binds(graph, pass->out, pass->out_count, &text);
@@ -85,16 +125,32 @@ void aob_graph_digest(const struct aob_pass_graph *graph, const void *values, ch
     aob_text_finish(&text);
 }
 
-/* From whichever earlier pass writes the texture; a table comes from itself. */
-static void add_edge(const struct aob_pass_graph *graph, int pass, int texture, struct aob_text *text)
+/* From each earlier pass that writes one of `count` levels of the texture from `level` on; a table comes from itself. */
+static void add_edges(const struct aob_pass_graph *graph, int pass, int texture, int level, int count,
+                      struct aob_text *text)
 {
     const char *from = graph->textures[texture].name, *to = graph->passes[pass].name;
     for (int q = 0; q < pass; q++)
-        for (int o = 0; o < graph->passes[q].out_count; o++)
-            if (graph->passes[q].out[o].texture == texture)
-                aob_text_add(text, "  %s -> %s [label=\"%s\"];\n", graph->passes[q].name, to, from);
+        for (int o = 0; o < graph->passes[q].out_count; o++) {
+            const struct aob_graph_bind *out = &graph->passes[q].out[o];
+            if (out->texture != texture || out->level < level || out->level >= level + count)
+                continue;
+            aob_text_add(text, "  %s -> %s [label=\"%s", graph->passes[q].name, to, from);
+            if (graph->textures[texture].levels > 1)
+                aob_text_add(text, " %d", out->level);
+            aob_text_add(text, "\"];\n");
+        }
     if (graph->textures[texture].fill)
         aob_text_add(text, "  %s [shape=cylinder];\n  %s -> %s;\n", from, from, to);
+}
+
+static void add_outputs(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass,
+                        struct aob_text *text)
+{
+    for (int o = 0; o < pass->out_count; o++)
+        for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+            if (pass->out[o].texture == graph->outputs[which] && pass->out[o].level == 0)
+                aob_text_add(text, "  %s -> %s;\n", pass->name, aob_output_name((enum aob_output)which));
 }
 
 void aob_graph_dot(const struct aob_pass_graph *graph, struct aob_text *text)
@@ -109,12 +165,10 @@ void aob_graph_dot(const struct aob_pass_graph *graph, struct aob_text *text)
         if (pass->draw == AOB_TRIANGLES)
             aob_text_add(text, "  triangles -> %s;\n", pass->name);
         if (pass->depth >= 0)
-            add_edge(graph, p, pass->depth, text);
+            add_edges(graph, p, pass->depth, 0, pass->depth_levels, text);
         for (int i = 0; i < pass->in_count; i++)
-            add_edge(graph, p, pass->in[i].texture, text);
-        for (int o = 0; o < pass->out_count; o++)
-            if (pass->out[o].texture == graph->outputs[AOB_OUT_VISIBILITY])
-                aob_text_add(text, "  %s -> visibility;\n", pass->name);
+            add_edges(graph, p, pass->in[i].texture, pass->in[i].level, pass->in[i].level_count, text);
+        add_outputs(graph, pass, text);
     }
     aob_text_add(text, "}\n");
 }

@@ -15,7 +15,7 @@ static json_t *choices_to_json(const char *const *choices)
 static const char *const unit_words[] = {"none", "scene_units", "pixels", "radians", "count", NULL};
 static const char *const scale_words[] = {"linear", "log2", NULL};
 static const char *const stage_words[] = {"uniform", "constant", "host", NULL};
-
+static const char *const rule_words[] = {"any", "odd", "power_of_two", NULL};
 static const char *const sequence_words[] = {"none", "stratified", "independent", NULL};
 
 static int word_index(const char *const *words, const char *word)
@@ -28,11 +28,11 @@ static int word_index(const char *const *words, const char *word)
 
 json_t *aob_param_to_json(const struct aob_param *param)
 {
-    json_t *p =
-        json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:f, s:f}", "name", param->name, "doc", param->doc,
-                  "type", param->type == AOB_INT ? "int" : "float", "unit", unit_words[param->unit], "scale",
-                  scale_words[param->scale], "stage", stage_words[param->stage], "min", param->min, "max",
-                  param->max, "initial", param->initial);
+    json_t *p = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:f, s:f}", "name", param->name, "doc",
+                          param->doc, "type", param->type == AOB_INT ? "int" : "float", "unit",
+                          unit_words[param->unit], "scale", scale_words[param->scale], "stage",
+                          stage_words[param->stage], "rule", rule_words[param->rule], "min", param->min,
+                          "max", param->max, "initial", param->initial);
     if (param->choices)
         json_object_set_new(p, "choices", choices_to_json(param->choices));
     return p;
@@ -78,13 +78,13 @@ static const char *const *choices_from_json(const json_t *names)
 
 static bool param_from_json(json_t *p, struct aob_param *param)
 {
-    const char *name, *doc, *type, *unit, *scale, *stage;
-    if (json_unpack(p, "{s:s, s:s, s:s, s:s, s:s, s:s, s:F, s:F, s:F}", "name", &name, "doc", &doc, "type",
-                    &type, "unit", &unit, "scale", &scale, "stage", &stage, "min", &param->min, "max",
-                    &param->max, "initial", &param->initial) != 0)
+    const char *name, *doc, *type, *unit, *scale, *stage, *rule;
+    if (json_unpack(p, "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:F, s:F, s:F}", "name", &name, "doc", &doc,
+                    "type", &type, "unit", &unit, "scale", &scale, "stage", &stage, "rule", &rule, "min",
+                    &param->min, "max", &param->max, "initial", &param->initial) != 0)
         return false;
     if (word_index(unit_words, unit) < 0 || word_index(scale_words, scale) < 0 ||
-        word_index(stage_words, stage) < 0)
+        word_index(stage_words, stage) < 0 || word_index(rule_words, rule) < 0)
         return false;
     param->name = aob_strdup(name);
     param->doc = aob_strdup(doc);
@@ -92,6 +92,7 @@ static bool param_from_json(json_t *p, struct aob_param *param)
     param->unit = (enum aob_unit)word_index(unit_words, unit);
     param->scale = (enum aob_scale)word_index(scale_words, scale);
     param->stage = (enum aob_stage)word_index(stage_words, stage);
+    param->rule = (enum aob_rule)word_index(rule_words, rule);
     if (json_object_get(p, "choices"))
         param->choices = choices_from_json(json_object_get(p, "choices"));
     return true;

@@ -19,15 +19,22 @@ static bool judge_param(const struct aob_technique *technique, const struct aob_
         return aob_fail(error, "technique '%s': parameter '%s' has no sentence", technique->name,
                         param->name);
     if ((param->type != AOB_FLOAT && param->type != AOB_INT) || (unsigned)param->stage > AOB_HOST ||
-        (unsigned)param->unit > AOB_UNIT_COUNT || (unsigned)param->scale > AOB_LOG2 || param->offset % 4 ||
+        (unsigned)param->unit > AOB_UNIT_COUNT || (unsigned)param->scale > AOB_LOG2 ||
+        (unsigned)param->rule > AOB_POWER_OF_TWO || param->offset % 4 ||
         param->offset + 4 > technique->values_size)
-        return aob_fail(error, "technique '%s': parameter '%s' has a bad type, stage, unit or offset",
+        return aob_fail(error, "technique '%s': parameter '%s' has a bad type, stage, unit, rule or offset",
                         technique->name, param->name);
     if (param->choices)
-        return param->type == AOB_INT ||
-               aob_fail(error, "technique '%s': choice '%s' is not an int32_t", technique->name, param->name);
+        return (param->type == AOB_INT && !param->rule) ||
+               aob_fail(error, "technique '%s': choice '%s' is not an int32_t, or has a rule",
+                        technique->name, param->name);
     if (!(param->min <= param->initial && param->initial <= param->max))
         return aob_fail(error, "technique '%s': parameter '%s': the default is outside its bounds",
+                        technique->name, param->name);
+    if (param->rule && (param->type != AOB_INT || !aob_param_obeys(param, param->initial)))
+        return aob_fail(error,
+                        "technique '%s': parameter '%s' has a rule that is for no whole number, or that its "
+                        "default breaks",
                         technique->name, param->name);
     return true;
 }
@@ -46,10 +53,12 @@ static bool judge_sampling(const struct aob_technique *technique, struct aob_err
 
 bool aob_technique_judge(const struct aob_technique *technique, struct aob_error *error)
 {
-    if (technique->abi >> 16 != AOB_ABI_MAJOR || (technique->abi & 0xffff) > AOB_ABI_MINOR ||
-        technique->size > sizeof *technique)
-        return aob_fail(error, "a technique made for module interface %u.%u, this program has %u.%u",
-                        technique->abi >> 16, technique->abi & 0xffff, AOB_ABI_MAJOR, AOB_ABI_MINOR);
+    if (technique->abi != AOB_ABI || technique->size != sizeof *technique)
+        return aob_fail(
+            error,
+            "a technique made for module interface %u (%u bytes), this program has %u (%zu bytes): "
+            "build it again",
+            technique->abi, technique->size, AOB_ABI, sizeof *technique);
     if (!is_name(technique->name))
         return aob_fail(error, "a technique's name is missing or not lower_snake");
     if (!technique->title || !technique->citation || !technique->build || !technique->shaders)

@@ -28,6 +28,25 @@ static bool parse_choice(const struct aob_param *param, const char *text, double
     return false;
 }
 
+const char *aob_param_rule(const struct aob_param *param)
+{
+    static const char *const rules[] = {
+        [AOB_ANY] = NULL, [AOB_ODD] = "odd, or 0", [AOB_POWER_OF_TWO] = "a power of two"};
+    return rules[param->rule];
+}
+
+bool aob_param_obeys(const struct aob_param *param, double value)
+{
+    switch (param->rule) {
+    case AOB_ODD:
+        return value == 0 || fmod(fabs(value), 2) == 1;
+    case AOB_POWER_OF_TWO:
+        return value >= 1 && log2(value) == floor(log2(value));
+    default:
+        return true;
+    }
+}
+
 bool aob_param_parse(const struct aob_param *param, const char *text, double *value, struct aob_error *error)
 {
     if (param->choices)
@@ -39,6 +58,8 @@ bool aob_param_parse(const struct aob_param *param, const char *text, double *va
         return aob_fail(error, "%s: '%s' is not a whole number", param->name, text);
     if (v < param->min || v > param->max)
         return aob_fail(error, "%s: %s is outside %g .. %g", param->name, text, param->min, param->max);
+    if (!aob_param_obeys(param, v))
+        return aob_fail(error, "%s: %s: must be %s", param->name, text, aob_param_rule(param));
     *value = param->type == AOB_FLOAT ? (double)(float)v : v; /* what the shader will see */
     return true;
 }

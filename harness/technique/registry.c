@@ -11,7 +11,7 @@ static void digest_builtin(const struct aob_technique *technique, char key[AOB_K
     aob_text_add(&text, "%s %u %u\n", technique->name, technique->abi, technique->revision);
     for (uint32_t i = 0; i < technique->param_count; i++) {
         const struct aob_param *p = &technique->params[i];
-        aob_text_add(&text, "%s %d %.17g %.17g\n", p->name, p->stage, p->min, p->max);
+        aob_text_add(&text, "%s %d %.17g %.17g %d\n", p->name, p->stage, p->min, p->max, p->rule);
     }
     for (const struct aob_shader *s = technique->shaders; s->name; s++)
         aob_text_add(&text, "%s\n%s\n", s->name, s->text);
@@ -39,9 +39,11 @@ void aob_registry_init(struct aob_registry *registry)
 
 static bool judge_module(const struct aob_module *module, const char *path, struct aob_error *error)
 {
-    if (module->abi >> 16 != AOB_ABI_MAJOR || (module->abi & 0xffff) > AOB_ABI_MINOR)
-        return aob_fail(error, "%s: made for module interface %u.%u, this program has %u.%u: build it again",
-                        path, module->abi >> 16, module->abi & 0xffff, AOB_ABI_MAJOR, AOB_ABI_MINOR);
+    /* Interfaces up to 3 held their number in the upper half. */
+    uint32_t abi = module->abi >> 16 ? module->abi >> 16 : module->abi;
+    if (module->abi != AOB_ABI || module->size != sizeof *module)
+        return aob_fail(error, "%s: made for module interface %u, this program has %u: build it again", path,
+                        abi, AOB_ABI);
     if (!module->techniques || !module->techniques[0])
         return aob_fail(error, "%s: the module has no technique", path);
     for (const struct aob_technique *const *t = module->techniques; *t; t++)

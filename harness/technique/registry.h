@@ -49,7 +49,7 @@ struct aob_technique_list {
 
 json_t *aob_technique_to_json(const struct aob_registry_entry *entry); /* with parameters, units, bounds */
 json_t *aob_technique_info_to_json(const struct aob_technique_info *info); /* the same */
-json_t *aob_param_to_json(const struct aob_param *param); /* unit, scale and stage as words */
+json_t *aob_param_to_json(const struct aob_param *param); /* unit, scale, stage and rule as words */
 bool aob_technique_list_add(struct aob_technique_list *list,
                             const json_t *described); /* false: not of that shape */
 const struct aob_technique_info *aob_technique_list_find(const struct aob_technique_list *list,

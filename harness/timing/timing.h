@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include "base/error.h"
 #include "frame/frame.h"
+#include "plan/plan.h"
 #include "base/statistics.h"
 
 struct aob_timing_desc {
@@ -17,7 +18,7 @@ struct aob_timing_desc {
     uint32_t seed;  /* of the order within rounds */
     bool wall;      /* judge by wall time (a real GPU), else by processor time */
 };
-enum { AOB_BLOCK_MAX = 6, AOB_ROUNDS_MAX = 230 };
+enum { AOB_ROUNDS_MAX = 230 };
 
 struct aob_timing {                   /* of one case; milliseconds a frame */
     double cpu_ms, wall_ms;           /* medians over rounds; wall over clean rounds, NAN if there is none */

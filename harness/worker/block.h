@@ -1,14 +1,15 @@
-/* The inside of a block job (worker.h): what its timing and its scoring share. */
+/* The inside of a block job (job/block_job.h): what its parts share. */
 #ifndef AOB_WORKER_BLOCK_H
 #define AOB_WORKER_BLOCK_H
 #include <jansson.h>
 #include "frame/frame.h"
+#include "job/block_job.h"
 #include "timing/timing.h"
 #include "worker.h"
 
 /* One block while it is worked on. */
 struct aob_block {
-    const json_t *job, *cases;
+    struct aob_block_job job;
     struct aob_registry registry;
     struct aob_gbuffer gbuffer;   /* canonical: what scores know of the view */
     struct aob_gbuffer drawn;     /* by the device, where the job says raster; else empty */
@@ -22,17 +23,17 @@ struct aob_block {
     struct aob_frame fixed, frames[AOB_BLOCK_MAX];
     size_t case_of_frame[AOB_BLOCK_MAX], frame_count;
     double setup_ms[AOB_BLOCK_MAX];
-    struct aob_camera camera;
-    int width, height, guard;
-    double seconds;
-    int time, error;
     struct aob_block_timing timing[AOB_BLOCK_MAX]; /* of each frame, as cases[0] */
-    double images_s, measured_s, warmup_s;
+    struct aob_block_shares shares;
 };
 
-/* Runs the frame once more, scores its image against the references and writes the EXR that the case asks for. Puts
- * `error` into the answer, and `status` invalid where the image is no visibility. */
-bool aob_block_finish_case(struct aob_block *block, size_t f, json_t *answer, struct aob_error *error);
+/* Times all frames; results go to block->timing and the shares. */
+bool aob_block_measure(struct aob_block *block, struct aob_error *error);
+json_t *aob_block_time_to_json(const struct aob_block *block, size_t f); /* the member `time` of a record */
+
+/* Runs the frame once more, scores its image against the targets and writes the EXR that the case asks for. Puts
+ * `errors` into the answer, and `status` invalid where the image is no visibility. */
+bool aob_block_score(struct aob_block *block, size_t f, json_t *answer, struct aob_error *error);
 
 /* Where the job says so: draws the mesh on the block's device into `drawn`, for the techniques to read, and fills
  * `difference`. */

@@ -45,17 +45,17 @@ static json_t *to_json(const struct aob_raster_difference *d)
 
 bool aob_block_draw(struct aob_block *block, struct aob_error *error)
 {
-    const char *path = json_string_value(json_object_get(block->job, "gbuffer"));
+    const struct aob_job_view *view = &block->job.view;
     struct aob_hits canonical = {0}, drawn = {0};
     struct aob_raster_difference difference;
-    if (!json_is_true(json_object_get(block->job, "raster")))
+    if (!block->job.raster)
         return true;
-    bool ok = aob_raster_draw(block->gpu, &block->mesh, &block->camera, &block->gbuffer.projection, &drawn,
-                              error) &&
-              load_canonical(path, &canonical, error);
+    bool ok =
+        aob_raster_draw(block->gpu, &block->mesh, &view->camera, &block->gbuffer.projection, &drawn, error) &&
+        load_canonical(view->gbuffer, &canonical, error);
     if (ok) {
         aob_raster_compare(&canonical, &drawn, &difference);
-        aob_gbuffer_init(&block->drawn, &drawn, &block->gbuffer.projection, block->guard);
+        aob_gbuffer_init(&block->drawn, &drawn, &block->gbuffer.projection, view->guard);
         block->difference = to_json(&difference);
     }
     aob_hits_finish(&canonical);

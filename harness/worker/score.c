@@ -1,4 +1,4 @@
-#include "block.h"
+#include "score/score.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,9 +6,11 @@
 #include "base/clock.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "block.h"
+#include "case_image.h"
+#include "score/bent.h"
 #include "score/flip.h"
 #include "score/oracle_score.h"
-#include "score/score.h"
 #include "score/split.h"
 #include "score/ssim.h"
 #include "store/image.h"
@@ -19,118 +21,108 @@ bool aob_block_drop_damaged(const char *path, struct aob_error *error)
     return aob_fail_in(error, "the cached file was damaged and is removed; run again");
 }
 
-static bool load_channel(const char *path, const char *name, const struct aob_block *block, float **pixels,
-                         struct aob_error *error)
+static size_t pixels_of(const struct aob_block *block)
 {
-    struct aob_image image = {0};
-    if (!aob_image_read(&image, path, error))
-        return aob_block_drop_damaged(path, error);
-    const float *channel = aob_image_channel(&image, name);
-    size_t count = (size_t)block->width * (size_t)block->height;
-    bool ok = channel && image.width == block->width && image.height == block->height;
-    if (ok) {
-        *pixels = AOB_NEW_ARRAY(float, count);
-        memcpy(*pixels, channel, count * sizeof(float));
-    }
-    aob_image_finish(&image);
-    return ok || aob_fail(error, "%s: not a reference of %dx%d", path, block->width, block->height);
+    return (size_t)block->job.view.width * (size_t)block->job.view.height;
 }
 
-/* What one case is compared with, cropped to the view; screen: the definition within the screen-space bound. */
-struct truth {
-    float *depth, *ao, *se, *definition, *screen;
+static float *copy_channel(const struct aob_image *image, const char *name, size_t count)
+{
+    const float *channel = aob_image_channel(image, name);
+    float *pixels = channel ? AOB_NEW_ARRAY(float, count) : NULL;
+    if (channel)
+        memcpy(pixels, channel, count * sizeof *pixels);
+    return pixels;
+}
+
+/* What one traced file holds. */
+struct traced {
+    float *ao, *se, (*open)[3]; /* open: only if it is asked for */
 };
 
-static void crop(const struct aob_block *block, const float *from, int stride, float *into)
+static void free_traced(struct traced *traced)
 {
-    for (int y = 0; y < block->height; y++)
-        for (int x = 0; x < block->width; x++)
-            into[y * block->width + x] =
-                from[((size_t)(y + block->guard) * (size_t)block->gbuffer.projection.width +
-                      (size_t)(x + block->guard)) *
-                     (size_t)stride];
+    free(traced->ao);
+    free(traced->se);
+    free(traced->open);
 }
 
-static bool load_truth(const struct aob_block *block, const json_t *c, struct truth *truth,
-                       struct aob_error *error)
+static float (*copy_directions(const struct aob_image *image, size_t count))[3]
 {
-    const char *reference = json_string_value(json_object_get(c, "reference"));
-    const char *definition = json_string_value(json_object_get(c, "definition"));
-    const char *screen = json_string_value(json_object_get(c, "screen"));
-    size_t count = (size_t)block->width * (size_t)block->height;
-    truth->depth = AOB_NEW_ARRAY(float, count);
-    crop(block, block->gbuffer.depth, 1, truth->depth);
-    if (!reference || !block->error)
-        return true;
-    /* All are tried, so that one run removes all that are damaged. */
-    bool ok = load_channel(reference, "AO", block, &truth->ao, error) &&
-              load_channel(reference, "SE", block, &truth->se, error);
-    ok = (!definition || load_channel(definition, "AO", block, &truth->definition, error)) && ok;
-    ok = (!screen || load_channel(screen, "AO", block, &truth->screen, error)) && ok;
+    static const char *const names[3] = {"B.X", "B.Y", "B.Z"};
+    float(*vectors)[3] = aob_alloc(count, sizeof *vectors);
+    for (int c = 0; c < 3; c++) {
+        const float *channel = aob_image_channel(image, names[c]);
+        if (!channel) {
+            free(vectors);
+            return NULL;
+        }
+        for (size_t i = 0; i < count; i++)
+            vectors[i][c] = channel[i];
+    }
+    return vectors;
+}
+
+static bool load_traced(const char *path, const struct aob_block *block, bool bent, struct traced *traced,
+                        struct aob_error *error)
+{
+    struct aob_image image = {0};
+    size_t count = pixels_of(block);
+    if (!aob_image_read(&image, path, error))
+        return aob_block_drop_damaged(path, error);
+    bool fits = image.width == block->job.view.width && image.height == block->job.view.height;
+    if (fits)
+        *traced = (struct traced){copy_channel(&image, "AO", count), copy_channel(&image, "SE", count),
+                                  bent ? copy_directions(&image, count) : NULL};
+    aob_image_finish(&image);
+    return (traced->ao && traced->se && (!bent || traced->open)) ||
+           aob_fail(error, "%s: not a reference of %dx%d", path, block->job.view.width,
+                    block->job.view.height);
+}
+
+/* A claim is looked at by its visibility only. */
+static bool load_claim(const char *path, const struct aob_block *block, float **ao, struct aob_error *error)
+{
+    struct traced traced = {0};
+    bool ok = !path || load_traced(path, block, false, &traced, error);
+    *ao = traced.ao;
+    traced.ao = NULL;
+    free_traced(&traced);
     return ok;
 }
 
-static void free_truth(struct truth *truth)
+/* All are tried, so that one run removes all that are damaged. */
+static bool load_claims(const struct aob_block *block, const struct aob_block_case *c,
+                        struct aob_case_image *image, struct aob_error *error)
 {
-    free(truth->depth);
-    free(truth->ao);
-    free(truth->se);
-    free(truth->definition);
-    free(truth->screen);
+    bool ok = load_claim(c->definition, block, &image->definition, error);
+    return load_claim(c->screen, block, &image->screen, error) && ok;
 }
 
-static void map_definition(const struct aob_block *block, const struct aob_frame *frame, const json_t *c,
-                           struct truth *truth)
+static void map_claims(const struct aob_technique *technique, const struct aob_block_case *c, size_t count,
+                       struct aob_case_image *image)
 {
-    const struct aob_technique *technique = frame->graph.technique;
     unsigned char values[4 * AOB_MAX_PARAM];
-    if (!truth->definition || !technique->definition.map ||
-        !aob_worker_params(technique, json_object_get(c, "params"), values, NULL))
+    if (!image->definition || !technique->definition.map ||
+        !aob_worker_values(technique, c->params, c->param_count, values, NULL))
         return;
-    for (size_t i = 0; i < (size_t)block->width * (size_t)block->height; i++) {
-        truth->definition[i] = technique->definition.map(values, truth->definition[i]);
-        if (truth->screen)
-            truth->screen[i] = technique->definition.map(values, truth->screen[i]);
+    for (size_t i = 0; i < count; i++) {
+        image->definition[i] = technique->definition.map(values, image->definition[i]);
+        if (image->screen)
+            image->screen[i] = technique->definition.map(values, image->screen[i]);
     }
 }
 
-static json_t *score_to_json(const struct aob_score_desc *desc, const struct aob_score *s)
+/* What `truth` itself is off tells what a difference can mean. NULL where no pixel has a closed form; the closed forms
+ * are cosine-weighted. */
+static json_t *oracle_to_json(const struct aob_block *block, const struct aob_block_target *target,
+                              const float *ao, const float *truth)
 {
-    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:I, s:I}", "rmse",
-                     aob_json_number(s->rmse), "band_rmse", aob_json_number(s->band_rmse), "border_rmse",
-                     aob_json_number(s->border_rmse), "border_share", aob_json_number(s->border_share), "mae",
-                     aob_json_number(s->mae), "bias", aob_json_number(s->bias), "p95",
-                     aob_json_number(s->p95), "max", aob_json_number(s->max), "reference_se",
-                     aob_json_number(s->reference_se), "flip", aob_json_number(aob_flip(desc)), "ssim",
-                     aob_json_number(aob_ssim(desc)), "pixels", (json_int_t)s->pixels, "band_pixels",
-                     (json_int_t)s->band_pixels);
-}
-
-/* Its causes, where the technique claims something. */
-static void add_split(const struct aob_score_desc *desc, const struct truth *truth, json_t *error)
-{
-    struct aob_split s = {NAN, NAN, NAN, NAN, NAN, NAN};
-    if (truth->definition && truth->screen)
-        aob_split(desc, truth->definition, truth->screen, &s);
-    json_object_set_new(error, "definition_rmse", aob_json_number(s.definition_rmse));
-    json_object_set_new(error, "missing_rmse", aob_json_number(s.missing_rmse));
-    json_object_set_new(error, "estimator_rmse", aob_json_number(s.estimator_rmse));
-    json_object_set_new(error, "covariance",
-                        json_pack("{s:o, s:o, s:o}", "definition_missing",
-                                  aob_json_number(s.definition_missing), "definition_estimator",
-                                  aob_json_number(s.definition_estimator), "missing_estimator",
-                                  aob_json_number(s.missing_estimator)));
-}
-
-/* What `truth` itself is off tells what a difference can mean. NULL where no pixel has a closed form. */
-static json_t *oracle_to_json(const struct aob_block *block, double radius, const float *ao,
-                              const float *truth)
-{
-    const char *scene = json_string_value(json_object_get(block->job, "scene"));
-    struct aob_oracle_desc desc = {.oracle = aob_oracle_find(scene),
-                                   .camera = &block->camera,
+    const char *scene = block->job.view.scene;
+    struct aob_oracle_desc desc = {.oracle = scene && !target->uniform ? aob_oracle_find(scene) : NULL,
+                                   .camera = &block->job.view.camera,
                                    .gbuffer = &block->gbuffer,
-                                   .radius = radius};
+                                   .radius = target->radius};
     struct aob_oracle_score score, reference;
     if (!desc.oracle)
         return NULL;
@@ -146,109 +138,145 @@ static json_t *oracle_to_json(const struct aob_block *block, double radius, cons
                      (json_int_t)score.band_pixels);
 }
 
-static bool score_case(const struct aob_block *block, const json_t *c, const float *ao,
-                       const struct truth *truth, json_t *answer, struct aob_error *error)
+static struct aob_score_desc describe(const struct aob_block *block, const struct aob_case_image *image,
+                                      const float *truth, const float *se, double radius)
 {
-    struct aob_score score;
     const struct aob_projection *view = &block->gbuffer.projection;
-    struct aob_score_desc desc = {.width = block->width,
-                                  .height = block->height,
-                                  .image = ao,
-                                  .truth = truth->ao ? truth->ao : ao,
-                                  .truth_se = truth->se,
-                                  .depth = truth->depth,
-                                  .sky_depth = 0.5f * AOB_GBUFFER_SKY,
-                                  .radius = aob_json_to_number(json_object_get(c, "radius")),
-                                  .pixel_scale = view->sy,
-                                  .perspective = view->perspective};
-    /* `none` claims nothing, and draws it; the null backend draws nothing of any. */
-    bool claims = json_is_string(json_object_get(c, "definition")) && !block->gpu->info.draws_nothing;
-    if (!aob_score(&desc, &score, error) || (claims && !aob_score_judge_drawn(&desc, error)))
+    return (struct aob_score_desc){.width = block->job.view.width,
+                                   .height = block->job.view.height,
+                                   .image = image->ao,
+                                   .truth = truth,
+                                   .truth_se = se,
+                                   .depth = image->depth,
+                                   .sky_depth = 0.5f * AOB_GBUFFER_SKY,
+                                   .radius = radius,
+                                   .pixel_scale = view->sy,
+                                   .perspective = view->perspective};
+}
+
+/* An entry of `errors`. The reference is scored too: its own error shows how small a difference is still meaningful. */
+static json_t *score_target(const struct aob_block *block, const struct aob_block_target *target,
+                            const struct aob_case_image *image, const struct traced *truth)
+{
+    struct aob_score_desc desc = describe(block, image, truth->ao, truth->se, target->radius);
+    unsigned outputs = 1u << AOB_OUT_VISIBILITY;
+    struct aob_metrics metrics;
+    aob_score(&desc, &metrics);
+    metrics.flip = aob_flip(&desc);
+    metrics.ssim = aob_ssim(&desc);
+    if (image->definition && image->screen)
+        aob_split(&desc, image->definition, image->screen, &metrics);
+    if (image->bent && truth->open) {
+        aob_bent_score(&desc, (const float(*)[3])image->bent, (const float(*)[3])truth->open, &metrics);
+        outputs |= 1u << AOB_OUT_BENT_NORMAL;
+    }
+    json_t *entry = json_pack("{s:{s:o, s:s}, s:s}", "target", "radius", aob_json_number(target->radius),
+                              "weighting", target->uniform ? "uniform" : "cosine", "reference",
+                              block->job.view.captured ? "screen" : "ray-traced");
+    aob_metrics_to_json(&metrics, outputs, entry);
+    json_t *oracle = oracle_to_json(block, target, image->ao, truth->ao);
+    if (oracle)
+        json_object_set_new(entry, "oracle", oracle);
+    return entry;
+}
+
+/* `none` claims nothing, and draws it; the null backend draws nothing of any. */
+static bool judge_drawn(const struct aob_block *block, const struct aob_block_case *c,
+                        const struct aob_case_image *image, struct aob_error *error)
+{
+    struct aob_score_desc desc = describe(block, image, image->truth, NULL, 1);
+    return !c->definition || block->gpu->info.draws_nothing || aob_score_judge_drawn(&desc, error);
+}
+
+/* Against one target; the truth of the case's own one stays with the image. */
+static bool score_against(const struct aob_block *block, const struct aob_block_case *c, size_t t,
+                          struct aob_case_image *image, json_t *errors, struct aob_error *error)
+{
+    const struct aob_block_target *target = &block->job.targets[t];
+    struct traced truth = {0};
+    bool ok = load_traced(target->truth, block, target->bent, &truth, error);
+    if (ok)
+        json_array_append_new(errors, score_target(block, target, image, &truth));
+    if (ok && t == c->target) {
+        image->truth = truth.ao;
+        image->se = truth.se;
+        image->open = image->bent ? truth.open : NULL;
+        if (!image->bent)
+            free(truth.open);
+        return true;
+    }
+    free_traced(&truth);
+    return ok;
+}
+
+static bool score_case(const struct aob_block *block, const struct aob_block_case *c,
+                       struct aob_case_image *image, json_t *answer, struct aob_error *error)
+{
+    json_t *errors = json_array();
+    bool ok = true;
+    for (size_t t = 0; block->job.error && t < block->job.target_count; t++)
+        ok = score_against(block, c, t, image, errors, error) && ok;
+    if (json_array_size(errors))
+        json_object_set(answer, "errors", errors);
+    json_decref(errors);
+    return ok;
+}
+
+/* Whether what was drawn is what the outputs say that it is. */
+static bool judge_values(const struct aob_block *block, const struct aob_case_image *image,
+                         struct aob_error *error)
+{
+    struct aob_score_desc desc = describe(block, image, image->ao, NULL, 1);
+    return aob_score_judge(&desc, error) &&
+           (!image->bent || aob_bent_judge(&desc, (const float(*)[3])image->bent, error));
+}
+
+/* True: the image is a visibility, and everything that it is to be compared with was there. */
+static bool judge_and_score(const struct aob_block *block, size_t f, struct aob_case_image *image,
+                            json_t *answer, struct aob_error *error)
+{
+    const struct aob_block_case *c = &block->job.cases[block->case_of_frame[f]];
+    if (!load_claims(block, c, image, error))
         return false;
-    if (truth->ao) {
-        json_t *scored = score_to_json(&desc, &score);
-        bool captured = json_is_true(json_object_get(c, "captured"));
-        json_object_set_new(scored, "reference", json_string(captured ? "screen" : "ray-traced"));
-        add_split(&desc, truth, scored);
-        json_t *oracle = oracle_to_json(block, desc.radius, ao, truth->ao);
-        if (oracle)
-            json_object_set_new(scored, "oracle", oracle);
-        json_object_set_new(answer, "error", scored);
+    map_claims(block->frames[f].graph.technique, c, pixels_of(block), image);
+    if (!judge_values(block, image, error)) {
+        json_object_set_new(answer, "status", json_string("invalid"));
+        return false;
+    }
+    if (!score_case(block, c, image, answer, error))
+        return false;
+    if (image->truth && !judge_drawn(block, c, image, error)) {
+        json_object_set_new(answer, "status", json_string("invalid"));
+        json_object_del(answer, "errors");
+        return false;
     }
     return true;
 }
 
-static void add_plane(struct aob_image *image, const char *name, const float *pixels)
+static bool draw(struct aob_block *block, size_t f, struct aob_case_image *image, struct aob_error *error)
 {
-    if (pixels)
-        memcpy(aob_image_add(image, name), pixels,
-               (size_t)image->width * (size_t)image->height * sizeof(float));
+    struct aob_frame *frame = &block->frames[f];
+    if (!aob_frame_run(frame, NULL, error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, image->ao, error))
+        return false;
+    if (!aob_graph_gives(&frame->graph, AOB_OUT_BENT_NORMAL))
+        return true;
+    image->bent = aob_alloc(pixels_of(block), sizeof *image->bent);
+    return aob_frame_read(frame, AOB_OUT_BENT_NORMAL, 3, image->bent[0], error);
 }
 
-static void add_camera(struct aob_image *image, const struct aob_camera *camera)
+bool aob_block_score(struct aob_block *block, size_t f, json_t *answer, struct aob_error *error)
 {
-    aob_image_set_number(image, "aobudget.fov_deg", camera->fov_deg);
-    aob_image_set_number(image, "aobudget.ortho_height", camera->ortho_height);
-    aob_image_set_vec3(image, "aobudget.shift", (double[3]){camera->shift[0], camera->shift[1], 0});
-    aob_image_set_vec3(image, "aobudget.eye", (double[3]){camera->eye.x, camera->eye.y, camera->eye.z});
-    aob_image_set_vec3(image, "aobudget.target",
-                       (double[3]){camera->target.x, camera->target.y, camera->target.z});
-}
-
-static void add_error(struct aob_image *image, const float *ao, const struct truth *truth)
-{
-    float *error = truth->ao ? aob_image_add(image, "error.AO") : NULL;
-    for (size_t i = 0; error && i < (size_t)image->width * (size_t)image->height; i++)
-        error[i] = truth->depth[i] < 0.5f * AOB_GBUFFER_SKY ? ao[i] - truth->ao[i] : 0;
-}
-
-static bool write_image(const struct aob_block *block, const json_t *c, const char *path, const float *ao,
-                        const struct truth *truth, struct aob_error *error)
-{
-    static const char *const normals[3] = {"N.X", "N.Y", "N.Z"}, *const velocities[2] = {"V.X", "V.Y"},
-                             *const albedo[3] = {"albedo.R", "albedo.G", "albedo.B"};
-    struct aob_image image = {.width = block->width, .height = block->height};
-    float *z = aob_image_add(&image, "Z");
-    for (size_t i = 0; i < (size_t)block->width * (size_t)block->height; i++)
-        z[i] = truth->depth[i] < 0.5f * AOB_GBUFFER_SKY ? truth->depth[i] : INFINITY;
-    for (int n = 0; n < 3; n++)
-        crop(block, block->gbuffer.normal + n, 4, aob_image_add(&image, normals[n]));
-    for (int a = 0; a < 3 && block->gbuffer.albedo; a++)
-        crop(block, block->gbuffer.albedo + a, 3, aob_image_add(&image, albedo[a]));
-    for (int v = 0; v < 2 && block->gbuffer.velocity; v++)
-        crop(block, block->gbuffer.velocity + v, 2, aob_image_add(&image, velocities[v]));
-    add_plane(&image, "technique.AO", ao);
-    add_plane(&image, "reference.AO", truth->ao);
-    add_plane(&image, "reference.SE", truth->se);
-    add_plane(&image, "definition.AO", truth->definition);
-    add_plane(&image, "screen.AO", truth->screen);
-    add_error(&image, ao, truth);
-    add_camera(&image, &block->camera);
-    aob_image_set_text(&image, "aobudget.technique", json_string_value(json_object_get(c, "technique")));
-    bool ok = aob_image_write(&image, path, error);
-    aob_image_finish(&image);
-    return ok;
-}
-
-bool aob_block_finish_case(struct aob_block *block, size_t f, json_t *answer, struct aob_error *error)
-{
-    const json_t *c = json_array_get(block->cases, block->case_of_frame[f]);
-    const char *path = json_string_value(json_object_get(c, "image"));
-    struct truth truth = {0};
-    float *ao = AOB_NEW_ARRAY(float, (size_t)block->width *(size_t)block->height);
+    const struct aob_block_case *c = &block->job.cases[block->case_of_frame[f]];
+    struct aob_case_image image = {.ao = AOB_NEW_ARRAY(float, pixels_of(block)),
+                                   .depth = AOB_NEW_ARRAY(float, pixels_of(block))};
     int64_t start = aob_clock_wall_ns();
-    bool ok = aob_frame_run(&block->frames[f], NULL, error) &&
-              aob_frame_read(&block->frames[f], AOB_OUT_VISIBILITY, ao, error) &&
-              load_truth(block, c, &truth, error);
-    if (ok) {
-        map_definition(block, &block->frames[f], c, &truth);
-        ok = score_case(block, c, ao, &truth, answer, error) ||
-             (json_object_set_new(answer, "status", json_string("invalid")), false);
-    }
-    if (path && truth.depth && (ok || *error->text))
-        ok = write_image(block, c, path, ao, &truth, ok ? error : NULL) && ok;
-    block->images_s += (double)(aob_clock_wall_ns() - start) * 1e-9;
-    free_truth(&truth);
-    free(ao);
+    bool drawn = draw(block, f, &image, error);
+    aob_case_image_crop(block, block->gbuffer.depth, 1, image.depth);
+    bool ok = drawn && judge_and_score(block, f, &image, answer, error);
+    /* What is refused is worth a look too. */
+    if (drawn && c->image && !aob_case_image_write(block, c, &image, ok ? error : NULL))
+        ok = false;
+    block->shares.images += (double)(aob_clock_wall_ns() - start) * 1e-9;
+    aob_case_image_finish(&image);
     return ok;
 }

@@ -19,17 +19,20 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define AOB_ABI_MAJOR 3u /* raised by a change to this file: modules of another number are refused */
-#define AOB_ABI_MINOR 0u /* raised when a field joins the end of aob_technique: older modules load */
-#define AOB_ABI       (AOB_ABI_MAJOR << 16 | AOB_ABI_MINOR)
+#define AOB_ABI 4u /* raised by every change to this file: modules of another number are refused */
 enum {
     AOB_MAX_PARAM = 32,
     AOB_MAX_IN = 8,
-    AOB_MAX_OUT = 4,
+    AOB_MAX_OUT = 8,
+    AOB_MAX_DEFINE = 6,
     AOB_MAX_PASS = 32,
-    AOB_MAX_TEXTURE = 32,
+    AOB_MAX_TEXTURE = 64,
+    AOB_MAX_LEVEL = 12,
     AOB_MAX_VERTICES = 36
 };
+
+/* Reserved: names below that are marked so say what they will be. This program refuses them with a line, since it has
+ * nothing yet to compare them with. */
 
 /* --- Parameters: one table serves config, command line, sweep, GLSL, `list` and report ------------------- */
 
@@ -54,6 +57,11 @@ enum aob_stage {
                      branch must be one: some drivers recompile per frame when a uniform does */
     AOB_HOST,     /* for build(), check() and the definition only */
 };
+enum aob_rule { /* what bounds cannot say of a whole number; a config that breaks it is told where */
+                AOB_ANY,
+                AOB_ODD, /* or 0 */
+                AOB_POWER_OF_TWO,
+};
 
 struct aob_param {
     const char *name;   /* lower_snake; the same word in config, C, GLSL and report */
@@ -62,10 +70,13 @@ struct aob_param {
     enum aob_unit unit;
     enum aob_scale scale;
     enum aob_stage stage;
-    double min, max;            /* inclusive, in `unit` */
-    double initial;             /* the text's default */
-    const char *const *choices; /* NULL, or NULL-ended names of 0, 1, 2...; min and max are then ignored */
-    size_t offset;              /* of the field in the technique's values struct */
+    double min, max;    /* inclusive, in `unit` */
+    double initial;     /* the text's default */
+    enum aob_rule rule; /* of an AOB_INT without choices; rules across parameters are check()'s */
+    const char *const
+        *choices;  /* NULL, or NULL-ended names of 0, 1, 2...; min and max are then ignored. What is off
+                                   or on has the choices off, on */
+    size_t offset; /* of the field in the technique's values struct */
 };
 #define AOB_PARAM(T, field, ...)                                                                             \
     {                                                                                                        \
@@ -86,9 +97,21 @@ typedef struct {
 enum aob_read { /* parts of the G-buffer that a pass reads through the prelude; a renderer has them anyway */
                 AOB_DEPTH = 1 << 0,  /* aob_view_z, aob_position, aob_is_sky */
                 AOB_NORMAL = 1 << 1, /* aob_normal */
+                AOB_VELOCITY =
+                    1 << 2, /* reserved: vec3 aob_before(ivec2 p), image position and depth of the surface
+                                          one frame earlier; depth AOB_SKY_Z where it was not seen */
+                AOB_MATERIAL = 1 << 3, /* reserved: aob_albedo, aob_roughness, aob_metalness */
+                AOB_LIGHT =
+                    1 << 4, /* reserved: vec3 aob_light(int i), nine spherical harmonics, view space */
 };
-enum aob_output {                     /* what the harness reads back and compares with the reference */
-                  AOB_OUT_VISIBILITY, /* r: visibility in the technique's own sense, 1 open to 0 closed */
+enum aob_output {                     /* what the harness reads back, all of full size */
+                  AOB_OUT_VISIBILITY, /* r: visibility in the technique's own sense, 1 open to 0 closed. Every
+                                             technique gives it */
+                  AOB_OUT_BENT_NORMAL, /* xyz: mean open direction, view space, its length as it comes; 0 where
+                                             closed. Optional; a target of rgba16f or rgba32f */
+                  AOB_OUT_VISIBILITY_RGB, /* reserved: rgb, visibility after bounces, for each channel */
+                  AOB_OUT_SPECULAR,       /* reserved: r, open share of the GGX lobe */
+                  AOB_OUT_IRRADIANCE,     /* reserved: rgb, occluded irradiance of the light, over pi */
                   AOB_OUTPUT_COUNT,
 };
 enum aob_format {
@@ -120,6 +143,7 @@ struct aob_tex_desc {
     const char *name;       /* unique in the graph; for errors and the memory table */
     enum aob_format format; /* all can be drawn to */
     uint32_t divisor;       /* of the screen, rounded up: 1 full (also 0), 2 half, 4 quarter */
+    uint32_t levels;        /* of a target: level l has divisor << l; 0 means 1 */
     /* A table in place of a target: width x height texels that fill() writes, tightly packed, row 0 first, in the
      * format's own bits. Called once, when the passes are set up, and billed with the set-up. */
     uint32_t width, height;
@@ -129,15 +153,21 @@ struct aob_bind {
     const char *name; /* the GLSL name: aob_fetch_<name>() for an input, the variable <name> for an output */
     aob_tex tex;
     enum aob_filter filter; /* inputs only */
+    uint32_t level; /* of an output the level that is written. Of an input the finest that is read: it shows
+                               that one and the coarser ones, as far as earlier passes have written them without a gap */
+};
+struct aob_define {
+    const char *name; /* UPPER_SNAKE */
+    int value;
 };
 struct aob_pass {
     const char *name;       /* unique in the graph; the row of the times per pass */
     const char *shader;     /* one of the module's texts, by name */
-    const char *defines;    /* "AXIS=0 WIDE=1", or NULL */
     uint32_t reads;         /* enum aob_read bits */
     aob_tex depth;          /* read instead of the G-buffer's depth: view-space depth of another divisor
                                          (AOB_R16F or AOB_R32F), whose texel p is the surface of the G-buffer's
-                                         pixel p * divisor, or one near it; 0: the G-buffer's */
+                                         pixel p * divisor, or one near it; all levels that earlier passes have
+                                         written are read; 0: the G-buffer's */
     enum aob_border border; /* of those reads */
     enum aob_draw draw;
     /* AOB_TRIANGLES only. A captured frame has no triangles: there such a technique is `unsupported`. */
@@ -146,8 +176,10 @@ struct aob_pass {
         per_triangle; /* vertices of each scene triangle, three a drawn one: 3, 6, ... AOB_MAX_VERTICES */
     float reach;      /* scene units, above 0: the drawn ones cover no pixel but of the box of the scene's
                                triangle made larger by this on each side; what a frame will cost is judged by it */
-    struct aob_bind in[AOB_MAX_IN];   /* ended by a NULL name */
-    struct aob_bind out[AOB_MAX_OUT]; /* colour targets of one size; ended by a NULL name */
+    struct aob_define
+        defines[AOB_MAX_DEFINE]; /* compile-time constants; ended by a NULL name, like the next two */
+    struct aob_bind in[AOB_MAX_IN];
+    struct aob_bind out[AOB_MAX_OUT]; /* colour targets of one size */
 };
 struct aob_graph_ops {
     bool (*wants)(const struct aob_graph *graph,
@@ -155,6 +187,9 @@ struct aob_graph_ops {
     aob_tex (*texture)(struct aob_graph *graph, const struct aob_tex_desc *desc);
     bool (*pass)(struct aob_graph *graph, const struct aob_pass *pass); /* runs after the earlier ones */
     bool (*output)(struct aob_graph *graph, enum aob_output which, aob_tex tex); /* full size */
+    aob_tex (*previous)(struct aob_graph *graph,
+                        aob_tex tex); /* reserved: the texture as the last frame left it, 0
+                                                                  in frame 0; an input only */
 };
 struct aob_graph {
     const struct aob_graph_ops *ops;
@@ -162,7 +197,9 @@ struct aob_graph {
 #define aob_wants(graph, which)       (graph)->ops->wants(graph, which)
 #define aob_texture(graph, ...)       (graph)->ops->texture(graph, &(struct aob_tex_desc){__VA_ARGS__})
 #define aob_pass(graph, ...)          (graph)->ops->pass(graph, &(struct aob_pass){__VA_ARGS__})
+#define aob_pass_add(graph, desc)     (graph)->ops->pass(graph, desc) /* one that is filled in already */
 #define aob_output(graph, which, tex) (graph)->ops->output(graph, which, tex)
+#define aob_previous(graph, tex)      (graph)->ops->previous(graph, tex)
 
 /* --- The prelude: the other half of the interface -------------------------------------------------------- *
  * A shader text is the body of a fragment shader: functions and `void main()`. It never says #version, layout
@@ -171,6 +208,10 @@ struct aob_graph {
  *   ivec2 aob_pixel             the pixel of the outputs that this invocation writes
  *   ivec2 aob_target_size       pixels of the pass's outputs
  *   int   aob_frame             frame number, 0 for a single shot
+ *   AOB_DIVISOR                 divisor of the outputs, their level counted; AOB_DEPTH_DIVISOR of the depth below
+ *   AOB_DIVISOR_<IN>            divisor of an input that is no table, in the level that it is read from
+ *   AOB_TYPE_<IN>               float, vec2 or vec4: what an input's texels are, so that one text can filter
+ *                               visibilities and bent normals
  * The surface that pixel p of the outputs stands for: the G-buffer's pixel p * divisor of the outputs.
  *   vec3  aob_surface(ivec2 p)               its view-space point
  *   vec3  aob_surface_normal(ivec2 p)        unit, view space, towards the camera
@@ -192,6 +233,8 @@ struct aob_graph {
  *                                            where the technique has such a parameter
  *   T     aob_fetch_<in>(ivec2 p)            texel of an input, clamped to its edge; T is float, vec2 or vec4
  *   T     aob_sample_<in>(vec2 uv)           AOB_BILINEAR inputs only; uv in 0..1, clamped
+ * Each of the two, and aob_view_z, also takes a level after its argument: 0 is the finest that the pass reads, and p
+ * counts that level's pixels. A level beyond the coarsest that is shown is the coarsest.
  *   param.<name>                AOB_UNIFORM parameters; <NAME> the AOB_CONSTANT ones; <out> the variables
  *                               that the body assigns
  *   AOB_PERSPECTIVE             1 or 0 (orthographic); the functions above serve both, and off-centre frusta
@@ -254,6 +297,7 @@ struct aob_technique {
     const char
         *notes; /* where it departs from its text (slips of a listing, what the text leaves open); or NULL */
     uint32_t revision; /* raise when results should change; part of every case's key */
+    uint32_t frames;   /* reserved above 1: frames until its image is steady; 0 means 1 */
     const struct aob_param *params;
     uint32_t param_count;
     size_t values_size;               /* sizeof the values struct that params index */

@@ -1,5 +1,6 @@
 #include "curves.h"
 #include "chart_job.h"
+#include "places.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include <math.h>
@@ -23,9 +24,9 @@ struct sample {
 
 /* Cases that differ in nothing but the axis. */
 struct group {
-    const char *technique, *backend;
+    const char *technique;
+    size_t place; /* of the technique in the rows' list */
     json_t *rest; /* what they share */
-    char *key;
     struct sample *samples;
     size_t count, capacity;
     size_t turn; /* its place among the technique's groups */
@@ -87,21 +88,17 @@ static json_t *rest_of(const struct aob_row *row, const struct axis *axis)
     return rest;
 }
 
-static struct group *group_of(struct groups *groups, const struct aob_row *row, const struct axis *axis)
+static struct group *group_of(struct groups *groups, json_t *places, const struct aob_row *row,
+                              const struct axis *axis)
 {
     json_t *rest = rest_of(row, axis);
-    char *key = json_dumps(rest, JSON_SORT_KEYS | JSON_COMPACT);
-    for (size_t i = 0; key && i < groups->count; i++) {
-        struct group *g = &groups->list[i];
-        if (strcmp(g->technique, row->technique) == 0 && strcmp(g->key, key) == 0) {
-            json_decref(rest);
-            free(key);
-            return g;
-        }
+    size_t place = aob_place(places, json_pack("[s, O]", row->technique, rest));
+    if (place < groups->count) {
+        json_decref(rest);
+        return &groups->list[place];
     }
     struct group *g = AOB_PUSH(groups->list, groups->count, groups->capacity);
-    *g = (struct group){.technique = row->technique, .backend = row->backend, .rest = rest};
-    g->key = key ? key : aob_strdup("");
+    *g = (struct group){.technique = row->technique, .place = row->technique_place, .rest = rest};
     return g;
 }
 
@@ -109,7 +106,6 @@ static void free_groups(struct groups *groups)
 {
     for (size_t i = 0; i < groups->count; i++) {
         json_decref(groups->list[i].rest);
-        free(groups->list[i].key);
         free(groups->list[i].samples);
     }
     free(groups->list);
@@ -128,19 +124,27 @@ static bool is_curve(struct group *g)
     return g->count > 1 && g->samples[0].x < g->samples[g->count - 1].x;
 }
 
-/* The section's curves over the axis; groups with a single x are dropped. */
-static struct groups collect(const struct aob_gallery *gallery, size_t section, const struct axis *axis)
+/* The cases of the section that have a place on the axis, in groups. */
+static struct groups group_rows(const struct aob_rows *rows, size_t section, const struct axis *axis)
 {
-    struct groups all = {0}, curves = {0};
-    for (size_t i = 0; i < gallery->rows->count; i++) {
-        const struct aob_row *row = &gallery->rows->list[i];
+    struct groups all = {0};
+    json_t *places = json_object();
+    for (size_t i = 0; i < rows->sections[section].count; i++) {
+        const struct aob_row *row = &rows->list[rows->sections[section].rows[i]];
         double x = axis->value(row);
-        if (!aob_row_is_ok(row) || !isfinite(x) || !(row->cost_ms > 0) || !isfinite(row->cost_ms) ||
-            aob_gallery_section(gallery, row) != section)
+        if (!aob_row_is_ok(row) || !isfinite(x) || !(row->cost_ms > 0) || !isfinite(row->cost_ms))
             continue;
-        struct group *g = group_of(&all, row, axis);
+        struct group *g = group_of(&all, places, row, axis);
         *AOB_PUSH(g->samples, g->count, g->capacity) = (struct sample){x, row};
     }
+    json_decref(places);
+    return all;
+}
+
+/* The section's curves over the axis; groups with a single x are dropped. */
+static struct groups collect(const struct aob_rows *rows, size_t section, const struct axis *axis)
+{
+    struct groups all = group_rows(rows, section, axis), curves = {0};
     for (size_t i = 0; i < all.count; i++) {
         struct group *g = &all.list[i];
         if (!is_curve(g))
@@ -160,17 +164,18 @@ static int by_turn(const void *a, const void *b)
     return (p->turn > q->turn) - (p->turn < q->turn);
 }
 
-static void order_groups(struct groups *groups)
+static void order_groups(struct groups *groups, size_t technique_count)
 {
+    size_t *turns = AOB_NEW_ARRAY(size_t, technique_count);
     for (size_t i = 0; i < groups->count; i++)
-        for (size_t j = 0; j < i; j++)
-            groups->list[i].turn += strcmp(groups->list[j].technique, groups->list[i].technique) == 0;
+        groups->list[i].turn = turns[groups->list[i].place]++;
     /* qsort may swap equals, so there are none while it runs. */
     for (size_t i = 0; i < groups->count; i++)
         groups->list[i].turn = groups->list[i].turn * groups->count + i;
     qsort(groups->list, groups->count, sizeof *groups->list, by_turn);
     for (size_t i = 0; i < groups->count; i++)
         groups->list[i].turn /= groups->count;
+    free(turns);
 }
 
 static bool tells_apart(const struct groups *groups, const struct group *g, const char *name,
@@ -178,7 +183,7 @@ static bool tells_apart(const struct groups *groups, const struct group *g, cons
 {
     for (size_t i = 0; i < groups->count; i++) {
         const json_t *other = json_object_get(groups->list[i].rest, name);
-        if (strcmp(groups->list[i].technique, g->technique) == 0 && (!other || !json_equal(other, value)))
+        if (groups->list[i].place == g->place && (!other || !json_equal(other, value)))
             return true;
     }
     return false;
@@ -224,7 +229,7 @@ static json_t *bar_end(const struct aob_row *row, double end)
     return known ? json_real(row->cost_ms * end / row->ratio) : json_null();
 }
 
-static json_t *curve_json(const struct aob_gallery *gallery, const struct groups *groups, size_t shown,
+static json_t *curve_json(const struct aob_rows *rows, const struct groups *groups, size_t shown,
                           const struct group *g)
 {
     json_t *x = json_array(), *y = json_array(), *low = json_array(), *high = json_array();
@@ -236,7 +241,7 @@ static json_t *curve_json(const struct aob_gallery *gallery, const struct groups
         json_array_append_new(high, bar_end(row, row->ci_high));
     }
     char *name = curve_name(groups, shown, g);
-    size_t colour = aob_gallery_technique(gallery, g->technique) + g->turn * gallery->technique_count;
+    size_t colour = g->place + g->turn * rows->technique_count;
     json_t *curve = json_pack("{s:s, s:s, s:I, s:o, s:o, s:o, s:o}", "name", name, "style", "curve", "colour",
                               (json_int_t)colour, "x", x, "y", y, "low", low, "high", high);
     free(name);
@@ -264,34 +269,34 @@ static char *timing_subtitle(const struct groups *groups, size_t shown, const st
     return text.data;
 }
 
-static void add_timing_chart(struct aob_gallery *gallery, size_t section, const struct axis *axis,
-                             const struct groups *groups)
+static void add_timing_chart(struct aob_gallery *gallery, const struct aob_panel *panel,
+                             const struct axis *axis, const struct groups *groups)
 {
     size_t shown = groups->count < CURVE_LIMIT ? groups->count : CURVE_LIMIT;
     struct aob_span across = AOB_SPAN_EMPTY, up = AOB_SPAN_EMPTY;
     json_t *series = json_array();
     for (size_t i = 0; i < shown; i++) {
-        json_array_append_new(series, curve_json(gallery, groups, shown, &groups->list[i]));
+        json_array_append_new(series, curve_json(gallery->rows, groups, shown, &groups->list[i]));
         for (size_t k = 0; k < groups->list[i].count; k++) {
             aob_span_include(&across, groups->list[i].samples[k].x);
             aob_span_include(&up, groups->list[i].samples[k].row->cost_ms);
         }
     }
-    char *subtitle = timing_subtitle(groups, shown, &gallery->sections[section]);
+    char *subtitle = timing_subtitle(groups, shown, &gallery->rows->sections[panel->section]);
     json_t *job = json_pack("{s:s, s:s, s:o, s:o, s:o}", "title", axis->title, "subtitle", subtitle, "x",
                             aob_chart_axis(axis->label, across, 4), "y",
                             aob_chart_axis("time a frame (ms", up, 5), "series", series);
-    aob_chart_add(gallery, section, axis->name, job);
+    aob_chart_add(gallery, panel, axis->name, job);
     free(subtitle);
 }
 
-void aob_curves_add_timing(struct aob_gallery *gallery, size_t section)
+void aob_curves_add_timing(struct aob_gallery *gallery, const struct aob_panel *panel)
 {
     for (size_t i = 0; i < AOB_COUNT(axes); i++) {
-        struct groups groups = collect(gallery, section, &axes[i]);
+        struct groups groups = collect(gallery->rows, panel->section, &axes[i]);
         if (groups.count) {
-            order_groups(&groups);
-            add_timing_chart(gallery, section, &axes[i], &groups);
+            order_groups(&groups, gallery->rows->technique_count);
+            add_timing_chart(gallery, panel, &axes[i], &groups);
         }
         free_groups(&groups);
     }

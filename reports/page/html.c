@@ -1,7 +1,9 @@
 #include "html.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include "label.h"
 
 static const char *entity(char c)
 {
@@ -51,11 +53,14 @@ void aob_html_number_cell(struct aob_text *page, double value, const char *shown
         aob_text_add(page, "<td class=n>\u2013</td>");
 }
 
-void aob_html_share_cell(struct aob_text *page, double share)
+void aob_html_metric_cell(struct aob_text *page, const struct aob_metric *metric, double value)
 {
     char shown[32];
-    snprintf(shown, sizeof shown, "%.0f", 100 * share);
-    aob_html_number_cell(page, share, shown);
+    if (metric->whole)
+        snprintf(shown, sizeof shown, "%.0f", value);
+    else
+        aob_html_decimal(shown, value);
+    aob_html_number_cell(page, value, shown);
 }
 
 void aob_html_text_cell(struct aob_text *page, const char *class_name, const char *text)
@@ -63,4 +68,15 @@ void aob_html_text_cell(struct aob_text *page, const char *class_name, const cha
     aob_text_add(page, *class_name ? "<td class=%s>" : "<td%s>", class_name);
     aob_html_escape(page, text);
     aob_text_add(page, "</td>");
+}
+
+void aob_html_label(struct aob_text *page, const struct aob_row *row)
+{
+    char *full = aob_label_full(row);
+    aob_text_add(page, "<span class=clip title=\"");
+    aob_html_escape(page, full);
+    aob_text_add(page, *row->label || !*full ? "\">" : "\">all at their defaults");
+    aob_html_escape(page, row->label);
+    aob_text_add(page, "</span>");
+    free(full);
 }

@@ -3,12 +3,18 @@
 #include <stdio.h>
 #include <string.h>
 
-static const struct aob_figure *find_figure(const struct aob_gallery *g, enum aob_figure_kind kind,
-                                            size_t section, const struct aob_row *row)
+/* The figures of one panel. */
+struct view {
+    const struct aob_figure *figures;
+    size_t count;
+};
+
+static const struct aob_figure *find_figure(const struct view *view, enum aob_figure_kind kind,
+                                            const struct aob_row *row)
 {
-    for (size_t i = 0; i < g->count; i++)
-        if (g->figures[i].kind == kind && g->figures[i].section == section && g->figures[i].row == row)
-            return &g->figures[i];
+    for (size_t i = 0; i < view->count; i++)
+        if (view->figures[i].kind == kind && view->figures[i].row == row)
+            return &view->figures[i];
     return NULL;
 }
 
@@ -49,82 +55,123 @@ static void add_link(struct aob_text *page, const struct aob_figure *figure, con
 static void add_front(struct aob_text *page, const struct aob_figure *figure)
 {
     char ms[32];
-    aob_text_add(page, "<details><summary>%zu cases on the Pareto front</summary><ol class=front>\n",
-                 figure->front_count);
+    aob_text_add(page, "<details><summary>%zu case%s on the Pareto front</summary><ol class=front>\n",
+                 figure->front_count, figure->front_count == 1 ? "" : "s");
     for (size_t i = 0; i < figure->front_count; i++) {
         const struct aob_row *row = figure->front[i];
         aob_html_ms(ms, row->cost_ms);
-        aob_text_add(page, "<li>%s ms, RMSE in band %.4f: <strong>", ms, row->band_rmse);
+        aob_text_add(page, "<li>%s ms, RMSE in band %.4f: <strong>", ms,
+                     aob_row_score(row, figure->target)->metrics.band_rmse);
         aob_html_escape(page, row->technique);
         aob_text_add(page, "</strong> ");
-        aob_html_escape(page, row->label);
+        aob_html_label(page, row);
         aob_text_add(page, "</li>\n");
     }
     aob_text_add(page, "</ol></details>\n");
 }
 
-/* Each SVG is followed by its PNG. */
-static void add_charts(struct aob_text *page, const struct aob_gallery *g, size_t section)
+static void add_chart(struct aob_text *page, const struct aob_figure *svg, const struct aob_figure *png)
 {
-    aob_text_add(page, "<div class=grid>\n");
-    for (size_t i = 0; i + 1 < g->count; i++) {
-        const struct aob_figure *svg = &g->figures[i];
-        if (svg->kind != AOB_FIGURE_CHART || svg->section != section || !strstr(svg->file, ".svg"))
-            continue;
-        aob_text_add(page, "<figure>");
-        add_picture(page, svg, svg->file);
-        aob_text_add(page, "<figcaption>");
-        add_link(page, &g->figures[i + 1], "PNG");
-        if (svg->front_count)
-            add_front(page, svg);
-        aob_text_add(page, "</figcaption></figure>\n");
-    }
-    aob_text_add(page, "</div>\n");
+    aob_text_add(page, "<figure>");
+    add_picture(page, svg, svg->file);
+    aob_text_add(page, "<figcaption>");
+    add_link(page, png, "PNG");
+    if (svg->front_count)
+        add_front(page, svg);
+    aob_text_add(page, "</figcaption></figure>\n");
 }
 
-static void add_triptych(struct aob_text *page, const struct aob_gallery *g, const struct aob_figure *figure)
+/* Each SVG is followed by its PNG. */
+static void add_charts(struct aob_text *page, const struct view *view, const char *heading)
 {
-    const struct aob_figure *map = find_figure(g, AOB_FIGURE_MAP, figure->section, figure->row);
-    const struct aob_figure *split = find_figure(g, AOB_FIGURE_SPLIT, figure->section, figure->row);
+    bool any = false;
+    for (size_t i = 0; i + 1 < view->count; i++) {
+        const struct aob_figure *svg = &view->figures[i];
+        if (svg->kind != AOB_FIGURE_CHART || !strstr(svg->file, ".svg"))
+            continue;
+        if (!any)
+            aob_text_add(page, "%s<div class=grid>\n", heading);
+        any = true;
+        add_chart(page, svg, svg + 1);
+    }
+    aob_text_add(page, any ? "</div>\n" : "");
+}
+
+static void add_triptych(struct aob_text *page, const struct view *view, const struct aob_figure *figure)
+{
+    const struct aob_figure *map = find_figure(view, AOB_FIGURE_MAP, figure->row);
+    const struct aob_figure *split = find_figure(view, AOB_FIGURE_SPLIT, figure->row);
     aob_text_add(page, "<figure><div class=wide>");
     add_picture(page, figure, map && !map->failure ? map->file : figure->file);
     if (split)
         add_picture(page, split, split->file);
     aob_text_add(page, "</div><figcaption>");
     add_link(page, map, "error map, pixel by pixel");
-    add_link(page, find_figure(g, AOB_FIGURE_VTI, figure->section, figure->row), "data for ParaView (.vti)");
+    add_link(page, find_figure(view, AOB_FIGURE_VTI, figure->row), "data for ParaView (.vti)");
+    aob_html_label(page, figure->row);
     aob_text_add(page, "</figcaption></figure>\n");
 }
 
-static void add_pictures(struct aob_text *page, const struct aob_gallery *g, size_t section)
+static bool add_triptychs(struct aob_text *page, const struct view *view, const char *heading)
 {
     bool any = false;
-    for (size_t i = 0; i < g->count; i++) {
-        const struct aob_figure *figure = &g->figures[i];
-        if (figure->kind != AOB_FIGURE_TRIPTYCH || figure->section != section)
+    for (size_t i = 0; i < view->count; i++) {
+        if (view->figures[i].kind != AOB_FIGURE_TRIPTYCH)
             continue;
         if (!any)
-            aob_text_add(page, json_object_get(figure->job, "alone")
-                                   ? "<h3>Each technique's image: there is no reference</h3>\n"
-                                   : "<h3>Each technique's most accurate case</h3>\n");
+            aob_text_add(page, "<h4>%s</h4>\n", heading);
         any = true;
-        add_triptych(page, g, figure);
+        add_triptych(page, view, &view->figures[i]);
     }
-    for (size_t i = 0; i < g->count; i++) {
-        const struct aob_figure *figure = &g->figures[i];
-        if (figure->kind != AOB_FIGURE_HEIGHT || figure->section != section)
+    return any;
+}
+
+static void add_landscape(struct aob_text *page, const struct view *view)
+{
+    for (size_t i = 0; i < view->count; i++) {
+        if (view->figures[i].kind != AOB_FIGURE_HEIGHT)
             continue;
-        aob_text_add(page, "<h3>Where the most accurate of them still errs</h3>\n<figure class=half>");
-        add_picture(page, figure, figure->file);
+        aob_text_add(page, "<h4>Where the most accurate of them still errs</h4>\n<figure class=half>");
+        add_picture(page, &view->figures[i], view->figures[i].file);
         aob_text_add(page, "</figure>\n");
     }
-    if (!any)
-        aob_text_add(page, "<p class=soft>No case of this view has an image.</p>\n");
+}
+
+/* A section is of one scene, so one score tells whether all of them are a capture's. */
+static bool is_captured(const struct aob_gallery *g, const struct aob_panel *panel)
+{
+    const struct aob_section *section = &g->rows->sections[panel->section];
+    for (size_t i = 0; i < section->count; i++) {
+        const struct aob_score *score = aob_row_score(&g->rows->list[section->rows[i]], panel->target);
+        if (score)
+            return aob_score_is_captured(score);
+    }
+    return false;
+}
+
+static void add_panel(struct aob_text *page, const struct aob_gallery *g, const struct aob_panel *panel)
+{
+    struct view view = {&g->figures[panel->first], panel->count};
+    if (panel->target == AOB_NO_TARGET) {
+        add_triptychs(page, &view, "Each technique\u2019s image: there is no reference");
+        add_charts(page, &view, "<h3>What time follows from</h3>\n");
+        return;
+    }
+    aob_html_target_open(page, g->rows, panel->target, is_captured(g, panel), "");
+    add_charts(page, &view, "");
+    aob_html_split(page, g, panel);
+    if (!panel->cases)
+        aob_text_add(page, "<p class=soft>No case of this view is compared with it.</p>\n");
+    else if (!add_triptychs(page, &view, "Each technique\u2019s most accurate case"))
+        aob_text_add(page, "<p class=soft>The run keeps no image of these cases, or not this truth.</p>\n");
+    add_landscape(page, &view);
+    aob_text_add(page, "</div>\n");
 }
 
 void aob_html_section(struct aob_text *page, const struct aob_gallery *g, size_t section)
 {
-    const struct aob_section *s = &g->sections[section];
+    const struct aob_section *s = &g->rows->sections[section];
+    size_t panels = g->rows->target_count + 1;
     aob_text_add(page, "<section id=s%zu><h2>", section);
     aob_html_escape(page, s->scene);
     aob_text_add(page, " <small>");
@@ -134,8 +181,7 @@ void aob_html_section(struct aob_text *page, const struct aob_gallery *g, size_t
         aob_html_escape(page, g->rows->runs[s->run].name);
     }
     aob_text_add(page, "</small></h2>\n");
-    add_charts(page, g, section);
-    aob_html_split(page, g, section);
-    add_pictures(page, g, section);
+    for (size_t i = 0; i < panels; i++)
+        add_panel(page, g, &g->panels[section * panels + i]);
     aob_text_add(page, "</section>\n");
 }

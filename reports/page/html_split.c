@@ -1,4 +1,5 @@
 #include "html.h"
+#include "base/memory.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -16,61 +17,76 @@ static void add_part(struct aob_text *page, double value, double square, double 
     aob_html_number_cell(page, value, shown);
 }
 
-/* Why the record's error has no parts. */
-static const char *reason_of(const struct aob_row *row)
+/* Why the score has no parts. */
+static const char *reason_of(const struct aob_score *score)
 {
-    const json_t *score = json_object_get(row->json, "error");
-    if (!json_is_object(score))
-        return "no error was measured";
-    return json_object_get(score, "estimator_rmse") ? "not split: it has no definition to trace"
-                                                    : "not split: an older record";
+    return json_object_get(score->json, "estimator_rmse") ? "not split: it has no definition to trace"
+                                                          : "not split: an older record";
 }
 
-static void add_parts(struct aob_text *page, const struct aob_row *row)
+static void add_parts(struct aob_text *page, const struct aob_score *score)
 {
-    double d = row->definition_rmse, m = row->missing_rmse, e = row->estimator_rmse;
-    add_part(page, d, d * d, row->rmse);
-    if (aob_row_is_captured(row))
+    const struct aob_metrics *m = &score->metrics;
+    double d = m->definition_rmse, e = m->estimator_rmse, missing = m->missing_rmse;
+    double products = 2 * (m->definition_missing + m->definition_estimator + m->missing_estimator);
+    add_part(page, d, d * d, m->rmse);
+    if (aob_score_is_captured(score))
         aob_html_text_cell(page, "n", "not known of a capture");
     else
-        add_part(page, m, m * m, row->rmse);
-    add_part(page, e, e * e, row->rmse);
-    add_part(page, 2 * row->covariance, 2 * row->covariance, row->rmse);
+        add_part(page, missing, missing * missing, m->rmse);
+    add_part(page, e, e * e, m->rmse);
+    add_part(page, products, products, m->rmse);
 }
 
-static void add_row(struct aob_text *page, const struct aob_row *row)
+static void add_row(struct aob_text *page, const struct aob_figure *figure)
 {
-    char shown[32];
+    const struct aob_score *score = figure->score;
     aob_text_add(page, "<tr>");
-    aob_html_text_cell(page, "strong", row->technique);
-    aob_html_decimal(shown, row->rmse);
-    aob_html_number_cell(page, row->rmse, shown);
-    if (aob_row_is_split(row))
-        add_parts(page, row);
+    aob_html_text_cell(page, "strong", figure->row->technique);
+    aob_html_metric_cell(page, aob_metric_find("rmse"), score->metrics.rmse);
+    if (aob_score_is_split(score))
+        add_parts(page, score);
     else
-        aob_text_add(page, "<td class=soft colspan=4>%s</td>", reason_of(row));
-    aob_html_share_cell(page, row->border_share);
+        aob_text_add(page, "<td class=soft colspan=4>%s</td>", reason_of(score));
+    aob_html_metric_cell(page, aob_metric_find("border_share"), score->metrics.border_share);
     aob_text_add(page, "</tr>\n");
 }
 
-void aob_html_split(struct aob_text *page, const struct aob_gallery *g, size_t section)
+/* A head of the table: the metric's title, its sentence when one points at it. */
+static void add_column(struct aob_text *page, const char *metric)
 {
+    const struct aob_metric *m = aob_metric_find(metric);
+    aob_text_add(page, "<th class=n title=\"%s\">%s</th>", m->doc, m->title);
+}
+
+static void add_columns(struct aob_text *page)
+{
+    static const char *const parts[] = {"rmse", "definition_rmse", "missing_rmse", "estimator_rmse"};
+    aob_text_add(page, "<thead><tr><th>technique</th>");
+    for (size_t i = 0; i < AOB_COUNT(parts); i++)
+        add_column(page, parts[i]);
+    aob_text_add(page, "<th class=n>2\u00a0\u00d7\u00a0covariances</th>");
+    add_column(page, "border_share");
+    aob_text_add(page, "</tr></thead>\n");
+}
+
+void aob_html_split(struct aob_text *page, const struct aob_gallery *g, const struct aob_panel *panel)
+{
+    const struct aob_figure *figures = &g->figures[panel->first];
     bool any = false;
-    for (size_t i = 0; i < g->count; i++)
-        any = any || (g->figures[i].kind == AOB_FIGURE_SPLIT && g->figures[i].section == section);
+    for (size_t i = 0; i < panel->count; i++)
+        any = any || figures[i].kind == AOB_FIGURE_SPLIT;
     if (!any)
         return;
-    aob_text_add(page,
-                 "<h3>Where the error comes from</h3>\n<p class=soft>RMS of each part and its share of the "
-                 "squared error, for each technique\u2019s most accurate case, pictured below. The shares "
-                 "add up to 100 %%; "
-                 "a negative one means that parts cancel each other.</p>\n<div class=\"scroll plain\"><table>"
-                 "<thead><tr><th>technique</th><th class=n>RMSE</th>"
-                 "<th class=n>definition</th><th class=n>missing</th><th class=n>estimator</th>"
-                 "<th class=n>2\u00a0\u00d7\u00a0covariances</th><th class=n>border "
-                 "<small>%%</small></th></tr></thead>\n<tbody>\n");
-    for (size_t i = 0; i < g->count; i++)
-        if (g->figures[i].kind == AOB_FIGURE_TRIPTYCH && g->figures[i].section == section)
-            add_row(page, g->figures[i].row);
+    aob_text_add(
+        page, "<h4>Where the error comes from</h4>\n<p class=soft>RMS of each part and its share of the "
+              "squared error, for each technique\u2019s most accurate case, pictured below. The shares "
+              "add up to 100 %%; "
+              "a negative one means that parts cancel each other.</p>\n<div class=\"scroll plain\"><table>");
+    add_columns(page);
+    aob_text_add(page, "<tbody>\n");
+    for (size_t i = 0; i < panel->count; i++)
+        if (figures[i].kind == AOB_FIGURE_TRIPTYCH && figures[i].score)
+            add_row(page, &figures[i]);
     aob_text_add(page, "</tbody></table></div>\n");
 }

@@ -1,59 +1,47 @@
 #include "html.h"
-#include "base/memory.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include "base/memory.h"
 
-static void add_head(struct aob_text *page, const struct aob_rows *rows)
+/* One table: the cases against one target. */
+struct table {
+    const struct aob_rows *rows;
+    size_t target;
+};
+
+static void add_scene(struct aob_text *page, const struct aob_row *row)
 {
-    static const struct {
-        const char *name, *unit, *meaning;
-        bool number;
-    } columns[] = {
-        {"scene", "", "", false},
-        {"view", "", "", false},
-        {"technique", "", "", false},
-        {"parameters", "", "and the run options that are not the same in all cases", false},
-        {"backend", "", "", false},
-        {"size", "px", "", true},
-        {"status", "", "with the reason if it is not ok", false},
-        {"time", "ms", "of one frame: processor time, or wall time on a real GPU", true},
-        {"ratio", "95 % interval", "time divided by that of the fixed reference pass", true},
-        {"RMSE", "", "of visibility, 0 to 1, against the ray-traced reference", true},
-        {"RMSE in band", "", "where the reference is occluded at all: visibility below 0.995", true},
-        {"bias", "", "mean of technique minus reference: negative is too dark", true},
-        {"p95", "", "95th percentile of the absolute error", true},
-        {"definition", "RMS", "what the technique does not even try to get right", true},
-        {"missing", "RMS", "what the depth buffer does not know", true},
-        {"estimator", "RMS", "what the technique could still gain from the same depth buffer", true},
-        {"border", "%", "share of the squared error near the edges of the view", true},
-        {"FLIP", "", "mean difference that one notices between the two images: 0 none, 1 most", true},
-        {"SSIM", "", "mean structural similarity: 1 if the two images are equal", true},
-        {"ref. SE", "", "standard error of the reference itself", true},
-        {"memory", "MiB", "textures of the technique", true},
-    };
-    aob_text_add(page, "<thead><tr>%s", rows->run_count > 1 ? "<th><button>run</button></th>" : "");
-    for (size_t i = 0; i < AOB_COUNT(columns); i++)
-        aob_text_add(page, "<th%s title=\"%s\"><button>%s%s%s%s</button></th>",
-                     columns[i].number ? " class=n" : "", columns[i].meaning, columns[i].name,
-                     *columns[i].unit ? " <small>" : "", columns[i].unit, *columns[i].unit ? "</small>" : "");
-    aob_text_add(page, "</tr></thead>\n");
+    aob_html_text_cell(page, "", row->scene);
 }
 
-static void add_decimal(struct aob_text *page, double value)
+static void add_view(struct aob_text *page, const struct aob_row *row)
 {
-    char shown[32];
-    aob_html_decimal(shown, value);
-    aob_html_number_cell(page, value, shown);
+    aob_html_text_cell(page, "", row->view);
 }
 
-static void add_ratio(struct aob_text *page, const struct aob_row *row)
+static void add_technique(struct aob_text *page, const struct aob_row *row)
 {
-    char shown[96];
-    bool bounded = isfinite(row->ci_low) && isfinite(row->ci_high);
-    snprintf(shown, sizeof shown, bounded ? "%.3f <small>[%.3f, %.3f]</small>" : "%.3f", row->ratio,
-             row->ci_low, row->ci_high);
-    aob_html_number_cell(page, row->ratio, shown);
+    aob_html_text_cell(page, "strong", row->technique);
+}
+
+static void add_label(struct aob_text *page, const struct aob_row *row)
+{
+    aob_text_add(page, "<td class=params>");
+    aob_html_label(page, row);
+    aob_text_add(page, "</td>");
+}
+
+static void add_backend(struct aob_text *page, const struct aob_row *row)
+{
+    aob_html_text_cell(page, "", row->backend);
+}
+
+static void add_size(struct aob_text *page, const struct aob_row *row)
+{
+    char shown[64];
+    snprintf(shown, sizeof shown, "%d\u00d7%d", row->width, row->height);
+    aob_html_number_cell(page, row->width && row->height ? (double)row->width * row->height : NAN, shown);
 }
 
 /* Only the four words of the journal become class names. */
@@ -68,7 +56,9 @@ static const char *status_class(const char *status)
 
 static void add_status(struct aob_text *page, const struct aob_row *row)
 {
-    aob_text_add(page, "<td class=status><span class=\"chip %s\">", status_class(row->status));
+    aob_text_add(page, "<td class=status><span class=clip title=\"");
+    aob_html_escape(page, row->reason);
+    aob_text_add(page, "\"><span class=\"chip %s\">", status_class(row->status));
     aob_html_escape(page, *row->status ? row->status : "unknown");
     aob_text_add(page, "</span>");
     if (*row->reason) {
@@ -76,52 +66,119 @@ static void add_status(struct aob_text *page, const struct aob_row *row)
         aob_html_escape(page, row->reason);
         aob_text_add(page, "</span>");
     }
-    aob_text_add(page, "</td>");
+    aob_text_add(page, "</span></td>");
 }
 
-static void add_size(struct aob_text *page, const struct aob_row *row)
-{
-    char shown[64];
-    snprintf(shown, sizeof shown, "%d\u00d7%d", row->width, row->height);
-    aob_html_number_cell(page, row->width && row->height ? (double)row->width * row->height : NAN, shown);
-}
-
-static void add_memory(struct aob_text *page, double bytes)
-{
-    char shown[32];
-    snprintf(shown, sizeof shown, "%.2f", bytes / 1048576);
-    aob_html_number_cell(page, bytes, shown);
-}
-
-static void add_row(struct aob_text *page, const struct aob_rows *rows, const struct aob_row *row)
+static void add_time(struct aob_text *page, const struct aob_row *row)
 {
     char ms[32];
-    aob_text_add(page, "<tr>");
-    if (rows->run_count > 1)
-        aob_html_text_cell(page, "", rows->runs[row->run].name);
-    aob_html_text_cell(page, "", row->scene);
-    aob_html_text_cell(page, "", row->view);
-    aob_html_text_cell(page, "strong", row->technique);
-    aob_html_text_cell(page, "params", row->label);
-    aob_html_text_cell(page, "", row->backend);
-    add_size(page, row);
-    add_status(page, row);
     aob_html_ms(ms, row->cost_ms);
     aob_html_number_cell(page, row->cost_ms, ms);
-    add_ratio(page, row);
-    add_decimal(page, row->rmse);
-    add_decimal(page, row->band_rmse);
-    add_decimal(page, row->bias);
-    add_decimal(page, row->p95);
-    add_decimal(page, row->definition_rmse);
-    add_decimal(page, row->missing_rmse);
-    add_decimal(page, row->estimator_rmse);
-    aob_html_share_cell(page, row->border_share);
-    add_decimal(page, row->flip);
-    add_decimal(page, row->ssim);
-    add_decimal(page, row->reference_se);
-    add_memory(page, row->memory_bytes);
+}
+
+static void add_ratio(struct aob_text *page, const struct aob_row *row)
+{
+    char shown[96];
+    bool bounded = isfinite(row->ci_low) && isfinite(row->ci_high);
+    snprintf(shown, sizeof shown, bounded ? "%.3f <small>[%.3f, %.3f]</small>" : "%.3f", row->ratio,
+             row->ci_low, row->ci_high);
+    aob_html_number_cell(page, row->ratio, shown);
+}
+
+static void add_memory(struct aob_text *page, const struct aob_row *row)
+{
+    char shown[32];
+    snprintf(shown, sizeof shown, "%.2f", row->memory_bytes / 1048576);
+    aob_html_number_cell(page, row->memory_bytes, shown);
+}
+
+/* What is no metric; those come behind, the run before where there are several. */
+static const struct column {
+    const char *name, *unit, *meaning;
+    bool number;
+    void (*add)(struct aob_text *, const struct aob_row *);
+} columns[] = {
+    {"scene", "", "", false, add_scene},
+    {"view", "", "", false, add_view},
+    {"technique", "", "", false, add_technique},
+    {"parameters", "", "and run options: what varies among the cases, then what is not at its default", false,
+     add_label},
+    {"backend", "", "", false, add_backend},
+    {"size", "px", "", true, add_size},
+    {"status", "", "with the reason if it is not ok", false, add_status},
+    {"time", "ms", "of one frame: processor time, or wall time on a real GPU", true, add_time},
+    {"ratio", "95 % interval", "time divided by that of the fixed reference pass", true, add_ratio},
+    {"memory", "MiB", "textures of the technique", true, add_memory},
+};
+
+static void add_name(struct aob_text *page, const char *name, const char *unit, const char *meaning,
+                     bool number)
+{
+    aob_text_add(page, "<th%s title=\"%s\"><button>%s%s%s%s</button></th>", number ? " class=n" : "", meaning,
+                 name, *unit ? " <small>" : "", unit, *unit ? "</small>" : "");
+}
+
+static const struct aob_score *score_of(const struct table *table, const struct aob_row *row)
+{
+    return aob_row_score(row, table->target);
+}
+
+/* What has a score has a row in the table of its target; what has none, in all. */
+static bool is_in(const struct table *table, const struct aob_row *row)
+{
+    return !row->score_count || score_of(table, row);
+}
+
+/* Columns of nothing but dashes are left out: `shown` has a place for each metric of the table. */
+static void find_shown(const struct table *table, bool *shown)
+{
+    for (size_t i = 0; i < table->rows->count; i++) {
+        const struct aob_score *score = score_of(table, &table->rows->list[i]);
+        for (size_t k = 0; score && aob_metric_table[k].name; k++)
+            shown[k] = shown[k] || isfinite(aob_metric_get(&score->metrics, &aob_metric_table[k]));
+    }
+}
+
+static void add_head(struct aob_text *page, const struct table *table, const bool *shown)
+{
+    aob_text_add(page, "<thead><tr>");
+    if (table->rows->run_count > 1)
+        add_name(page, "run", "", "", false);
+    for (size_t i = 0; i < AOB_COUNT(columns); i++)
+        add_name(page, columns[i].name, columns[i].unit, columns[i].meaning, columns[i].number);
+    for (const struct aob_metric *m = aob_metric_table; m->name; m++)
+        if (shown[m - aob_metric_table])
+            add_name(page, m->title, m->unit ? m->unit : "", m->doc, true);
+    aob_text_add(page, "</tr></thead>\n");
+}
+
+static void add_row(struct aob_text *page, const struct table *table, const bool *shown,
+                    const struct aob_row *row)
+{
+    const struct aob_score *score = score_of(table, row);
+    aob_text_add(page, "<tr>");
+    if (table->rows->run_count > 1)
+        aob_html_text_cell(page, "", table->rows->runs[row->run].name);
+    for (size_t i = 0; i < AOB_COUNT(columns); i++)
+        columns[i].add(page, row);
+    for (const struct aob_metric *m = aob_metric_table; m->name; m++)
+        if (shown[m - aob_metric_table])
+            aob_html_metric_cell(page, m, score ? aob_metric_get(&score->metrics, m) : NAN);
     aob_text_add(page, "</tr>\n");
+}
+
+static void add_table(struct aob_text *page, const struct table *table)
+{
+    bool shown[64] = {false};
+    _Static_assert(sizeof(struct aob_metrics) / sizeof(double) <= sizeof shown, "a place for each metric");
+    find_shown(table, shown);
+    aob_text_add(page, "<div class=scroll><table class=cases>\n");
+    add_head(page, table, shown);
+    aob_text_add(page, "<tbody>\n");
+    for (size_t i = 0; i < table->rows->count; i++)
+        if (is_in(table, &table->rows->list[i]))
+            add_row(page, table, shown, &table->rows->list[i]);
+    aob_text_add(page, "</tbody></table></div>\n");
 }
 
 void aob_html_table(struct aob_text *page, const struct aob_rows *rows)
@@ -129,10 +186,13 @@ void aob_html_table(struct aob_text *page, const struct aob_rows *rows)
     aob_text_add(
         page, "<section id=cases><h2>All cases</h2>\n"
               "<p class=tools><label>Show rows with <input id=filter type=search placeholder=\"gtao vulkan\">"
-              "</label> <output id=shown></output></p>\n<div class=scroll><table id=table>\n");
-    add_head(page, rows);
-    aob_text_add(page, "<tbody>\n");
-    for (size_t i = 0; i < rows->count; i++)
-        add_row(page, rows, &rows->list[i]);
-    aob_text_add(page, "</tbody></table></div></section>\n");
+              "</label> <output id=shown></output> <a href=\"cases.csv\">all of it as cases.csv</a></p>\n");
+    for (size_t i = 0; i < rows->target_count; i++) {
+        aob_html_target_open(page, rows, i, false, "");
+        add_table(page, &(struct table){rows, i});
+        aob_text_add(page, "</div>\n");
+    }
+    if (!rows->target_count)
+        add_table(page, &(struct table){rows, AOB_NO_TARGET});
+    aob_text_add(page, "</section>\n");
 }

@@ -15,7 +15,7 @@ struct aob_page_summary {
 
 struct aob_page_desc {
     const char *const *folders; /* of the runs (journal.jsonl, run.json, images/), NULL-ended, at least one */
-    const char *out;            /* folder of the page: index.html and figures/ are written here */
+    const char *out;            /* folder of the page: index.html, cases.csv and figures/ are written here */
     const char *program; /* path of aobudget: aobudget-plot is beside it. NULL: the page has no figures */
     struct aob_page_summary *summary; /* filled in; may be NULL */
 };

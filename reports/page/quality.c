@@ -1,5 +1,6 @@
 #include "chart_job.h"
 #include "curves.h"
+#include "places.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include <math.h>
@@ -7,37 +8,33 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Cases of one section, size and backend that have both a cost and a score. */
-struct cloud {
-    const struct aob_row **rows;
-    size_t count, capacity;
+/* A case in the chart: what it costs and how far it is from the target. */
+struct point {
+    const struct aob_row *row;
+    double error;
 };
 
-static bool has_point(const struct aob_row *row)
-{
-    return aob_row_is_ok(row) && isfinite(row->cost_ms) && row->cost_ms > 0 && isfinite(row->band_rmse) &&
-           row->band_rmse > 0;
-}
+/* Cases of one panel and size, on the section's backend, that have both. */
+struct cloud {
+    struct point *points;
+    size_t count, capacity;
+    int width, height;
+};
 
-static struct cloud collect(const struct aob_gallery *g, size_t section, int width, int height)
+static bool take_point(const struct aob_row *row, size_t target, struct point *point)
 {
-    struct cloud cloud = {0};
-    const char *backend = aob_gallery_backend(g, section);
-    for (size_t i = 0; i < g->rows->count; i++) {
-        const struct aob_row *row = &g->rows->list[i];
-        if (has_point(row) && row->width == width && row->height == height &&
-            strcmp(row->backend, backend) == 0 && aob_gallery_section(g, row) == section)
-            *AOB_PUSH(cloud.rows, cloud.count, cloud.capacity) = row;
-    }
-    return cloud;
+    const struct aob_score *score = aob_row_score(row, target);
+    *point = (struct point){row, score ? score->metrics.band_rmse : NAN};
+    return aob_row_is_ok(row) && isfinite(row->cost_ms) && row->cost_ms > 0 && isfinite(point->error) &&
+           point->error > 0;
 }
 
 static int by_cost(const void *a, const void *b)
 {
-    const struct aob_row *p = *(const struct aob_row *const *)a, *q = *(const struct aob_row *const *)b;
-    if (p->cost_ms != q->cost_ms)
-        return (p->cost_ms > q->cost_ms) - (p->cost_ms < q->cost_ms);
-    return (p->band_rmse > q->band_rmse) - (p->band_rmse < q->band_rmse);
+    const struct point *p = a, *q = b;
+    if (p->row->cost_ms != q->row->cost_ms)
+        return (p->row->cost_ms > q->row->cost_ms) - (p->row->cost_ms < q->row->cost_ms);
+    return (p->error > q->error) - (p->error < q->error);
 }
 
 /* Sorts the cloud by cost and picks what nothing cheaper beats. */
@@ -45,26 +42,26 @@ static struct cloud pareto_front(struct cloud *cloud)
 {
     struct cloud front = {0};
     double best = HUGE_VAL;
-    qsort(cloud->rows, cloud->count, sizeof(const struct aob_row *), by_cost);
+    qsort(cloud->points, cloud->count, sizeof *cloud->points, by_cost);
     for (size_t i = 0; i < cloud->count; i++) {
-        if (cloud->rows[i]->band_rmse >= best)
+        if (cloud->points[i].error >= best)
             continue;
-        best = cloud->rows[i]->band_rmse;
-        *AOB_PUSH(front.rows, front.count, front.capacity) = cloud->rows[i];
+        best = cloud->points[i].error;
+        *AOB_PUSH(front.points, front.count, front.capacity) = cloud->points[i];
     }
     return front;
 }
 
-/* Points of one technique, or of all if it is NULL; JSON null if there are none. */
+/* Points of one technique, or of all if it is NULL; NULL if there are none. */
 static json_t *series_json(const struct cloud *cloud, const char *technique, const char *name,
                            const char *style, size_t colour)
 {
     json_t *x = json_array(), *y = json_array();
     for (size_t i = 0; i < cloud->count; i++) {
-        if (technique && strcmp(cloud->rows[i]->technique, technique))
+        if (technique && strcmp(cloud->points[i].row->technique, technique))
             continue;
-        json_array_append_new(x, json_real(cloud->rows[i]->cost_ms));
-        json_array_append_new(y, json_real(cloud->rows[i]->band_rmse));
+        json_array_append_new(x, json_real(cloud->points[i].row->cost_ms));
+        json_array_append_new(y, json_real(cloud->points[i].error));
     }
     if (json_array_size(x))
         return json_pack("{s:s, s:s, s:I, s:o, s:o}", "name", name, "style", style, "colour",
@@ -74,11 +71,12 @@ static json_t *series_json(const struct cloud *cloud, const char *technique, con
     return NULL;
 }
 
-static json_t *all_series(const struct aob_gallery *g, const struct cloud *cloud, const struct cloud *front)
+static json_t *all_series(const struct aob_rows *rows, const struct cloud *cloud, const struct cloud *front)
 {
     json_t *series = json_array();
-    for (size_t t = 0; t < g->technique_count; t++)
-        json_array_append_new(series, series_json(cloud, g->techniques[t], g->techniques[t], "points", t));
+    for (size_t t = 0; t < rows->technique_count; t++)
+        json_array_append_new(series,
+                              series_json(cloud, rows->techniques[t], rows->techniques[t], "points", t));
     json_array_append_new(series, series_json(front, NULL, "Pareto front", "front", 0));
     return series;
 }
@@ -86,54 +84,75 @@ static json_t *all_series(const struct aob_gallery *g, const struct cloud *cloud
 static char *subtitle_of(const struct aob_section *s, const struct cloud *cloud)
 {
     struct aob_text text = {0};
-    const struct aob_row *row = cloud->rows[0];
     aob_text_add(&text, "%s \u00b7 %s \u00b7 %d\u00d7%d \u00b7 %s \u00b7 %zu cases; lower left is better",
-                 s->scene, s->view, row->width, row->height, row->backend, cloud->count);
+                 s->scene, s->view, cloud->width, cloud->height, s->backend, cloud->count);
     return text.data;
 }
 
-static void add_chart(struct aob_gallery *g, size_t section, struct cloud *cloud)
+static bool is_captured(const struct cloud *cloud, size_t target)
+{
+    return aob_score_is_captured(aob_row_score(cloud->points[0].row, target));
+}
+
+static char *title_of(const struct aob_rows *rows, const struct cloud *cloud, size_t target)
+{
+    struct aob_text text = {0};
+    char *against = aob_target_say(&rows->targets[target], is_captured(cloud, target));
+    aob_text_add(&text, "What accuracy costs, against %s", against);
+    free(against);
+    return text.data;
+}
+
+/* The figure's list of the front takes over nothing of the clouds. */
+static void set_front(struct aob_figure *figure, const struct cloud *front)
+{
+    figure->front = AOB_NEW_ARRAY(const struct aob_row *, front->count);
+    figure->front_count = front->count;
+    for (size_t i = 0; i < front->count; i++)
+        figure->front[i] = front->points[i].row;
+}
+
+static void add_chart(struct aob_gallery *g, const struct aob_panel *panel, struct cloud *cloud)
 {
     struct aob_span across = AOB_SPAN_EMPTY, up = AOB_SPAN_EMPTY;
     struct cloud front = pareto_front(cloud);
     for (size_t i = 0; i < cloud->count; i++) {
-        aob_span_include(&across, cloud->rows[i]->cost_ms);
-        aob_span_include(&up, cloud->rows[i]->band_rmse);
+        aob_span_include(&across, cloud->points[i].row->cost_ms);
+        aob_span_include(&up, cloud->points[i].error);
     }
-    char *subtitle = subtitle_of(&g->sections[section], cloud);
-    json_t *job = json_pack("{s:s, s:s, s:o, s:o, s:o}", "title", "What accuracy costs", "subtitle", subtitle,
-                            "x", aob_chart_axis("time a frame (ms", across, 5), "y",
+    char *subtitle = subtitle_of(&g->rows->sections[panel->section], cloud);
+    char *title = title_of(g->rows, cloud, panel->target);
+    json_t *job = json_pack("{s:s, s:s, s:o, s:o, s:o}", "title", title, "subtitle", subtitle, "x",
+                            aob_chart_axis("time a frame (ms", across, 5), "y",
                             aob_chart_axis("RMSE where occluded (visibility", up, 5), "series",
-                            all_series(g, cloud, &front));
-    struct aob_figure *figure = aob_chart_add(g, section, "quality", job);
-    figure->front = front.rows;
-    figure->front_count = front.count;
+                            all_series(g->rows, cloud, &front));
+    set_front(aob_chart_add(g, panel, "quality", job), &front);
+    free(front.points);
+    free(title);
     free(subtitle);
 }
 
-/* Is row `index` the first of its size in the section? */
-static bool is_new_size(const struct aob_gallery *g, size_t section, size_t index)
+void aob_curves_add_quality(struct aob_gallery *g, const struct aob_panel *panel)
 {
-    const struct aob_row *row = &g->rows->list[index];
-    if (!has_point(row) || aob_gallery_section(g, row) != section)
-        return false;
-    for (size_t i = 0; i < index; i++) {
-        const struct aob_row *other = &g->rows->list[i];
-        if (has_point(other) && other->width == row->width && other->height == row->height &&
-            aob_gallery_section(g, other) == section)
-            return false;
-    }
-    return true;
-}
-
-void aob_curves_add_quality(struct aob_gallery *g, size_t section)
-{
-    for (size_t i = 0; i < g->rows->count; i++) {
-        if (!is_new_size(g, section, i))
+    const struct aob_section *section = &g->rows->sections[panel->section];
+    struct cloud *clouds = NULL;
+    size_t count = 0, capacity = 0;
+    json_t *sizes = json_object();
+    for (size_t i = 0; i < section->count; i++) {
+        const struct aob_row *row = &g->rows->list[section->rows[i]];
+        struct point point;
+        if (strcmp(row->backend, section->backend) != 0 || !take_point(row, panel->target, &point))
             continue;
-        struct cloud cloud = collect(g, section, g->rows->list[i].width, g->rows->list[i].height);
-        if (cloud.count)
-            add_chart(g, section, &cloud);
-        free(cloud.rows);
+        size_t size = aob_place(sizes, json_pack("[i, i]", row->width, row->height));
+        if (size == count)
+            *AOB_PUSH(clouds, count, capacity) = (struct cloud){.width = row->width, .height = row->height};
+        struct cloud *cloud = &clouds[size];
+        *AOB_PUSH(cloud->points, cloud->count, cloud->capacity) = point;
     }
+    for (size_t i = 0; i < count; i++) {
+        add_chart(g, panel, &clouds[i]);
+        free(clouds[i].points);
+    }
+    json_decref(sizes);
+    free(clouds);
 }

@@ -7,6 +7,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include "base/error.h"
+#include "member.h"
+#include "store/metric.h"
+#include "target.h"
 
 struct aob_run {
     const char *folder;
@@ -17,17 +20,35 @@ struct aob_run {
     size_t cases;     /* found in the journal */
 };
 
+/* A case's image against one target. */
+struct aob_score {
+    size_t target;      /* its place among the rows' targets */
+    const json_t *json; /* the entry of `errors`; an older record's `error` */
+    const char *truth;  /* path of the target's truth below the run's folder; "": none is kept */
+    bool own;           /* the record's `error` is this one: the case's image holds its truth */
+    struct aob_metrics metrics;
+};
+
 struct aob_row {
-    size_t run;
+    size_t run, section, technique_place; /* places in the lists below */
     const json_t *json;
-    const char *key, *scene, *view, *technique, *backend, *status, *reason, *image;
+    const char *key, *series, *scene, *view, *technique, *backend, *status, *reason, *image;
     int width, height;
     double cost_ms;                /* of a frame: processor time, or wall time if that is the case's clock */
     double ratio, ci_low, ci_high; /* the 95 % interval is the ratio's */
-    double rmse, band_rmse, bias, p95, flip, ssim, reference_se, memory_bytes;
-    double definition_rmse, missing_rmse, estimator_rmse, border_share;
-    double covariance; /* the three mean products added: rmse^2 is the squares of the three and twice this */
-    char *label;       /* "radius=0.5 slices=2", then the run options that are not the same everywhere */
+    double memory_bytes;
+    struct aob_score *scores; /* one a target, in the order of the targets */
+    size_t score_count;
+    char *label; /* what sets the case apart (label.h) */
+};
+
+/* One scene seen in one view, in one run. */
+struct aob_section {
+    size_t run;
+    const char *scene, *view;
+    const char *backend; /* of its first good case; "" */
+    size_t *rows;        /* places of its cases */
+    size_t count, capacity;
 };
 
 struct aob_rows {
@@ -35,6 +56,12 @@ struct aob_rows {
     size_t run_count;
     struct aob_row *list;
     size_t count, capacity;
+    struct aob_target *targets; /* sorted, each once */
+    size_t target_count, target_capacity;
+    struct aob_section *sections; /* in the order of the journals */
+    size_t section_count, section_capacity;
+    const char **techniques; /* likewise; the place is the technique's colour */
+    size_t technique_count, technique_capacity;
 };
 
 /* False if a folder has neither a journal nor run.json, or the journal cannot be read; damaged lines are left
@@ -45,16 +72,13 @@ void aob_rows_finish(struct aob_rows *rows);
 
 bool aob_row_is_ok(const struct aob_row *row);
 
-/* Does the record hold all three parts of its error? Without a definition, and in old journals, it does not. */
-bool aob_row_is_split(const struct aob_row *row);
+/* The case's score against the target of that place; against its own, which `error` holds. NULL: there is none. */
+const struct aob_score *aob_row_score(const struct aob_row *row, size_t target);
+const struct aob_score *aob_row_own_score(const struct aob_row *row);
+
+/* Does the score hold all three parts of its error? Without a definition, and in old journals, it does not. */
+bool aob_score_is_split(const struct aob_score *score);
 
 /* Is the screen-space bound what it was compared with? */
-bool aob_row_is_captured(const struct aob_row *row);
-
-/* The member, or "" / NaN. `object` may be NULL. */
-const char *aob_member_text(const json_t *object, const char *name);
-double aob_member_number(const json_t *object, const char *name);
-
-/* "0.5", "cosine", "yes"; free() it. */
-char *aob_member_show(const json_t *value);
+bool aob_score_is_captured(const struct aob_score *score);
 #endif

@@ -4,90 +4,20 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "gallery_plan.h"
 #include "markdown.h"
-
-const struct aob_row *aob_techniques_row(const struct aob_techniques *t, size_t technique, size_t section)
-{
-    return t->chosen[technique * t->gallery.section_count + section];
-}
-
-bool aob_techniques_is_oracle(const struct aob_techniques *t, size_t section)
-{
-    for (size_t i = 0; i < t->count; i++) {
-        const struct aob_row *row = aob_techniques_row(t, i, section);
-        if (row && json_is_object(json_object_get(json_object_get(row->json, "error"), "oracle")))
-            return true;
-    }
-    return false;
-}
-
-void aob_techniques_add_place(struct aob_text *page, const struct aob_techniques *t, size_t section)
-{
-    struct aob_text place = {0};
-    aob_text_add(&place, "%s/%s", t->gallery.sections[section].scene, t->gallery.sections[section].view);
-    aob_md_code(page, place.data);
-    aob_text_finish(&place);
-}
-
-void aob_techniques_add_head(struct aob_text *page, const char *const *names)
-{
-    size_t count = 0;
-    aob_text_add(page, "|");
-    for (; names[count]; count++)
-        aob_text_add(page, " %s |", names[count]);
-    aob_text_add(page, "\n|");
-    for (size_t i = 0; i < count; i++)
-        aob_text_add(page, "---|");
-    aob_text_add(page, "\n");
-}
+#include "techniques_text.h"
 
 static const char *name_of(const struct aob_techniques *t, size_t technique)
 {
     return aob_member_text(json_array_get(t->list, technique), "name");
 }
 
-/* A float's text is its shortest, so a default may differ in the last bits. */
-static bool same_number(double a, double b)
-{
-    return fabs(a - b) <= 1e-6 * fmax(fabs(a), fabs(b));
-}
-
-static bool is_default(const json_t *technique, const struct aob_row *row)
-{
-    const json_t *params = json_object_get(technique, "params"),
-                 *values = json_object_get(row->json, "params");
-    for (size_t i = 0; i < json_array_size(params); i++) {
-        const json_t *param = json_array_get(params, i);
-        const json_t *value = json_object_get(values, aob_member_text(param, "name"));
-        const json_t *choices = json_object_get(param, "choices");
-        double initial = aob_member_number(param, "initial");
-        if (choices ? !json_equal(json_array_get(choices, (size_t)initial), value)
-                    : !same_number(json_number_value(value), initial))
-            return false;
-    }
-    return true;
-}
-
-/* Good cases first; among those the backend that comes first in the journal. */
-static void choose_rows(struct aob_techniques *t, size_t sections)
-{
-    t->chosen = AOB_NEW_ARRAY(const struct aob_row *, t->count *sections);
-    for (size_t i = 0; i < t->rows.count; i++)
-        for (size_t k = 0; k < t->count; k++) {
-            const struct aob_row *row = &t->rows.list[i];
-            const struct aob_row **place = &t->chosen[k * sections + aob_gallery_section(&t->gallery, row)];
-            if (strcmp(name_of(t, k), row->technique) == 0 && is_default(json_array_get(t->list, k), row) &&
-                (!*place || (!aob_row_is_ok(*place) && aob_row_is_ok(row))))
-                *place = row;
-        }
-}
-
-/* The rows are chosen with a gallery that only knows its sections; the figures are those of the chosen rows. */
+/* The figures are those of the chosen rows, where there is something to see. */
 static void plan(struct aob_techniques *t, const char *pictures)
 {
-    aob_gallery_plan_triptychs(&t->gallery, &t->rows, NULL, 0, pictures);
-    size_t sections = t->gallery.section_count, used = 0;
-    choose_rows(t, sections);
+    size_t sections = t->rows.section_count, used = 0;
+    aob_techniques_choose(t);
     const struct aob_row **drawn = AOB_NEW_ARRAY(const struct aob_row *, t->count *sections);
     for (size_t k = 0; k < t->count; k++)
         for (size_t s = 0; s < sections; s++) {
@@ -95,14 +25,8 @@ static void plan(struct aob_techniques *t, const char *pictures)
             if (row && aob_row_is_ok(row) && *row->image && !aob_techniques_is_oracle(t, s))
                 drawn[used++] = row;
         }
-    aob_gallery_finish(&t->gallery);
     aob_gallery_plan_triptychs(&t->gallery, &t->rows, drawn, used, pictures);
     free(drawn);
-}
-
-static const json_t *oracle_of(const struct aob_row *row)
-{
-    return row ? json_object_get(json_object_get(row->json, "error"), "oracle") : NULL;
 }
 
 /* Any technique's: they share name and claim. */
@@ -110,7 +34,7 @@ static const json_t *section_oracle(const struct aob_techniques *t, size_t secti
 {
     const json_t *oracle = NULL;
     for (size_t i = 0; i < t->count && !oracle; i++)
-        oracle = oracle_of(aob_techniques_row(t, i, section));
+        oracle = aob_techniques_oracle(aob_techniques_row(t, i, section));
     return oracle;
 }
 
@@ -124,13 +48,13 @@ static double oracle_error(const json_t *oracle, const char *band, const char *a
 static void add_reference_row(struct aob_text *page, const struct aob_techniques *t)
 {
     aob_text_add(page, "| *ray-traced truth* |");
-    for (size_t s = 0; s < t->gallery.section_count; s++) {
+    for (size_t s = 0; s < t->rows.section_count; s++) {
         double worst = NAN;
         if (!aob_techniques_is_oracle(t, s))
             continue;
         for (size_t k = 0; k < t->count; k++)
-            worst = fmax(worst, oracle_error(oracle_of(aob_techniques_row(t, k, s)), "reference_band_rmse",
-                                             "reference_rmse"));
+            worst = fmax(worst, oracle_error(aob_techniques_oracle(aob_techniques_row(t, k, s)),
+                                             "reference_band_rmse", "reference_rmse"));
         aob_md_number(page, worst, 4);
     }
     aob_text_add(page, "\n");
@@ -139,7 +63,7 @@ static void add_reference_row(struct aob_text *page, const struct aob_techniques
 static void add_oracle_head(struct aob_text *page, const struct aob_techniques *t)
 {
     size_t count = 0;
-    for (size_t s = 0; s < t->gallery.section_count; s++) {
+    for (size_t s = 0; s < t->rows.section_count; s++) {
         const json_t *oracle = section_oracle(t, s);
         if (!oracle)
             continue;
@@ -152,7 +76,7 @@ static void add_oracle_head(struct aob_text *page, const struct aob_techniques *
         aob_text_add(page, "\n");
     }
     aob_text_add(page, "\n| |");
-    for (size_t s = 0; s < t->gallery.section_count; s++)
+    for (size_t s = 0; s < t->rows.section_count; s++)
         if (section_oracle(t, s)) {
             aob_text_add(page, " ");
             aob_md_escape(page, aob_member_text(section_oracle(t, s), "name"));
@@ -170,7 +94,7 @@ static void add_oracle_head(struct aob_text *page, const struct aob_techniques *
 static void add_oracles(struct aob_text *page, const struct aob_techniques *t)
 {
     bool any = false;
-    for (size_t s = 0; s < t->gallery.section_count; s++)
+    for (size_t s = 0; s < t->rows.section_count; s++)
         any = any || aob_techniques_is_oracle(t, s);
     aob_text_add(page, "## Oracles\n\n");
     if (!any) {
@@ -193,10 +117,11 @@ static void add_oracles(struct aob_text *page, const struct aob_techniques *t)
         aob_text_add(page, "| ");
         aob_md_code(page, name_of(t, k));
         aob_text_add(page, " |");
-        for (size_t s = 0; s < t->gallery.section_count; s++)
+        for (size_t s = 0; s < t->rows.section_count; s++)
             if (aob_techniques_is_oracle(t, s))
-                aob_md_number(page, oracle_error(oracle_of(aob_techniques_row(t, k, s)), "band_rmse", "rmse"),
-                              4);
+                aob_md_number(
+                    page,
+                    oracle_error(aob_techniques_oracle(aob_techniques_row(t, k, s)), "band_rmse", "rmse"), 4);
         aob_text_add(page, "\n");
     }
     aob_text_add(page, "\n");

@@ -1,9 +1,9 @@
+#include "techniques_text.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
 #include "markdown.h"
-#include "techniques_page.h"
 
 static void add_cell(struct aob_text *page, const char *text)
 {
@@ -98,7 +98,7 @@ static void add_falloff(struct aob_text *page, const json_t *falloff)
 static void add_definition(struct aob_text *page, const struct aob_techniques *t, size_t technique)
 {
     const json_t *definition = NULL;
-    for (size_t s = 0; s < t->gallery.section_count && !definition; s++) {
+    for (size_t s = 0; s < t->rows.section_count && !definition; s++) {
         const struct aob_row *row = aob_techniques_row(t, technique, s);
         definition = row ? json_object_get(row->json, "definition") : NULL;
     }
@@ -171,7 +171,7 @@ static void add_missing(struct aob_text *page, const struct aob_row *row, const 
 static void add_pictures(struct aob_text *page, const struct aob_techniques *t, size_t technique)
 {
     const char *name = aob_member_text(json_array_get(t->list, technique), "name");
-    for (size_t s = 0; s < t->gallery.section_count; s++) {
+    for (size_t s = 0; s < t->rows.section_count; s++) {
         const struct aob_row *row = aob_techniques_row(t, technique, s);
         const struct aob_figure *figure = figure_of(t, row);
         if (aob_techniques_is_oracle(t, s))
@@ -204,25 +204,32 @@ static void add_ratio(struct aob_text *page, const struct aob_row *row)
         aob_text_add(page, " %.3f |", row->ratio);
 }
 
+/* The metrics that the table of costs has, of all in store/metric.h. */
+static const char *const shown[] = {"rmse", "band_rmse", "bias", "definition_rmse"};
+
+static void add_cost_head(struct aob_text *page)
+{
+    const char *head[4 + AOB_COUNT(shown)] = {"scene", "cost, x fixed pass", "memory, KiB"};
+    for (size_t i = 0; i < AOB_COUNT(shown); i++)
+        head[3 + i] = aob_metric_find(shown[i])->title;
+    aob_techniques_add_head(page, head);
+}
+
 static void add_costs(struct aob_text *page, const struct aob_techniques *t, size_t technique)
 {
-    static const char *const head[] = {
-        "scene", "cost, x fixed pass",     "memory, KiB", "RMSE", "RMSE in band",
-        "bias",  "RMSE of its definition", NULL};
-    aob_techniques_add_head(page, head);
-    for (size_t s = 0; s < t->gallery.section_count; s++) {
+    add_cost_head(page);
+    for (size_t s = 0; s < t->rows.section_count; s++) {
         const struct aob_row *row = aob_techniques_row(t, technique, s);
         if (aob_techniques_is_oracle(t, s) || !row || !aob_row_is_ok(row))
             continue;
+        const struct aob_score *own = aob_row_own_score(row);
         aob_text_add(page, "| ");
         aob_techniques_add_place(page, t, s);
         aob_text_add(page, " |");
         add_ratio(page, row);
         aob_md_number(page, row->memory_bytes / 1024, 0);
-        aob_md_number(page, row->rmse, 4);
-        aob_md_number(page, row->band_rmse, 4);
-        aob_md_number(page, row->bias, 4);
-        aob_md_number(page, aob_member_number(json_object_get(row->json, "error"), "definition_rmse"), 4);
+        for (size_t i = 0; i < AOB_COUNT(shown); i++)
+            aob_md_number(page, own ? aob_metric_get(&own->metrics, aob_metric_find(shown[i])) : NAN, 4);
         aob_text_add(page, "\n");
     }
     aob_text_add(page, "\n");
@@ -233,9 +240,9 @@ static void add_oracle_rows(struct aob_text *page, const struct aob_techniques *
     static const char *const head[] = {"oracle",         "scene",        "pixels", "RMSE",
                                        "pixels in band", "RMSE in band", "bias",   NULL};
     bool any = false;
-    for (size_t s = 0; s < t->gallery.section_count; s++) {
+    for (size_t s = 0; s < t->rows.section_count; s++) {
         const struct aob_row *row = aob_techniques_row(t, technique, s);
-        const json_t *oracle = row ? json_object_get(json_object_get(row->json, "error"), "oracle") : NULL;
+        const json_t *oracle = aob_techniques_oracle(row);
         if (!oracle)
             continue;
         if (!any)

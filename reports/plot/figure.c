@@ -1,61 +1,32 @@
 #include "figure.h"
 #include "base/memory.h"
+#include "figure_image.h"
 #include "figure_parts.h"
 #include "viz.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char *text_of(const json_t *object, const char *name, const char *otherwise)
-{
-    const char *text = json_string_value(json_object_get(object, name));
-    return text ? text : otherwise;
-}
-
-static const struct aob_image *load(struct aob_figure_cache *cache, const json_t *figure,
-                                    struct aob_error *error)
-{
-    const char *path = text_of(figure, "image", NULL);
-    if (!path) {
-        aob_fail(error, "the figure names no image");
-        return NULL;
-    }
-    if (cache->path && strcmp(cache->path, path) == 0)
-        return &cache->image;
-    aob_figure_cache_finish(cache);
-    if (!aob_image_read(&cache->image, path, error))
-        return NULL;
-    cache->path = aob_strdup(path);
-    return &cache->image;
-}
-
-void aob_figure_cache_finish(struct aob_figure_cache *cache)
-{
-    aob_image_finish(&cache->image);
-    free(cache->path);
-    cache->path = NULL;
-}
-
-static const float *channel(const struct aob_image *image, const json_t *figure, const char *role,
+/* One of the image's channels; where it is absent, a line that names it. */
+static const float *channel(const json_t *figure, const float *pixels, const char *role,
                             const char *otherwise, struct aob_error *error)
 {
-    const char *name = text_of(figure, role, otherwise);
-    const float *pixels = aob_image_channel(image, name);
     if (!pixels)
-        aob_fail(error, "%s: has no channel %s", text_of(figure, "image", "?"), name);
+        aob_fail(error, "%s: has no channel %s", aob_figure_text(figure, "image", "?"),
+                 aob_figure_text(figure, role, otherwise));
     return pixels;
 }
 
-static bool take_map(const json_t *figure, const struct aob_image *image, struct aob_viz_map *map,
+static bool take_map(const json_t *figure, const struct aob_figure_image *from, struct aob_viz_map *map,
                      struct aob_error *error)
 {
     bool alone = json_is_true(json_object_get(figure, "alone"));
     *map = (struct aob_viz_map){
-        .title = text_of(figure, "title", ""),
-        .subtitle = text_of(figure, "subtitle", ""),
-        .width = image->width,
-        .height = image->height,
-        .error = alone ? NULL : channel(image, figure, "error", "error.AO", error),
+        .title = aob_figure_text(figure, "title", ""),
+        .subtitle = aob_figure_text(figure, "subtitle", ""),
+        .width = from->image->width,
+        .height = from->image->height,
+        .error = alone ? NULL : channel(figure, from->error, "error", "error.AO", error),
         .limit = json_number_value(json_object_get(figure, "limit")),
     };
     return alone || map->error;
@@ -66,10 +37,10 @@ typedef int map_drawer(const struct aob_viz_map *, const char *, char *);
 static bool draw_with(map_drawer *drawer, const json_t *figure, struct aob_figure_cache *cache,
                       const char *out, struct aob_error *error)
 {
-    const struct aob_image *image = load(cache, figure, error);
+    struct aob_figure_image from;
     struct aob_viz_map map;
     char why[AOB_VIZ_ERROR_SIZE] = "";
-    if (!image || !take_map(figure, image, &map, error))
+    if (!aob_figure_image_load(&from, cache, figure, error) || !take_map(figure, &from, &map, error))
         return false;
     return drawer(&map, out, why) == 0 || aob_fail(error, "%s", why);
 }
@@ -89,15 +60,16 @@ static bool draw_height(const json_t *figure, struct aob_figure_cache *cache, co
 static bool draw_triptych(const json_t *figure, struct aob_figure_cache *cache, const char *out,
                           struct aob_error *error)
 {
-    const struct aob_image *image = load(cache, figure, error);
-    struct aob_viz_triptych t = {.technique_name = text_of(figure, "technique_name", "Technique"),
-                                 .reference_name = text_of(figure, "reference_name", "Reference")};
+    struct aob_figure_image from;
+    struct aob_viz_triptych t = {.technique_name = aob_figure_text(figure, "technique_name", "Technique"),
+                                 .reference_name = aob_figure_text(figure, "reference_name", "Reference")};
     char why[AOB_VIZ_ERROR_SIZE] = "";
-    if (!image || !take_map(figure, image, &t.map, error))
+    if (!aob_figure_image_load(&from, cache, figure, error) || !take_map(figure, &from, &t.map, error))
         return false;
-    t.technique = channel(image, figure, "technique", "technique.AO", error);
+    t.technique = channel(figure, from.technique, "technique", "technique.AO", error);
     bool alone = json_is_true(json_object_get(figure, "alone"));
-    t.reference = t.technique && !alone ? channel(image, figure, "reference", "reference.AO", error) : NULL;
+    t.reference =
+        t.technique && !alone ? channel(figure, from.reference, "reference", "reference.AO", error) : NULL;
     if (!t.technique || (!alone && !t.reference))
         return false;
     return aob_viz_triptych_png(&t, out, why) == 0 || aob_fail(error, "%s", why);
@@ -106,15 +78,15 @@ static bool draw_triptych(const json_t *figure, struct aob_figure_cache *cache, 
 static bool draw_split(const json_t *figure, struct aob_figure_cache *cache, const char *out,
                        struct aob_error *error)
 {
-    const struct aob_image *image = load(cache, figure, error);
+    struct aob_figure_image from;
     const json_t *headings = json_object_get(figure, "parts");
     struct aob_viz_split split = {0};
     struct aob_parts parts;
     char why[AOB_VIZ_ERROR_SIZE] = "";
-    if (!image || !take_map(figure, image, &split.map, error))
+    if (!aob_figure_image_load(&from, cache, figure, error) || !take_map(figure, &from, &split.map, error))
         return false;
-    if (!aob_parts_init(&parts, image, error))
-        return aob_fail_in(error, "%s", text_of(figure, "image", "?"));
+    if (!aob_parts_init(&parts, &from, error))
+        return aob_fail_in(error, "%s", aob_figure_text(figure, "image", "?"));
     for (size_t i = 0; i < AOB_PARTS; i++) {
         split.parts[i] = parts.maps[i];
         split.names[i] = json_string_value(json_array_get(headings, i));
@@ -124,42 +96,41 @@ static bool draw_split(const json_t *figure, struct aob_figure_cache *cache, con
     return rc == 0 || aob_fail(error, "%s", why);
 }
 
-/* The fields' names, and for each the role and channel, or NULL: the next part of the error. */
-static const char *const vti_fields[][3] = {
-    {"AO", "technique", "technique.AO"}, {"reference", "reference", "reference.AO"},
-    {"error_definition", NULL, NULL},    {"error_missing", NULL, NULL},
-    {"error_estimator", NULL, NULL},     {"error", "error", "error.AO"},
-};
-
-static bool write_vti(const json_t *figure, const struct aob_image *image, const struct aob_parts *parts,
-                      const char *out, struct aob_error *error)
+static bool write_vti(const json_t *figure, const struct aob_figure_image *from,
+                      const struct aob_parts *parts, const char *out, struct aob_error *error)
 {
-    struct aob_viz_field fields[AOB_COUNT(vti_fields)];
-    size_t count = 0, part = 0, end = json_is_true(json_object_get(figure, "alone")) ? 1 : AOB_COUNT(fields);
+    bool alone = json_is_true(json_object_get(figure, "alone"));
+    const struct aob_viz_field all[] = {
+        {"AO", channel(figure, from->technique, "technique", "technique.AO", error)},
+        {"reference", alone ? NULL : channel(figure, from->reference, "reference", "reference.AO", error)},
+        {"error_definition", parts->maps[0]},
+        {"error_missing", parts->maps[1]},
+        {"error_estimator", parts->maps[2]},
+        {"error", alone ? NULL : channel(figure, from->error, "error", "error.AO", error)},
+    };
+    struct aob_viz_field fields[AOB_COUNT(all)];
+    size_t count = 0;
     char why[AOB_VIZ_ERROR_SIZE] = "";
-    for (size_t i = 0; i < end; i++) {
-        const char *const *field = vti_fields[i];
-        const float *pixels =
-            field[1] ? channel(image, figure, field[1], field[2], error) : parts->maps[part++];
-        if (field[1] && !pixels)
-            return false;
-        if (pixels)
-            fields[count++] = (struct aob_viz_field){field[0], pixels};
-    }
-    return aob_viz_vti(image->width, image->height, fields, count, out, why) == 0 ||
+    if (!from->technique || (!alone && (!from->reference || !from->error)))
+        return false;
+    for (size_t i = 0; i < AOB_COUNT(all); i++)
+        if (all[i].pixels)
+            fields[count++] = all[i];
+    return aob_viz_vti(from->image->width, from->image->height, fields, count, out, why) == 0 ||
            aob_fail(error, "%s", why);
 }
 
 static bool draw_vti(const json_t *figure, struct aob_figure_cache *cache, const char *out,
                      struct aob_error *error)
 {
-    const struct aob_image *image = load(cache, figure, error);
+    struct aob_figure_image from;
     struct aob_parts parts = {0};
-    if (!image)
+    if (!aob_figure_image_load(&from, cache, figure, error))
         return false;
-    if (aob_parts_exist(image) && !aob_parts_init(&parts, image, error))
-        return aob_fail_in(error, "%s", text_of(figure, "image", "?"));
-    bool ok = write_vti(figure, image, &parts, out, error);
+    if (!json_is_true(json_object_get(figure, "alone")) && aob_parts_exist(from.image) &&
+        !aob_parts_init(&parts, &from, error))
+        return aob_fail_in(error, "%s", aob_figure_text(figure, "image", "?"));
+    bool ok = write_vti(figure, &from, &parts, out, error);
     aob_parts_finish(&parts);
     return ok;
 }
@@ -178,7 +149,7 @@ static double *numbers(const json_t *series, const char *name, size_t count)
 
 static enum aob_viz_style style_of(const json_t *series)
 {
-    const char *style = text_of(series, "style", "curve");
+    const char *style = aob_figure_text(series, "style", "curve");
     if (strcmp(style, "points") == 0)
         return AOB_VIZ_POINTS;
     return strcmp(style, "front") == 0 ? AOB_VIZ_FRONT : AOB_VIZ_CURVE;
@@ -189,7 +160,7 @@ static struct aob_viz_series take_series(const json_t *from)
     size_t count = json_array_size(json_object_get(from, "x"));
     json_int_t colour = json_integer_value(json_object_get(from, "colour"));
     return (struct aob_viz_series){
-        .name = text_of(from, "name", ""),
+        .name = aob_figure_text(from, "name", ""),
         .style = style_of(from),
         .colour = (int)(colour < 0 ? 0 : colour & 0xffff),
         .count = count,
@@ -203,7 +174,8 @@ static struct aob_viz_series take_series(const json_t *from)
 static struct aob_viz_axis take_axis(const json_t *figure, const char *name)
 {
     const json_t *axis = json_object_get(figure, name);
-    return (struct aob_viz_axis){text_of(axis, "label", ""), json_is_true(json_object_get(axis, "log"))};
+    return (struct aob_viz_axis){aob_figure_text(axis, "label", ""),
+                                 json_is_true(json_object_get(axis, "log"))};
 }
 
 static void free_series(struct aob_viz_series *series, size_t count)
@@ -235,8 +207,8 @@ static bool draw_chart(const json_t *figure, struct aob_figure_cache *cache, con
     struct aob_viz_series *series = AOB_NEW_ARRAY(struct aob_viz_series, count);
     for (size_t i = 0; i < count; i++)
         series[i] = take_series(json_array_get(list, i));
-    struct aob_viz_chart chart = {text_of(figure, "title", ""),
-                                  text_of(figure, "subtitle", ""),
+    struct aob_viz_chart chart = {aob_figure_text(figure, "title", ""),
+                                  aob_figure_text(figure, "subtitle", ""),
                                   take_axis(figure, "x"),
                                   take_axis(figure, "y"),
                                   series,
@@ -257,7 +229,7 @@ static const struct {
 
 bool aob_figure_draw(const json_t *figure, struct aob_figure_cache *cache, struct aob_error *error)
 {
-    const char *kind = text_of(figure, "kind", ""), *out = text_of(figure, "out", NULL);
+    const char *kind = aob_figure_text(figure, "kind", ""), *out = aob_figure_text(figure, "out", NULL);
     if (!out)
         return aob_fail(error, "the figure names no file to write (\"out\")");
     for (size_t i = 0; kinds[i].name; i++)

@@ -5,6 +5,8 @@
  *   image                 path of an EXR file: all but chart
  *   technique, reference, error
  *                         names of its channels; default technique.AO, reference.AO, error.AO
+ *   reference_image       path of another EXR file: its channel AO takes the place of the image's reference, and the error
+ *                         is the technique less that, 0 where the image's Z is infinite. All but chart
  *   limit                 where the colours end, or
  *   limit_group           a name: figures of one name share one limit, a round number near the median of their
  *                         images' 99.5th percentiles of |error|. map, triptych, split, height
@@ -21,14 +23,7 @@
 #include <jansson.h>
 #include <stdbool.h>
 #include "base/error.h"
-#include "store/image.h"
-
-/* The image drawn last, since the next figure often shows it again. Zero it first. */
-struct aob_figure_cache {
-    char *path;
-    struct aob_image image;
-};
-void aob_figure_cache_finish(struct aob_figure_cache *cache);
+#include "figure_image.h"
 
 /* Gives every figure with a limit_group its limit. An image that cannot be read does not take part. */
 void aob_figure_limits(json_t *figures);

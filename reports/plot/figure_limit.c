@@ -6,7 +6,7 @@
 
 /* What one image asks for. */
 struct wish {
-    const char *group, *image, *channel;
+    const char *group, *image, *truth, *channel;
     double limit;
 };
 
@@ -51,31 +51,27 @@ static double round_up(double value)
 
 static struct wish wish_of(const json_t *figure)
 {
-    const char *channel = json_string_value(json_object_get(figure, "error"));
-    return (struct wish){json_string_value(json_object_get(figure, "limit_group")),
-                         json_string_value(json_object_get(figure, "image")), channel ? channel : "error.AO",
-                         0};
+    return (struct wish){aob_figure_text(figure, "limit_group", NULL), aob_figure_text(figure, "image", NULL),
+                         aob_figure_text(figure, "reference_image", ""),
+                         aob_figure_text(figure, "error", "error.AO"), 0};
 }
 
 static bool is_known(const struct wish *wishes, size_t count, const struct wish *w)
 {
     for (size_t i = 0; i < count; i++)
         if (strcmp(wishes[i].group, w->group) == 0 && strcmp(wishes[i].image, w->image) == 0 &&
-            strcmp(wishes[i].channel, w->channel) == 0)
+            strcmp(wishes[i].truth, w->truth) == 0 && strcmp(wishes[i].channel, w->channel) == 0)
             return true;
     return false;
 }
 
-static bool measure(struct wish *w)
+static bool measure(struct wish *w, const json_t *figure, struct aob_figure_cache *cache)
 {
-    struct aob_image image;
-    if (!aob_image_read(&image, w->image, NULL))
+    struct aob_figure_image from;
+    if (!aob_figure_image_load(&from, cache, figure, NULL) || !from.error)
         return false;
-    const float *pixels = aob_image_channel(&image, w->channel);
-    if (pixels)
-        w->limit = percentile(pixels, (size_t)image.width * (size_t)image.height);
-    aob_image_finish(&image);
-    return pixels != NULL;
+    w->limit = percentile(from.error, (size_t)from.image->width * (size_t)from.image->height);
+    return true;
 }
 
 /* The median rather than the largest: one technique that is wrong everywhere must not bleach all others. */
@@ -96,11 +92,12 @@ void aob_figure_limits(json_t *figures)
 {
     struct wish *wishes = NULL;
     size_t count = 0, capacity = 0, i;
+    struct aob_figure_cache cache = {0};
     json_t *figure;
     json_array_foreach(figures, i, figure)
     {
         struct wish w = wish_of(figure);
-        if (w.group && w.image && !is_known(wishes, count, &w) && measure(&w))
+        if (w.group && w.image && !is_known(wishes, count, &w) && measure(&w, figure, &cache))
             *AOB_PUSH(wishes, count, capacity) = w;
     }
     json_array_foreach(figures, i, figure)
@@ -109,5 +106,6 @@ void aob_figure_limits(json_t *figures)
         if (group)
             json_object_set_new(figure, "limit", json_real(limit_of(wishes, count, group)));
     }
+    aob_figure_cache_finish(&cache);
     free(wishes);
 }

@@ -1,10 +1,10 @@
-/* The parts of a technique's error as images: definition (definition.AO less reference.AO), missing information
+/* The parts of a technique's error as images: definition (definition.AO less the truth), missing information
  * (screen.AO less definition.AO) and estimator (technique.AO less screen.AO). Their sum is the error. */
 #ifndef AOB_REPORTS_PLOT_FIGURE_PARTS_H
 #define AOB_REPORTS_PLOT_FIGURE_PARTS_H
 #include <stdbool.h>
 #include "base/error.h"
-#include "store/image.h"
+#include "figure_image.h"
 
 enum { AOB_PARTS = 3 };
 
@@ -17,6 +17,6 @@ struct aob_parts {
 bool aob_parts_exist(const struct aob_image *image);
 
 /* False if a channel is not there; the line names it but not the image. */
-bool aob_parts_init(struct aob_parts *parts, const struct aob_image *image, struct aob_error *error);
+bool aob_parts_init(struct aob_parts *parts, const struct aob_figure_image *from, struct aob_error *error);
 void aob_parts_finish(struct aob_parts *parts);
 #endif

@@ -38,8 +38,8 @@ void image_bounds(vec3 low, vec3 high, vec3 axis[3], out vec2 first, out vec2 la
 
 #if CULL == 1
 /* From image positions to pixels of the occlusion's size and back. */
-vec2 to_target(vec2 q) { return (q - 0.5) / float(STRIDE) + 0.5; }
-vec2 from_target(vec2 t) { return (t - 0.5) * float(STRIDE) + 0.5; }
+vec2 to_target(vec2 q) { return (q - 0.5) / float(AOB_DIVISOR) + 0.5; }
+vec2 from_target(vec2 t) { return (t - 0.5) * float(AOB_DIVISOR) + 0.5; }
 
 /* Leaves of the rectangle what lies about the tiles that hold a surface within these depths. */
 void cull(inout vec2 first, inout vec2 last, vec2 depths)

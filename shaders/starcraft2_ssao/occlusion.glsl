@@ -15,7 +15,7 @@ float occlusion(int first, int end, float radius, float full, float none, float 
 {
     vec3 position = aob_surface(aob_pixel), normal = aob_surface_normal(aob_pixel);
     vec3 mirror = normalize(aob_fetch_noise(aob_pixel % NOISE_SIZE).xyz * 2.0 - 1.0);
-    float pixels = aob_pixel_radius(-position.z, radius) * float(DEPTH_DIVISOR);
+    float pixels = aob_pixel_radius(-position.z, radius) * float(AOB_DEPTH_DIVISOR);
     float reach = param.max_screen_radius > 0.0 ? min(1.0, param.max_screen_radius / pixels) : 1.0;
     float sum = 0.0, weights = 0.0;
     for (int i = first; i < SAMPLES * NEAR_FACTOR; i++) {

@@ -61,12 +61,6 @@ static float map(const void *values, float visibility)
     return powf(fmaxf(0, visibility), v->contrast);
 }
 
-static bool check(const void *values, const char **why)
-{
-    const struct values *v = values;
-    return aob_step_blur_check(v->blur, why) && aob_step_divisor_check(v->divisor, why);
-}
-
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
@@ -74,9 +68,10 @@ static bool build(struct aob_graph *graph, const void *values)
         aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
     aob_pass(graph, .name = "obscurance", .shader = "obscurance", .reads = AOB_DEPTH | AOB_NORMAL,
              .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}});
-    raw = aob_step_blur(graph, raw, v->blur, 1, v->divisor);
-    raw = aob_step_upsample(graph, raw, v->divisor);
-    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_cross5(graph, raw, v->composite));
+    raw = aob_step_blur(graph, .tex = raw, .taps = v->blur, .divisor = v->divisor);
+    raw = aob_step_upsample(graph, .tex = raw, .divisor = v->divisor);
+    return aob_output(graph, AOB_OUT_VISIBILITY,
+                      aob_step_cross5(graph, .tex = raw, .taps = v->composite ? 5 : 0));
 }
 
 AOB_TECHNIQUE(
@@ -93,4 +88,4 @@ AOB_TECHNIQUE(
         "samples the disc, not directions.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .map = map},
-    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .build = build);

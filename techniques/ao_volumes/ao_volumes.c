@@ -9,6 +9,8 @@ struct values {
     int32_t falloff, sides, cull, divisor;
 };
 
+static const char *const switches[] = {"off", "on", NULL};
+
 static const struct aob_param params[] = {
     AOB_PARAM(struct values, radius, .unit = AOB_UNIT_LENGTH, .scale = AOB_LOG2, .min = 1e-6, .max = 1e6,
               .initial = 0.5,
@@ -23,17 +25,11 @@ static const struct aob_param params[] = {
               .initial = 8,
               .doc = "Of the polygon that stands for the disc within the radius (falloff 0); more is "
                      "rounder."),
-    AOB_PARAM(struct values, cull, .stage = AOB_CONSTANT, .min = 0, .max = 1, .initial = 1,
-              .doc =
-                  "1: a volume is drawn over the tiles only whose surfaces lie in its depths, and not at all "
-                  "where there are none; 0: over all of its rectangle; the image is the same."),
+    AOB_PARAM(struct values, cull, .stage = AOB_CONSTANT, .choices = switches, .initial = 1,
+              .doc = "On draws a volume over the tiles only whose surfaces lie in its depths, and not at all "
+                     "where there are none; off over all of its rectangle; the image is the same."),
     AOB_PARAM_DIVISOR(struct values, divisor),
 };
-
-static bool check(const void *values, const char **why)
-{
-    return aob_step_divisor_check(((const struct values *)values)->divisor, why);
-}
 
 static float falloff(const void *values, float t)
 {
@@ -55,13 +51,13 @@ static float reach(const struct values *v)
 enum { TILE = 8 }; /* tile_size.glsl */
 
 /* Depths of the tiles, by which volumes are culled; id 0 where they are not. */
-static aob_tex tiles(struct aob_graph *graph, const struct values *v, const char *stride)
+static aob_tex tiles(struct aob_graph *graph, const struct values *v)
 {
     if (!v->cull)
         return (aob_tex){0};
     aob_tex ranges =
         aob_texture(graph, .name = "tiles", .format = AOB_RG32F, .divisor = (uint32_t)(TILE * v->divisor));
-    aob_pass(graph, .name = "tiles", .shader = "tiles", .defines = stride, .reads = AOB_DEPTH,
+    aob_pass(graph, .name = "tiles", .shader = "tiles", .reads = AOB_DEPTH,
              .out = {{.name = "range", .tex = ranges}});
     return ranges;
 }
@@ -70,18 +66,16 @@ static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
     uint32_t divisor = (uint32_t)v->divisor;
-    char stride[16];
-    snprintf(stride, sizeof stride, "STRIDE=%u", divisor);
-    aob_tex ranges = tiles(graph, v, stride);
+    aob_tex ranges = tiles(graph, v);
     aob_tex sum = aob_texture(graph, .name = "occlusion", .format = AOB_R32F, .divisor = divisor);
     aob_tex low = aob_texture(graph, .name = "visibility", .format = AOB_R32F, .divisor = divisor);
     aob_pass(graph, .name = "volumes", .draw = AOB_TRIANGLES, .vertex = "bounds", .shader = "volume",
-             .defines = stride, .per_triangle = 6, .reach = reach(v), .reads = AOB_DEPTH | AOB_NORMAL,
+             .per_triangle = 6, .reach = reach(v), .reads = AOB_DEPTH | AOB_NORMAL,
              .in = {{.name = v->cull ? "tiles" : NULL, .tex = ranges}},
              .out = {{.name = "occlusion", .tex = sum}});
     aob_pass(graph, .name = "visibility", .shader = "visibility", .in = {{.name = "occlusion", .tex = sum}},
              .out = {{.name = "visibility", .tex = low}});
-    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, low, v->divisor));
+    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = low, .divisor = v->divisor));
 }
 
 AOB_TECHNIQUE(
@@ -100,5 +94,4 @@ AOB_TECHNIQUE(
         "The text gives the signed area of a disc's segment; here it is Lambert's sum, with angles by atan2.",
     .citation = "McGuire: Ambient Occlusion Volumes, text of two pages (2010)", .params = params,
     .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
-    .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .distance = distance}, .check = check,
-    .build = build);
+    .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .distance = distance}, .build = build);

@@ -123,8 +123,10 @@ static bool check(const void *values, const char **why)
 {
     const struct values *v = values;
     *why = "samples: must be a multiple of 8, the corners of a cube";
-    return v->samples % 8 == 0 && aob_step_tile_blur_check(v->blur, why) &&
-           aob_step_divisor_check(v->divisor, why) && aob_step_divisor_check(v->depth_divisor, why);
+    if (v->samples % 8)
+        return false;
+    *why = "blur: must be 5, the tile, or 0, off";
+    return v->blur == 0 || v->blur == 5;
 }
 
 static bool build(struct aob_graph *graph, const void *values)
@@ -134,13 +136,11 @@ static bool build(struct aob_graph *graph, const void *values)
     aob_tex tile = aob_texture(graph, .name = "tile", .format = AOB_RGBA8, .width = TILE, .height = TILE,
                                .fill = fill_tile);
     aob_tex raw = aob_texture(graph, .name = "access", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
-    aob_tex low = aob_step_downsample(graph, v->depth_divisor, AOB_DOWNSAMPLE_FIRST);
-    return aob_pass(graph, .name = "access", .shader = "access", .reads = reads, .depth = low,
-                    .border = AOB_CLAMP, .in = {{.name = "tile", .tex = tile}},
-                    .out = {{.name = "access", .tex = raw}}) &&
-           aob_output(
-               graph, AOB_OUT_VISIBILITY,
-               aob_step_upsample(graph, aob_step_tile_blur(graph, raw, v->blur, v->divisor), v->divisor));
+    aob_tex low = aob_step_downsample(graph, .divisor = v->depth_divisor);
+    aob_pass(graph, .name = "access", .shader = "access", .reads = reads, .depth = low, .border = AOB_CLAMP,
+             .in = {{.name = "tile", .tex = tile}}, .out = {{.name = "access", .tex = raw}});
+    raw = aob_step_tile_blur(graph, .tex = raw, .taps = v->blur, .divisor = v->divisor);
+    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = raw, .divisor = v->divisor));
 }
 
 AOB_TECHNIQUE(

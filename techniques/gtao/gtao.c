@@ -38,23 +38,16 @@ static float falloff(const void *values, float t)
     return v->falloff > 0 ? fminf(1, (1 - t) / v->falloff) : 1;
 }
 
-static bool check(const void *values, const char **why)
-{
-    const struct values *v = values;
-    return aob_step_blur_check(v->blur, why) && aob_step_divisor_check(v->divisor, why) &&
-           aob_step_divisor_check(v->depth_divisor, why);
-}
-
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
-    aob_tex depth = aob_step_downsample(graph, v->depth_divisor, AOB_DOWNSAMPLE_FIRST);
+    aob_tex depth = aob_step_downsample(graph, .divisor = v->depth_divisor);
     aob_tex raw =
         aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
     aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = depth,
              .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}});
-    raw = aob_step_blur(graph, raw, v->blur, 1, v->divisor);
-    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, raw, v->divisor));
+    raw = aob_step_blur(graph, .tex = raw, .taps = v->blur, .divisor = v->divisor);
+    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = raw, .divisor = v->divisor));
 }
 
 AOB_TECHNIQUE(
@@ -70,4 +63,4 @@ AOB_TECHNIQUE(
                 "Occlusion, ATVI-TR-19-01 (2016)",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff},
-    .sampling = {"slices", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+    .sampling = {"slices", AOB_SEQUENCE_STRATIFIED}, .build = build);

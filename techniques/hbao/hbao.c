@@ -84,17 +84,10 @@ static float map(const void *values, float visibility)
     return fminf(1, fmaxf(0, 1 - v->intensity * (1 - visibility)));
 }
 
-static bool check(const void *values, const char **why)
-{
-    const struct values *v = values;
-    return aob_step_blur_check(v->blur, why) && aob_step_divisor_check(v->divisor, why) &&
-           aob_step_divisor_check(v->depth_divisor, why);
-}
-
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
-    aob_tex depth = aob_step_downsample(graph, v->depth_divisor, AOB_DOWNSAMPLE_FIRST);
+    aob_tex depth = aob_step_downsample(graph, .divisor = v->depth_divisor);
     aob_tex jitter = aob_texture(graph, .name = "jitter", .format = AOB_RGBA32F, .width = TILE,
                                  .height = TILE, .fill = fill_jitter);
     aob_tex raw =
@@ -102,8 +95,8 @@ static bool build(struct aob_graph *graph, const void *values)
     aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = depth,
              .border = AOB_FAR, .in = {{.name = "jitter", .tex = jitter}},
              .out = {{.name = "visibility", .tex = raw}});
-    raw = aob_step_blur(graph, raw, v->blur, 1, v->divisor);
-    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, raw, v->divisor));
+    raw = aob_step_blur(graph, .tex = raw, .taps = v->blur, .divisor = v->divisor);
+    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = raw, .divisor = v->divisor));
 }
 
 AOB_TECHNIQUE(
@@ -123,4 +116,4 @@ AOB_TECHNIQUE(
     .citation = "Bavoil, Sainz: Image-Space Horizon-Based Ambient Occlusion, ShaderX7 (2009), 6.2",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff, .map = map},
-    .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+    .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .build = build);

@@ -157,9 +157,6 @@ static void fill_blocker(const void *values, void *texels)
 static bool check(const void *values, const char **why)
 {
     const struct values *v = values;
-    if (!aob_step_blur_check(v->blur, why) || !aob_step_divisor_check(v->divisor, why) ||
-        !aob_step_divisor_check(v->depth_divisor, why))
-        return false;
     *why = "samples: radii = two needs at least 4";
     if (v->radii == RADII_TWO && v->samples < 4)
         return false;
@@ -173,9 +170,7 @@ static bool check(const void *values, const char **why)
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
-    char defines[24];
-    snprintf(defines, sizeof defines, "DEPTH_DIVISOR=%d", (int)v->depth_divisor);
-    aob_tex low = aob_step_downsample(graph, v->depth_divisor, AOB_DOWNSAMPLE_FIRST);
+    aob_tex low = aob_step_downsample(graph, .divisor = v->depth_divisor);
     aob_tex offsets = aob_texture(graph, .name = "offsets", .format = AOB_RGBA32F, .height = 1,
                                   .width = (uint32_t)(v->samples * v->near_factor), .fill = fill_offsets);
     aob_tex normals =
@@ -185,7 +180,6 @@ static bool build(struct aob_graph *graph, const void *values)
         aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
     struct aob_pass pass = {.name = "occlusion",
                             .shader = "occlusion",
-                            .defines = defines,
                             .reads = AOB_DEPTH | AOB_NORMAL,
                             .border = AOB_FAR,
                             .depth = low,
@@ -196,10 +190,10 @@ static bool build(struct aob_graph *graph, const void *values)
             (struct aob_bind){.name = "blocker",
                               .tex = aob_texture(graph, .name = "blocker", .format = AOB_R32F,
                                                  .width = BLOCKER_TEXELS, .height = 2, .fill = fill_blocker)};
-    if (!graph->ops->pass(graph, &pass))
-        return false;
-    raw = aob_step_blur(graph, raw, v->blur, v->blur_passes, v->divisor);
-    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, raw, v->divisor));
+    aob_pass_add(graph, &pass);
+    raw = aob_step_gaussian(graph, .tex = raw, .taps = v->blur, .passes = v->blur_passes,
+                            .divisor = v->divisor);
+    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = raw, .divisor = v->divisor));
 }
 
 AOB_TECHNIQUE(

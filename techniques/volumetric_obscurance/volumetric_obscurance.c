@@ -30,7 +30,7 @@ static const struct aob_param params[] = {
     AOB_PARAM(struct values, resolutions, .stage = AOB_HOST, .choices = resolutions, .initial = TWO,
               .doc = "One image, divided by divisor, or the mean of it and one of full size."),
     AOB_PARAM(struct values, divisor, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_HOST, .min = 1,
-              .max = 4, .initial = 2,
+              .max = 4, .rule = AOB_POWER_OF_TWO, .initial = 2,
               .doc =
                   "Divides the size of the (coarser) image and of the depth that it reads; more is cheaper."),
     AOB_PARAM(struct values, hemisphere, .stage = AOB_CONSTANT, .choices = switches,
@@ -64,8 +64,6 @@ static float map(const void *values, float visibility)
 static bool check(const void *values, const char **why)
 {
     const struct values *v = values;
-    if (!aob_step_blur_check(v->blur, why) || !aob_step_divisor_check(v->divisor, why))
-        return false;
     *why = "samples: must be even, since lines come in pairs";
     return v->samples % 2 == 0;
 }
@@ -75,19 +73,19 @@ static bool build(struct aob_graph *graph, const void *values)
     const struct values *v = values;
     uint32_t reads = v->hemisphere ? AOB_DEPTH | AOB_NORMAL : AOB_DEPTH;
     aob_tex raw = aob_texture(graph, .name = "coarse", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
-    aob_pass(graph, .name = "coarse", .shader = "lines",
-             .defines = v->resolutions == ONE ? "ROLE=0" : "ROLE=1", .reads = reads,
-             .depth = aob_step_downsample(graph, v->divisor, AOB_DOWNSAMPLE_FIRST), .border = AOB_FAR,
+    aob_pass(graph, .name = "coarse", .shader = "lines", .defines = {{"ROLE", v->resolutions == ONE ? 0 : 1}},
+             .reads = reads, .depth = aob_step_downsample(graph, .divisor = v->divisor), .border = AOB_FAR,
              .out = {{.name = "visibility", .tex = raw}});
-    raw = aob_step_upsample(graph, raw, v->divisor);
+    raw = aob_step_upsample(graph, .tex = raw, .divisor = v->divisor);
     if (v->resolutions == TWO) {
         aob_tex fine = aob_texture(graph, .name = "fine", .format = AOB_R16F);
-        aob_pass(graph, .name = "fine", .shader = "lines", .defines = "ROLE=2", .reads = reads,
+        aob_pass(graph, .name = "fine", .shader = "lines", .defines = {{"ROLE", 2}}, .reads = reads,
                  .border = AOB_FAR, .in = {{.name = "coarse", .tex = raw}},
                  .out = {{.name = "visibility", .tex = fine}});
         raw = fine;
     }
-    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_blur(graph, raw, v->blur, 1, 1));
+    return aob_output(graph, AOB_OUT_VISIBILITY,
+                      aob_step_blur(graph, .tex = raw, .taps = v->blur, .divisor = 1));
 }
 
 AOB_TECHNIQUE(

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, linear, divided, split, volumes, papers, demo, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, papers, demo, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -51,6 +51,7 @@ EOF
   row "fetch: sampled / storage ($rounds rounds)" "$(awk -v a="$(cost sampled)" -v b="$(cost storage)" 'BEGIN { printf "%.3f", a / b }')" ratio ">=" 1.3
 fi
 
+source tests/bench/cases.sh
 source tests/bench/techniques.sh
 source tests/bench/papers.sh
 

@@ -1,21 +1,21 @@
 # Sourced by bench.sh: what the scene's own triangles cost, and the texts' figures.
 if wanted volumes; then
   # The bunny has 69,666 triangles. A pair in one block, so that their ratio holds on a busy machine.
-  entry ao_volumes 'radius: 0.1' '{param: cull, values: [0, 1]}' |
+  entry ao_volumes 'radius: 0.1' '{param: cull, values: [off, on]}' |
     config volumes '{name: bunny}' 480x270 'error: false, seconds: 20' 'spp: 2' >"$folder/volumes.yaml"
   entry ao_volumes 'radius: 0.1, divisor: 2' '' | sed 's/, sweep: \[\]//' >>"$folder/more"
   entry ao_volumes 'radius: 0.5, divisor: 4' '' | sed 's/, sweep: \[\]//' >>"$folder/more"
   entry ao_volumes 'radius: 0.5' '' | sed 's/, sweep: \[\]//' >>"$folder/more"
   sed -i "/^techniques:/r $folder/more" "$folder/volumes.yaml"
   build/release/aobudget run "$folder/volumes.yaml" --out "$folder/volumes" --quiet || true
-  volume() { jq -r "select(.params.radius == $1 and .params.divisor == $2 and .params.cull == $3) | $4" "$folder/volumes/journal.jsonl"; }
-  for point in "0.1 1 0" "0.1 1 1" "0.1 2 1" "0.5 4 1"; do
+  volume() { jq -r "select(.params.radius == $1 and .params.divisor == $2 and .params.cull == \"$3\") | $4" "$folder/volumes/journal.jsonl"; }
+  for point in "0.1 1 off" "0.1 1 on" "0.1 2 on" "0.5 4 on"; do
     read -r radius divisor cull <<<"$point"
     row "volumes: bunny, R $radius, divisor $divisor, cull $cull" "$(volume $radius $divisor $cull '.time.cpu_ms | round')" "ms cpu"
   done
-  row "volumes: culled / all, R 0.1" "$(awk -v a="$(volume 0.1 1 1 .time.ratio_to_ref)" -v b="$(volume 0.1 1 0 .time.ratio_to_ref)" 'BEGIN { printf "%.3f", a / b }')" ratio "<=" 0.9
-  row "volumes: textures at full size" "$(volume 0.1 1 1 .memory_bytes)" bytes
-  echo "volumes: R 0.5 at full size: $(volume 0.5 1 1 .reason)"
+  row "volumes: culled / all, R 0.1" "$(awk -v a="$(volume 0.1 1 on .time.ratio_to_ref)" -v b="$(volume 0.1 1 off .time.ratio_to_ref)" 'BEGIN { printf "%.3f", a / b }')" ratio "<=" 0.9
+  row "volumes: textures at full size" "$(volume 0.1 1 on .memory_bytes)" bytes
+  echo "volumes: R 0.5 at full size: $(volume 0.5 1 on .reason)"
 fi
 
 if wanted papers; then

@@ -35,6 +35,9 @@ expect 2 "radius: '1x' is not a number" "${shot[@]}" -p radius=1x
 expect 2 "radius: -1 is outside" "${shot[@]}" -p radius=-1
 expect 2 "gtao has no 'radii'" "${shot[@]}" -p radii=1
 expect 2 "'radius' is not name=value" "${shot[@]}" -p radius
+expect 2 "reference-radius is now --target-radius" "${shot[@]}" --reference-radius 1
+expect 2 "target-radius: 'far' is not a radius" "${shot[@]}" --target-radius 1,far
+expect 2 "target-radius: 'flat' is not one of cosine, uniform" "${shot[@]}" --target-radius 1 --target-weighting flat
 expect 2 "fetch: 'tex' is not one of sampled, storage" "${shot[@]}" -p fetch=tex
 expect 2 "must be odd" "${shot[@]}" -p blur=4
 expect 2 "--eye and --target go together" "${shot[@]}" --eye 0,0,1
@@ -50,7 +53,7 @@ config '{name: gtao, params: {radius: 0.5x}}'
 expect 2 "config.yaml:5:44: gtao: radius: '0.5x' is not a number" "$program" run config.yaml
 expect 2 "config.yaml:5:44" "$program" plan config.yaml
 config '{name: gtao, params: {blur: 4}}'
-expect 2 "nothing could run" "$program" run config.yaml --quiet
+expect 2 "config.yaml:5:42: gtao: blur: 4: must be odd, or 0" "$program" run config.yaml --quiet
 config '{name: none}'
 expect 2 "cannot create the folder" "$program" run config.yaml --out /proc/nowhere
 echo "not a folder" >file
@@ -78,7 +81,7 @@ for mesh in broken.obj broken.ply; do
 done
 
 # Modules.
-expect 2 "interface 99.0" "$program" list techniques --module "$modules/old_abi.so"
+expect 2 "made for module interface 3, this program has 4" "$program" list techniques --module "$modules/old_abi.so"
 expect 2 "cannot load" "$program" list techniques --module config.yaml
 expect 2 "is it a file" "$program" list techniques --module "$folder"
 expect 2 "cannot open" "$program" list techniques --module nowhere.so

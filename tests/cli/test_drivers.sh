@@ -29,8 +29,8 @@ for field in key scene view technique revision params options backend width heig
 done
 
 # One technique at one place: the same figures on every backend and fetch, to the last digit.
-scores=$(grep '"technique":"gtao"' out/journal.jsonl | grep '"radius":0.5' | grep '"scene":"corner"' |
-  sed 's/.*"rmse":\([^,]*\),"band_rmse":\([^,]*\),.*/\1 \2/' | sort -u | wc -l)
+scores=$(jq -c 'select(.technique == "gtao" and .params.radius == 0.5 and .scene == "corner") | .error | [.rmse, .band_rmse]' \
+  out/journal.jsonl | sort -u | wc -l)
 check "backends agree" test "$scores" -eq 1
 
 # shot: one document on standard output, nothing else; its image has the contract's channels.

@@ -37,6 +37,30 @@ check "finished lines stand as they were" test "$(head -c "$(wc -c <before.jsonl
 cp out/journal.jsonl whole.jsonl
 check "a finished run measures nothing" "$program" run config.yaml --out out --quiet
 check "the journal did not grow" cmp out/journal.jsonl whole.jsonl
+
+# A run's folder belongs to the device that it was measured on.
+check "the device stands in run.json" test "$(jq -r '.devices.null.class' out/run.json)" = cpu
+cp out/run.json good.json
+jq '.devices.null.device = "another card"' good.json >out/run.json
+expect 2 "out holds a run on another device (null: another card, none; now it is none, none): use --fresh" \
+  "$program" run config.yaml --out out --quiet
+check "nothing was touched" cmp out/journal.jsonl whole.jsonl
+jq '.devices.null = null' good.json >out/run.json
+check "a backend that could not be opened then has measured nothing" "$program" run config.yaml --out out --quiet
+jq 'del(.devices)' good.json >out/run.json
+check "a folder without devices is one of this build" "$program" run config.yaml --out out --quiet
+
+# A wish changes neither key nor series; what is asked and what it is asked of do.
+identity() { jq -c "[.technique, .params, .scene, .$1]" "$2/journal.jsonl" | sort; }
+sed 's/seconds: 0.1, images: false/seconds: 0.2, images: true/' config.yaml >wish.yaml
+check "another wish" "$program" run wish.yaml --out wish --quiet --filter slices=1
+for what in key series; do
+  check "a wish is in no $what" test "$(identity $what out | comm -12 - <(identity $what wish) | wc -l)" -eq 6
+done
+sed 's/spp: 2/spp: 4/' config.yaml >question.yaml
+check "another question" "$program" run question.yaml --out question --quiet --filter slices=1
+check "is another key" test "$(identity key out | comm -12 - <(identity key question) | wc -l)" -eq 0
+check "and the same series" test "$(identity series out | comm -12 - <(identity series question) | wc -l)" -eq 6
 echo "$kills kills"
 check "at least one kill hit a run" test "$kills" -ge 1
 finish

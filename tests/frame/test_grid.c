@@ -13,7 +13,7 @@ struct values {
     int32_t divisor, depth_divisor;
 };
 static const struct aob_shader shaders[] = {
-    {"downsample", "void main() { depth = aob_view_z(aob_pixel * FACTOR); }\n"},
+    {"downsample", "void main() { depth = aob_view_z(aob_pixel * AOB_DIVISOR); }\n"},
     /* distance between a pixel's surface and what the divided depth holds under its place, and between that place
      * and the projection of the surface; 1 where all is well */
     {"agree", "void main() {\n"
@@ -27,7 +27,7 @@ static const struct aob_shader shaders[] = {
               "    if (same && !aob_surface_is_sky(p))\n"
               "        far = max(far, length(aob_position(own) - aob_surface(p)));\n"
               "    o = same ? 1.0 - far : 2.0 - far;\n}\n"},
-    {"spread", "void main() { o = aob_fetch_low(aob_pixel / TARGET); }\n"},
+    {"spread", "void main() { o = aob_fetch_low(aob_pixel / AOB_DIVISOR_LOW); }\n"},
     {"surface", "void main() { o = aob_surface_is_sky(aob_pixel) ? 0.0 : -aob_surface(aob_pixel).z; }\n"},
     {"size", "void main() { o = float(aob_size.x) + float(aob_target_size.y) / 1000.0; }\n"},
     {"table", "void main() { o = aob_fetch_table(ivec2(aob_pixel.x, aob_pixel.y)); }\n"},
@@ -44,14 +44,11 @@ static void fill(const void *values, void *texels)
 static bool build(struct aob_graph *graph, const void *data)
 {
     const struct values *v = data;
-    char factor[32], target[32];
     aob_tex depth = {0}, table = {0};
-    snprintf(factor, sizeof factor, "FACTOR=%d", (int)v->depth_divisor);
-    snprintf(target, sizeof target, "TARGET=%d", (int)v->divisor);
     if (v->depth_divisor > 1) {
         depth = aob_texture(graph, .name = "low_depth", .format = AOB_R32F,
                             .divisor = (uint32_t)v->depth_divisor);
-        aob_pass(graph, .name = "downsample", .shader = "downsample", .defines = factor, .reads = AOB_DEPTH,
+        aob_pass(graph, .name = "downsample", .shader = "downsample", .reads = AOB_DEPTH,
                  .out = {{.name = "depth", .tex = depth}});
     }
     if (!strcmp(chosen, "table"))
@@ -61,8 +58,8 @@ static bool build(struct aob_graph *graph, const void *data)
     aob_tex full = aob_texture(graph, .name = "full", .format = AOB_R32F);
     aob_pass(graph, .name = "low", .shader = chosen, .reads = AOB_DEPTH, .depth = depth, .border = AOB_FAR,
              .in = {{.name = table.id ? "table" : NULL, .tex = table}}, .out = {{.name = "o", .tex = low}});
-    return aob_pass(graph, .name = "spread", .shader = "spread", .defines = target,
-                    .in = {{.name = "low", .tex = low}}, .out = {{.name = "o", .tex = full}}) &&
+    return aob_pass(graph, .name = "spread", .shader = "spread", .in = {{.name = "low", .tex = low}},
+                    .out = {{.name = "o", .tex = full}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, full);
 }
 static const struct aob_param params[] = {

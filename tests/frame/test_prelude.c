@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/memory.h"
+#include "frame/prelude.h"
 #include "rig.h"
 
 /* The prelude's functions, run on a device by techniques made for the purpose. */
@@ -161,11 +162,34 @@ static void test_values_arrive(void **state)
     aob_rig_finish(&rig);
 }
 
+/* Each number has one meaning; what may be a storage image fits the 16 image units that drivers have at least. */
+static void test_bindings_are_apart(void **state)
+{
+    (void)state;
+    static const enum aob_binding single[] = {
+        AOB_BINDING_UNIFORMS, AOB_BINDING_DEPTH,  AOB_BINDING_NORMAL,   AOB_BINDING_OWN_DEPTH,
+        AOB_BINDING_VELOCITY, AOB_BINDING_ALBEDO, AOB_BINDING_MATERIAL, AOB_BINDING_TRIANGLES,
+        AOB_BINDING_LIGHT,    AOB_BINDING_TRACE};
+    uint32_t used = ((1u << AOB_MAX_IN) - 1) << AOB_BINDING_FIRST_INPUT;
+    for (size_t i = 0; i < AOB_COUNT(single); i++) {
+        assert_true((int)single[i] <= (int)AOB_GPU_MAX_BINDING);
+        assert_false(used >> single[i] & 1);
+        used |= 1u << single[i];
+    }
+    assert_int_equal(used, (1u << AOB_BINDING_COUNT) - 1);
+    assert_true(AOB_BINDING_IMAGE_COUNT <= 16);
+    assert_true(AOB_BINDING_FIRST_INPUT + AOB_MAX_IN <= AOB_BINDING_IMAGE_COUNT);
+    assert_true(AOB_BINDING_VELOCITY < AOB_BINDING_IMAGE_COUNT &&
+                AOB_BINDING_ALBEDO < AOB_BINDING_IMAGE_COUNT &&
+                AOB_BINDING_MATERIAL < AOB_BINDING_IMAGE_COUNT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_project_undoes_position),
                                        cmocka_unit_test(test_position_and_normal_are_the_surface),
                                        cmocka_unit_test(test_random_is_uniform_and_seeded),
-                                       cmocka_unit_test(test_values_arrive)};
+                                       cmocka_unit_test(test_values_arrive),
+                                       cmocka_unit_test(test_bindings_are_apart)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

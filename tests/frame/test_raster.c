@@ -221,7 +221,7 @@ static double score(const struct aob_rig *rig, const struct aob_gbuffer *gbuffer
                     const float *truth, double *band)
 {
     struct aob_rig view = *rig;
-    struct aob_score score;
+    struct aob_metrics score;
     struct aob_error error = {{0}};
     size_t pixels = (size_t)rig->width * (size_t)rig->height;
     float *ao = AOB_NEW_ARRAY(float, pixels), *depth = AOB_NEW_ARRAY(float, pixels);
@@ -230,17 +230,18 @@ static double score(const struct aob_rig *rig, const struct aob_gbuffer *gbuffer
                (size_t)rig->width * sizeof *depth);
     view.gbuffer = *gbuffer;
     aob_rig_run(&view, gpu, "gtao", "radius=0.5 slices=3 steps=6", AOB_FETCH_SAMPLED, ao);
-    if (!aob_score(&(struct aob_score_desc){.width = rig->width,
-                                            .height = rig->height,
-                                            .image = ao,
-                                            .truth = truth,
-                                            .depth = depth,
-                                            .sky_depth = 0.5f * AOB_GBUFFER_SKY,
-                                            .radius = 0.5,
-                                            .pixel_scale = rig->gbuffer.projection.sy,
-                                            .perspective = rig->gbuffer.projection.perspective},
-                   &score, &error))
+    struct aob_score_desc desc = {.width = rig->width,
+                                  .height = rig->height,
+                                  .image = ao,
+                                  .truth = truth,
+                                  .depth = depth,
+                                  .sky_depth = 0.5f * AOB_GBUFFER_SKY,
+                                  .radius = 0.5,
+                                  .pixel_scale = rig->gbuffer.projection.sy,
+                                  .perspective = rig->gbuffer.projection.perspective};
+    if (!aob_score_judge(&desc, &error))
         fail_msg("%s", error.text);
+    aob_score(&desc, &score);
     free(ao);
     free(depth);
     *band = score.band_rmse;

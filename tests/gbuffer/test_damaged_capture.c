@@ -1,6 +1,7 @@
 #include "capture_file.h"
 #include <unistd.h>
 #include "base/file.h"
+#include "job/capture_job.h"
 #include "run/dispatch.h"
 
 /* Damaged captures, through the worker that reads them: the harness stays up, and every refusal is one line. */
@@ -27,7 +28,7 @@ static size_t damage(char *bytes, size_t size, int variant)
     return size;
 }
 
-static void count_answer(void *user, json_t *answer)
+static void count_answer(void *user, const json_t *answer)
 {
     *(int *)user += json_is_integer(json_object_get(answer, "width"));
 }
@@ -39,10 +40,7 @@ static int load(const struct aob_dispatch *dispatch, const char *file, const cha
     int answers = 0;
     unlink(out);
     struct aob_job_desc desc = {
-        .job = json_pack("{s:s, s:s, s:s, s:i, s:i, s:b, s:i, s:i, s:[iii], s:s, s:s, s:i, s:i}", "job",
-                         "capture", "file", file, "out", out, "depth", 0, "normals", 0, "left_handed", 0,
-                         "near", 0, "far", 0, "up", 0, 0, 0, "depth_channel", "", "normal_channel", "",
-                         "fov_deg", 50, "ortho_height", 0),
+        .job = aob_capture_job_to_json(&(struct aob_capture_job){.file = file, .out = out, .fov_deg = 50}),
         .timeout_s = 10,
         .memory_limit = (size_t)4 << 30,
         .on_answer = count_answer,

@@ -37,7 +37,8 @@ static void test_velocity_of_a_moving_camera_only(void **state)
         char path[64];
         moving(&rig, moves);
         store(&rig, "corner", path);
-        assert_true(aob_gbuffer_load(&back, path, &rig.camera, W, H, GUARD, &error));
+        assert_true(
+            aob_gbuffer_load(&back, path, &(struct aob_gbuffer_desc){&rig.camera, W, H, GUARD}, &error));
         assert_int_equal(back.velocity != NULL, moves);
         assert_null(back.albedo);
         for (int i = 0; moves && i < rig.hits.width * rig.hits.height; i++)
@@ -58,7 +59,7 @@ static void test_a_still_file_does_not_serve_a_moving_camera(void **state)
     moving(&rig, false);
     store(&rig, "corner", path);
     rig.camera.moves = true;
-    assert_false(aob_gbuffer_load(&back, path, &rig.camera, W, H, GUARD, &error));
+    assert_false(aob_gbuffer_load(&back, path, &(struct aob_gbuffer_desc){&rig.camera, W, H, GUARD}, &error));
     assert_contains(error.text, "not a G-buffer");
     aob_rig_finish(&rig);
     unlink(path);
@@ -75,7 +76,7 @@ static void test_colours_of_a_painted_scene(void **state)
     char path[64];
     aob_rig_scene(&rig, "cornell", "front", W, H, GUARD);
     store(&rig, "cornell", path);
-    assert_true(aob_gbuffer_load(&back, path, &rig.camera, W, H, GUARD, &error));
+    assert_true(aob_gbuffer_load(&back, path, &(struct aob_gbuffer_desc){&rig.camera, W, H, GUARD}, &error));
     assert_true(aob_image_read(&image, path, &error));
     const float *material = aob_image_channel(&image, "material");
     int seen[2] = {0};

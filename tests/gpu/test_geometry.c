@@ -27,6 +27,9 @@ static const char fragment_text[] = "layout(location = 0) flat in float number;\
                                     "layout(location = 0) out float r;\n"
                                     "void main() { r = number; }\n";
 
+static const struct aob_gpu_texture_desc image = {
+    .format = AOB_R32F, .width = WIDTH, .height = HEIGHT, .uses = AOB_GPU_USE_TARGET | AOB_GPU_USE_READ_BACK};
+
 static bool draws(const struct aob_gpu *gpu)
 {
     return !gpu->info.draws_nothing;
@@ -43,7 +46,13 @@ static struct aob_gpu_texture *upload(struct aob_gpu *gpu, const struct triangle
     }
     struct aob_error error = {{0}};
     struct aob_gpu_texture *made =
-        aob_gpu_texture_create(gpu, AOB_RGBA32F, (int)(3 * count), 1, texels, &error);
+        aob_gpu_texture_create(gpu,
+                               &(struct aob_gpu_texture_desc){.format = AOB_RGBA32F,
+                                                              .width = (int)(3 * count),
+                                                              .height = 1,
+                                                              .uses = AOB_GPU_USE_SAMPLED,
+                                                              .texels = texels},
+                               &error);
     if (!made)
         fail_msg("%s", error.text);
     return made;
@@ -55,8 +64,8 @@ static float *draw(struct aob_gpu *gpu, const struct triangle *triangles, size_t
 {
     struct aob_error error = {{0}};
     struct aob_gpu_texture *corners = upload(gpu, triangles, count);
-    struct aob_gpu_texture *target = aob_gpu_texture_create(gpu, AOB_R32F, WIDTH, HEIGHT, NULL, NULL);
-    const struct aob_gpu_texture *targets[] = {target};
+    struct aob_gpu_texture *target = aob_gpu_texture_create(gpu, &image, NULL);
+    const struct aob_gpu_target targets[] = {{target, 0}};
     struct aob_gpu_program *program =
         aob_gpu_program_create_geometry(gpu, vertex_text, fragment_text, &error);
     struct aob_gpu_bind bind = {.binding = 1, .texture = corners};
@@ -74,7 +83,7 @@ static float *draw(struct aob_gpu *gpu, const struct triangle *triangles, size_t
                 : NULL;
     float *pixels = AOB_NEW_ARRAY(float, TEXELS);
     if (!pass || !aob_gpu_pass_run(gpu, pass, NULL, &error) || !aob_gpu_pass_run(gpu, pass, NULL, &error) ||
-        !aob_gpu_texture_read(gpu, target, pixels, &error))
+        !aob_gpu_texture_read(gpu, target, 0, pixels, &error))
         fail_msg("%s", error.text);
     aob_gpu_pass_destroy(gpu, pass);
     aob_gpu_program_destroy(gpu, program);
@@ -235,8 +244,8 @@ static void refuses_what_makes_no_sense(void **state)
     struct aob_gpu_program *screen =
         aob_gpu_program_create(gpu, "layout(location = 0) out float r;\nvoid main() { r = 1; }\n", &error);
     struct aob_gpu_texture *corners = upload(gpu, shapes, 1);
-    struct aob_gpu_texture *target = aob_gpu_texture_create(gpu, AOB_R32F, WIDTH, HEIGHT, NULL, NULL);
-    const struct aob_gpu_texture *targets[] = {target};
+    struct aob_gpu_texture *target = aob_gpu_texture_create(gpu, &image, NULL);
+    const struct aob_gpu_target targets[] = {{target, 0}};
     struct aob_gpu_bind bind = {.binding = 1, .texture = corners};
     struct aob_gpu_pass_desc good = {.program = program,
                                      .binds = &bind,

@@ -1,43 +1,18 @@
 /* One body for all backends: test_gpu vulkan|gl-egl|gl-osmesa|null. Exit code 77: this machine lacks the
  * driver. */
 #include <stdlib.h>
-#include "base/memory.h"
 #include "base/text.h"
 #include "made.h"
-
-static bool draws(const struct aob_gpu *gpu)
-{
-    return strcmp(gpu->info.backend, "null") != 0;
-}
-
-static void *read_back(struct aob_gpu *gpu, const struct aob_gpu_texture *texture)
-{
-    size_t count = (size_t)texture->width * (size_t)texture->height;
-    void *texels = aob_alloc(count, aob_gpu_texel_size(texture->format));
-    struct aob_error error = {""};
-    if (!aob_gpu_texture_read(gpu, texture, texels, &error))
-        fail_msg("%s", error.text);
-    return texels;
-}
-
-static void run_pass(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_time *time)
-{
-    struct aob_error error = {""};
-    struct aob_gpu_pass *pass = aob_gpu_pass_create(gpu, desc, &error);
-    if (!pass || !aob_gpu_pass_run(gpu, pass, time, &error))
-        fail_msg("%s", error.text);
-    aob_gpu_pass_destroy(gpu, pass);
-}
 
 /* Runs a text that has one output and no inputs. */
 static void *draw(struct aob_gpu *gpu, const char *glsl, enum aob_format format)
 {
     struct aob_gpu_program *drawer = program(gpu, glsl);
     struct aob_gpu_texture *target = texture(gpu, format, NULL);
-    const struct aob_gpu_texture *targets[] = {target};
+    const struct aob_gpu_target targets[] = {{target, 0}};
     run_pass(gpu, &(struct aob_gpu_pass_desc){.program = drawer, .targets = targets, .target_count = 1},
              NULL);
-    void *texels = read_back(gpu, target);
+    void *texels = read_back(gpu, target, 0);
     aob_gpu_program_destroy(gpu, drawer);
     aob_gpu_texture_destroy(gpu, target);
     return texels;
@@ -72,7 +47,7 @@ static void keeps_texels_of_every_format(void **state)
     for (enum aob_format format = 0; format < AOB_FORMAT_COUNT; format++) {
         void *texels = random_texels(format);
         struct aob_gpu_texture *made = texture(gpu, format, texels);
-        void *got = read_back(gpu, made);
+        void *got = read_back(gpu, made, 0);
         assert_memory_equal(got, texels, byte_count(format));
         aob_gpu_texture_destroy(gpu, made);
         free(got);
@@ -97,12 +72,12 @@ static void expect_copy(struct aob_gpu *gpu, enum aob_format format, enum aob_gp
     struct aob_gpu_texture *source = texture(gpu, format, texels), *target = texture(gpu, format, NULL);
     struct aob_gpu_program *copier = program(gpu, glsl.data);
     struct aob_gpu_bind bind = {.kind = kind, .binding = 3, .texture = source};
-    const struct aob_gpu_texture *targets[] = {target};
+    const struct aob_gpu_target targets[] = {{target, 0}};
     run_pass(gpu,
              &(struct aob_gpu_pass_desc){
                  .program = copier, .binds = &bind, .bind_count = 1, .targets = targets, .target_count = 1},
              NULL);
-    void *got = read_back(gpu, target);
+    void *got = read_back(gpu, target, 0);
     if (!draws(gpu))
         memset(texels, 0, byte_count(format));
     if (memcmp(got, texels, byte_count(format)))
@@ -136,29 +111,36 @@ static void puts_row_0_at_the_top(void **state)
     free(got);
 }
 
-static void writes_four_targets(void **state)
+static void writes_eight_targets(void **state)
 {
     struct aob_gpu *gpu = *state;
-    struct aob_gpu_program *drawer =
-        program(gpu, "layout(location = 0) out float a;\n"
-                     "layout(location = 1) out vec2 b;\n"
-                     "layout(location = 2) out vec4 c;\n"
-                     "layout(location = 3) out vec4 d;\n"
-                     "void main() { a = 0.25; b = vec2(1, 2); c = vec4(3, 4, 5, 6);\n"
-                     "              d = vec4(0, 1, 1, 0); }\n");
-    struct aob_gpu_texture *made[] = {texture(gpu, AOB_R32F, NULL), texture(gpu, AOB_RG32F, NULL),
-                                      texture(gpu, AOB_RGBA32F, NULL), texture(gpu, AOB_RGBA8, NULL)};
+    struct aob_gpu_program *drawer = program(
+        gpu, "layout(location = 0) out float a;\n"
+             "layout(location = 1) out vec2 b;\n"
+             "layout(location = 2) out vec4 c;\n"
+             "layout(location = 3) out vec4 d;\n"
+             "layout(location = 4) out float e;\n"
+             "layout(location = 5) out vec2 f;\n"
+             "layout(location = 6) out float g;\n"
+             "layout(location = 7) out vec4 h;\n"
+             "void main() { a = 0.25; b = vec2(1, 2); c = vec4(3, 4, 5, 6);\n"
+             "              d = vec4(0, 1, 1, 0); e = 1; f = vec2(1, 0); g = -8; h = vec4(7, 8, 9, 10); }\n");
+    static const enum aob_format formats[] = {AOB_R32F, AOB_RG32F, AOB_RGBA32F, AOB_RGBA8,
+                                              AOB_R16,  AOB_RG8,   AOB_R32F,    AOB_RGBA32F};
+    const float a[] = {0.25f}, b[] = {1, 2}, c[] = {3, 4, 5, 6}, g[] = {-8}, h[] = {7, 8, 9, 10};
+    const uint8_t d[] = {0, 255, 255, 0}, e[] = {255, 255}, f[] = {255, 0}, zero[16] = {0};
+    const void *const expected[] = {a, b, c, d, e, f, g, h};
+    struct aob_gpu_texture *made[AOB_MAX_OUT];
+    struct aob_gpu_target targets[AOB_MAX_OUT] = {{0}};
+    assert_int_equal(AOB_COUNT(formats), AOB_MAX_OUT);
+    for (size_t i = 0; i < AOB_MAX_OUT; i++)
+        targets[i].texture = made[i] = texture(gpu, formats[i], NULL);
     run_pass(gpu,
-             &(struct aob_gpu_pass_desc){.program = drawer,
-                                         .targets = (const struct aob_gpu_texture *const *)made,
-                                         .target_count = 4},
+             &(struct aob_gpu_pass_desc){.program = drawer, .targets = targets, .target_count = AOB_MAX_OUT},
              NULL);
-    const float a[] = {0.25f}, b[] = {1, 2}, c[] = {3, 4, 5, 6};
-    const uint8_t d[] = {0, 255, 255, 0}, zero[16] = {0};
-    const void *const expected[] = {a, b, c, d};
-    for (size_t i = 0; i < 4; i++) {
-        size_t size = aob_gpu_texel_size(made[i]->format);
-        uint8_t *got = read_back(gpu, made[i]);
+    for (size_t i = 0; i < AOB_MAX_OUT; i++) {
+        size_t size = aob_gpu_texel_size(formats[i]);
+        uint8_t *got = read_back(gpu, made[i], 0);
         for (size_t k = 0; k < TEXELS; k++)
             assert_memory_equal(got + k * size, draws(gpu) ? expected[i] : zero, size);
         free(got);
@@ -180,7 +162,7 @@ static void reads_uniforms_as_they_were(void **state)
                      "layout(location = 0) out vec4 r;\n"
                      "void main() { r = vec4(scale, offset, more, scale * float(offset)); }\n");
     struct aob_gpu_texture *target = texture(gpu, AOB_RGBA32F, NULL);
-    const struct aob_gpu_texture *targets[] = {target};
+    const struct aob_gpu_target targets[] = {{target, 0}};
     struct aob_gpu_pass_desc desc = {.program = drawer,
                                      .targets = targets,
                                      .target_count = 1,
@@ -190,7 +172,7 @@ static void reads_uniforms_as_they_were(void **state)
     assert_non_null(pass);
     memset(&block, 0, sizeof block);
     assert_true(aob_gpu_pass_run(gpu, pass, NULL, NULL));
-    float *got = read_back(gpu, target);
+    float *got = read_back(gpu, target, 0);
     const float expected[] = {1.5f, -3, 0.25f, -4.5f};
     if (draws(gpu))
         assert_memory_equal(got + 4 * (TEXELS - 1), expected, sizeof expected);
@@ -200,11 +182,63 @@ static void reads_uniforms_as_they_were(void **state)
     aob_gpu_program_destroy(gpu, drawer);
 }
 
+/* Two passes of one description: what is set for one is its next image, and nothing of the other's. */
+static void sets_uniforms_between_runs(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    float block[3] = {1, 2, 3};
+    struct aob_gpu_program *drawer =
+        program(gpu, "layout(std140, BIND(0)) uniform Block { float a; float b; float c; };\n"
+                     "layout(location = 0) out vec4 r;\nvoid main() { r = vec4(a, b, c, 9); }\n");
+    struct aob_gpu_texture *made[] = {texture(gpu, AOB_RGBA32F, NULL), texture(gpu, AOB_RGBA32F, NULL)};
+    struct aob_gpu_pass *passes[2];
+    for (int i = 0; i < 2; i++) {
+        const struct aob_gpu_target target = {made[i], 0};
+        passes[i] = aob_gpu_pass_create(gpu,
+                                        &(struct aob_gpu_pass_desc){.program = drawer,
+                                                                    .targets = &target,
+                                                                    .target_count = 1,
+                                                                    .uniforms = block,
+                                                                    .uniform_size = sizeof block},
+                                        NULL);
+        assert_non_null(passes[i]);
+        assert_true(aob_gpu_pass_run(gpu, passes[i], NULL, NULL));
+    }
+    const float first[] = {1, 2, 3, 9}, second[] = {4, 5, 6, 9}, zero[4] = {0};
+    const float *expected[3][2] = {{first, first}, {second, first}, {first, first}};
+    for (int run = 0; run < 3; run++) {
+        float next[] = {4, 5, 6}, last[] = {1, 2, 3};
+        assert_true(!run ||
+                    aob_gpu_pass_set_uniforms(gpu, passes[0], run == 1 ? next : last, sizeof next, NULL));
+        memset(next, 0, sizeof next); /* it was copied */
+        memset(last, 0, sizeof last);
+        for (int i = 0; run && i < 2; i++) {
+            float *before = read_back(gpu, made[i], 0); /* setting draws nothing */
+            assert_memory_equal(before, draws(gpu) ? expected[run - 1][i] : zero, sizeof first);
+            free(before);
+            assert_true(aob_gpu_pass_run(gpu, passes[i], NULL, NULL));
+        }
+        for (int i = 0; i < 2; i++) {
+            float *got = read_back(gpu, made[i], 0);
+            for (int k = 0; k < TEXELS; k++)
+                assert_memory_equal(got + 4 * k, draws(gpu) ? expected[run][i] : zero, sizeof first);
+            free(got);
+        }
+    }
+    for (int i = 0; i < 2; i++) {
+        aob_gpu_pass_destroy(gpu, passes[i]);
+        aob_gpu_texture_destroy(gpu, made[i]);
+    }
+    aob_gpu_program_destroy(gpu, drawer);
+}
+
 static void filters_and_clamps(void **state)
 {
     struct aob_gpu *gpu = *state;
     const float pair[] = {2, 4};
-    struct aob_gpu_texture *source = aob_gpu_texture_create(gpu, AOB_R32F, 2, 1, pair, NULL);
+    struct aob_gpu_texture *source = make(
+        gpu, (struct aob_gpu_texture_desc){
+                 .format = AOB_R32F, .width = 2, .height = 1, .uses = AOB_GPU_USE_SAMPLED, .texels = pair});
     struct aob_gpu_texture *target = texture(gpu, AOB_RGBA32F, NULL);
     struct aob_gpu_program *drawer = program(
         gpu, "layout(BIND(1)) uniform sampler2D soft;\nlayout(BIND(2)) uniform sampler2D hard;\n"
@@ -215,12 +249,12 @@ static void filters_and_clamps(void **state)
         {.binding = 1, .filter = AOB_BILINEAR, .texture = source},
         {.binding = 2, .filter = AOB_NEAREST, .texture = source},
     };
-    const struct aob_gpu_texture *targets[] = {target};
+    const struct aob_gpu_target targets[] = {{target, 0}};
     run_pass(gpu,
              &(struct aob_gpu_pass_desc){
                  .program = drawer, .binds = binds, .bind_count = 2, .targets = targets, .target_count = 1},
              NULL);
-    float *got = read_back(gpu, target);
+    float *got = read_back(gpu, target, 0);
     const float expected[] = {3, 4, 2, 4};
     if (draws(gpu))
         assert_memory_equal(got, expected, sizeof expected);
@@ -261,7 +295,7 @@ static void passes_see_what_earlier_ones_wrote(void **state)
         program(gpu, "layout(r32f, BIND(1)) uniform readonly image2D s;\nlayout(location = 0) out float r;\n"
                      "void main() { r = imageLoad(s, ivec2(gl_FragCoord.xy)).x + 1; }\n");
     struct aob_gpu_texture *a = texture(gpu, AOB_R32F, zeros), *b = texture(gpu, AOB_R32F, NULL);
-    const struct aob_gpu_texture *to_a[] = {a}, *to_b[] = {b};
+    const struct aob_gpu_target to_a[] = {{a, 0}}, to_b[] = {{b, 0}};
     const struct aob_gpu_bind sampled = {.kind = AOB_GPU_SAMPLED, .binding = 1, .texture = a};
     const struct aob_gpu_bind stored = {.kind = AOB_GPU_STORAGE, .binding = 1, .texture = b};
     struct aob_gpu_pass_desc forth = {
@@ -272,7 +306,7 @@ static void passes_see_what_earlier_ones_wrote(void **state)
                                      aob_gpu_pass_create(gpu, &back, NULL)};
     for (int i = 0; i < 40; i++)
         assert_true(aob_gpu_pass_run(gpu, passes[i % 2], NULL, NULL));
-    float *got = read_back(gpu, a);
+    float *got = read_back(gpu, a, 0);
     for (int i = 0; i < TEXELS; i++)
         assert_true(got[i] == (draws(gpu) ? 40 : 0));
     free(got);
@@ -292,15 +326,15 @@ static void gives_the_same_bits_twice_and_takes_time(void **state)
                        "    r = vec4(sin(p.x) / p.y, inversesqrt(p.x * p.y), exp(-p.y), pow(p.x, 0.3)); }\n";
     struct aob_gpu_program *drawer = program(gpu, glsl);
     struct aob_gpu_texture *target = texture(gpu, AOB_RGBA32F, NULL);
-    const struct aob_gpu_texture *targets[] = {target};
+    const struct aob_gpu_target targets[] = {{target, 0}};
     struct aob_gpu_pass_desc desc = {.program = drawer, .targets = targets, .target_count = 1};
     struct aob_gpu_time time = {-1, -1};
     run_pass(gpu, &desc, &time);
     assert_true(time.wall_ns > 0);
     assert_true(time.cpu_ns > 0);
-    void *first = read_back(gpu, target);
+    void *first = read_back(gpu, target, 0);
     run_pass(gpu, &desc, NULL);
-    void *second = read_back(gpu, target);
+    void *second = read_back(gpu, target, 0);
     assert_memory_equal(first, second, byte_count(AOB_RGBA32F));
     free(first);
     free(second);
@@ -327,7 +361,7 @@ static void survives_many_passes(void **state)
     struct aob_gpu_program *drawer =
         program(gpu, "layout(location = 0) out float r;\nvoid main() { r = 1; }\n");
     struct aob_gpu_texture *target = texture(gpu, AOB_R8, NULL);
-    const struct aob_gpu_texture *targets[] = {target};
+    const struct aob_gpu_target targets[] = {{target, 0}};
     struct aob_gpu_pass_desc desc = {.program = drawer, .targets = targets, .target_count = 1};
     for (int i = 0; i < 50; i++) {
         struct aob_gpu_pass *pass = aob_gpu_pass_create(gpu, &desc, NULL);
@@ -390,8 +424,9 @@ int main(int argc, char **argv)
         cmocka_unit_test(keeps_texels_of_every_format),
         cmocka_unit_test(copies_every_format_through_a_pass),
         cmocka_unit_test(puts_row_0_at_the_top),
-        cmocka_unit_test(writes_four_targets),
+        cmocka_unit_test(writes_eight_targets),
         cmocka_unit_test(reads_uniforms_as_they_were),
+        cmocka_unit_test(sets_uniforms_between_runs),
         cmocka_unit_test(filters_and_clamps),
         cmocka_unit_test(replaced_functions_mean_what_glsl_says),
         cmocka_unit_test(passes_see_what_earlier_ones_wrote),

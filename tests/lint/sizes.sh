@@ -13,7 +13,7 @@ find include harness reports techniques shaders tests cmake examples -name '*.[c
     { lines = FNR }
     /^\{$/ { open = FNR }
     /^\}/ && open {
-      if ($0 == "}" && FNR - open - 1 > 90 && FILENAME !~ /^tests\//)
+      if ($0 == "}" && FNR - open - 1 > 40 && FILENAME !~ /^tests\//)
         complain(FILENAME ":" open ": a function of " FNR - open - 1 " lines: split it")
       open = 0
     }

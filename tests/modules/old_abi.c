@@ -2,4 +2,4 @@
 #include <aobudget/technique.h>
 
 extern const struct aob_module aob_module;
-const struct aob_module aob_module = {99u << 16, sizeof(struct aob_module), NULL};
+const struct aob_module aob_module = {3u << 16, sizeof(struct aob_module), NULL};

@@ -1,45 +1,6 @@
-#include "check.h"
 #include <math.h>
 #include <stdlib.h>
-#include <unistd.h>
-#include "base/file.h"
-#include "plan/plan.h"
-
-static char path[256];
-static struct aob_technique_list techniques;
-
-static int set_up(void **state)
-{
-    (void)state;
-    struct aob_registry registry;
-    aob_registry_init(&registry);
-    for (size_t i = 0; i < registry.count; i++) {
-        json_t *json = aob_technique_to_json(&registry.entries[i]);
-        aob_technique_list_add(&techniques, json);
-        json_decref(json);
-    }
-    aob_registry_finish(&registry);
-    snprintf(path, sizeof path, "/tmp/aobudget-plan-%ld.yaml", (long)getpid());
-    return 0;
-}
-static int tear_down(void **state)
-{
-    (void)state;
-    aob_technique_list_finish(&techniques);
-    return unlink(path);
-}
-
-static bool make(const char *text, struct aob_config *config, struct aob_plan *plan, struct aob_error *error)
-{
-    *error = (struct aob_error){{0}};
-    aob_file_write(path, text, strlen(text), error);
-    if (!aob_config_read(config, path, error))
-        return false;
-    if (aob_plan_create(plan, config, &techniques, error))
-        return true;
-    aob_config_finish(config);
-    return false;
-}
+#include "made.h"
 
 #define HEAD                                                                                                 \
     "name: t\nscenes: [{name: corner, views: [front, far]}]\nresolutions: [64x36, 32x18]\nbackends: "        \
@@ -65,7 +26,8 @@ static void test_product_of_axes(void **state)
     for (size_t i = 0; i < plan.case_count; i++) {
         const struct aob_case *c = &plan.cases[i];
         assert_int_equal(aob_case_options(c).guard_band, 8);
-        assert_near(c->reference_radius, strcmp(c->technique->name, "none") == 0 ? 1 : c->params[0], 0);
+        /* a technique without a radius is compared with the first one of the sweep */
+        assert_near(c->reference_radius, strcmp(c->technique->name, "none") == 0 ? 0.25 : c->params[0], 0);
         for (size_t j = 0; j < i; j++)
             assert_string_not_equal(c->key, plan.cases[j].key);
         /* cases of one block lie together */
@@ -168,6 +130,13 @@ static void test_refusals(void **state)
          ":2:", "previous eye and target"},
         {HEAD "techniques: [{name: gtao, sweep: [{param: radius, values: [1], from: 1, to: 2, step: 1}]}]\n",
          ":5:35", "not both"},
+        /* counted before it is expanded: 2 views, 2 sizes, 2 backends, 1000^3 points */
+        {HEAD "techniques: [{name: gtao, sweep: [{param: radius, from: 1, to: 1000, step: 1},\n"
+              "{param: falloff, from: 0, to: 0.999, step: 0.001}, {param: noise_index, from: 0, to: 999, "
+              "step: 1}]}]\n",
+         ": ", "more than 20000 cases, namely 8e+09"},
+        {"name: t\nscenes: [{name: corner}]\nresolutions: [16384x16384]\nbackends: [null]\n" NONE, ": ",
+         "40 million pixels"},
         {HEAD NONE "reference: {spp: 33}\n", ":6:18", "even"},
         {HEAD NONE "options: {fetch: texture}\n", ":6:18", "sampled, storage"},
         {HEAD NONE "measure: {time: yes}\n", ":6:17", "true nor false"},

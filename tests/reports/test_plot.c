@@ -19,6 +19,7 @@ static const size_t LIMIT = (size_t)1 << 26;
 
 struct fixture {
     char *plotter, folder[128], image[160], split[160]; /* images without and with the parts of the error */
+    char truth[160], small[160];                        /* another truth, and one of another size */
 };
 
 /* A split image has sky in its top row, and there definition and screen far from the truth. */
@@ -42,6 +43,18 @@ static bool write_image(const char *path, bool split)
         aob_image_channel(&image, "definition.AO")[i] = truth[i] + (y ? 0.03125f : 5);
         aob_image_channel(&image, "screen.AO")[i] = truth[i] + (y ? -0.0625f : -5);
     }
+    bool ok = aob_image_write(&image, path, NULL);
+    aob_image_finish(&image);
+    return ok;
+}
+
+/* A flat truth of 0.5. */
+static bool write_truth(const char *path, int width)
+{
+    struct aob_image image = {.width = width, .height = HEIGHT};
+    float *pixels = aob_image_add(&image, "AO");
+    for (int i = 0; i < width * HEIGHT; i++)
+        pixels[i] = 0.5f;
     bool ok = aob_image_write(&image, path, NULL);
     aob_image_finish(&image);
     return ok;
@@ -246,6 +259,49 @@ static void test_vti_of_a_split(void **state)
     free(text);
 }
 
+/* The error is the technique's image less 0.5, and nothing in the sky; so are the parts. The image's own truth spans 0.1
+ * to 0.9, and 1/32 above it is the definition. */
+static void test_truth_of_another_file(void **state)
+{
+    const struct fixture *f = *state;
+    char more[256];
+    size_t size;
+    snprintf(more, sizeof more, ",\"reference_image\":\"%s\"", f->truth);
+    assert_int_equal(plot_split(*state, "vti", "d.vti", more), 0);
+    char *text = product(f, "d.vti", &size);
+    assert_true(attribute_of(text, "reference", "RangeMin") == 0.5);
+    assert_true(attribute_of(text, "reference", "RangeMax") == 0.5);
+    assert_true(fabs(attribute_of(text, "error", "RangeMax") - (attribute_of(text, "AO", "RangeMax") - 0.5)) <
+                1e-6);
+    assert_true(fabs(attribute_of(text, "error_definition", "RangeMax") - 0.43125) < 2e-3);
+    assert_true(fabs(attribute_of(text, "error_definition", "RangeMin") + 0.36875) < 2e-3);
+    free(text);
+    snprintf(more, sizeof more, ",\"limit\":1,\"reference_image\":\"%s\"", f->small);
+    assert_int_equal(plot_one(f, "map", "m.png", more), 3);
+    snprintf(more, sizeof more, ",\"limit\":1,\"reference_image\":\"%s\"", f->image); /* it has no AO */
+    assert_int_equal(plot_one(f, "map", "m.png", more), 3);
+    assert_int_equal(plot_one(f, "map", "m.png", ",\"limit\":1,\"reference_image\":\"/none\""), 3);
+}
+
+/* The errors end at 0.06 against the image's own truth, at 0.45 against the other one. The limit of a group follows, so
+ * the picture is the one that is drawn with 0.5, the next round number. */
+static void test_limit_of_another_truth(void **state)
+{
+    static const char *const limits[] = {"\"limit_group\":\"a\"", "\"limit\":0.5"};
+    const struct fixture *f = *state;
+    char more[256], *bytes[2];
+    size_t size[2];
+    for (int i = 0; i < 2; i++) {
+        snprintf(more, sizeof more, ",%s,\"reference_image\":\"%s\"", limits[i], f->truth);
+        assert_int_equal(plot_one(f, "map", "m.png", more), 0);
+        bytes[i] = product(f, "m.png", &size[i]);
+    }
+    assert_int_equal(size[0], size[1]);
+    assert_memory_equal(bytes[0], bytes[1], size[0]);
+    free(bytes[0]);
+    free(bytes[1]);
+}
+
 static void test_failures_say_so(void **state)
 {
     assert_int_equal(plot_one(*state, "map", "no/such/folder/m.png", ",\"limit\":1"), 3);
@@ -300,8 +356,12 @@ static int set_up(void **state)
     snprintf(f->folder, sizeof f->folder, "/tmp/aob-test-plot-%ld", (long)getpid());
     snprintf(f->image, sizeof f->image, "%s/image.exr", f->folder);
     snprintf(f->split, sizeof f->split, "%s/split.exr", f->folder);
+    snprintf(f->truth, sizeof f->truth, "%s/truth.exr", f->folder);
+    snprintf(f->small, sizeof f->small, "%s/small.exr", f->folder);
     *state = f;
-    return aob_folder_create(f->folder, NULL) && write_image(f->image, false) && write_image(f->split, true)
+    return aob_folder_create(f->folder, NULL) && write_image(f->image, false) &&
+                   write_image(f->split, true) && write_truth(f->truth, WIDTH) &&
+                   write_truth(f->small, WIDTH - 1)
                ? 0
                : -1;
 }
@@ -311,6 +371,8 @@ static int tear_down(void **state)
     struct fixture *f = *state;
     unlink(f->image);
     unlink(f->split);
+    unlink(f->truth);
+    unlink(f->small);
     int left = rmdir(f->folder);
     free(f->plotter);
     free(f);
@@ -328,6 +390,8 @@ int main(void)
         cmocka_unit_test(test_split),
         cmocka_unit_test(test_vti),
         cmocka_unit_test(test_vti_of_a_split),
+        cmocka_unit_test(test_truth_of_another_file),
+        cmocka_unit_test(test_limit_of_another_truth),
         cmocka_unit_test(test_failures_say_so),
         cmocka_unit_test(test_bad_documents),
         cmocka_unit_test(test_charts_of_odd_data),

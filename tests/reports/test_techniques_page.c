@@ -4,6 +4,7 @@
 #include <unistd.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "check.h"
 
 static char folder[64];

@@ -3,6 +3,7 @@
 #include <unistd.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "job/mesh_job.h"
 #include "run/dispatch.h"
 
 /* Damaged mesh files, through the worker that loads them: the harness stays up, and every refusal is one line. */
@@ -34,7 +35,7 @@ static size_t damage(char *bytes, size_t size, int variant)
     return size;
 }
 
-static void count_answer(void *user, json_t *answer)
+static void count_answer(void *user, const json_t *answer)
 {
     *(int *)user += json_is_integer(json_object_get(answer, "triangles"));
 }
@@ -45,7 +46,7 @@ static int load(const struct aob_dispatch *dispatch, const char *file, const cha
     struct aob_error error = {{0}};
     int answers = 0;
     unlink(out);
-    struct aob_job_desc desc = {.job = json_pack("{s:s, s:s, s:s}", "job", "mesh", "file", file, "out", out),
+    struct aob_job_desc desc = {.job = aob_mesh_job_to_json(&(struct aob_mesh_job){file, out}),
                                 .timeout_s = 1,
                                 .memory_limit = (size_t)1 << 29,
                                 .on_answer = count_answer,

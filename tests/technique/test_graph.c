@@ -1,24 +1,5 @@
 #include "check.h"
-#include "technique/graph.h"
-
-static const struct aob_shader shaders[] = {{"one", "text one"}, {"two", "text two"}, {NULL, NULL}};
-
-struct values {
-    int32_t taps;
-    float radius;
-};
-static const struct aob_param params[] = {
-    AOB_PARAM(struct values, taps, .stage = AOB_CONSTANT, .min = 0, .max = 9, .doc = "."),
-    AOB_PARAM(struct values, radius, .min = 0, .max = 9, .doc = "."),
-};
-
-#define RAW(g) aob_texture(g, .name = "raw", .format = AOB_R16F)
-#define OUT(t)                                                                                               \
-    {                                                                                                        \
-        {                                                                                                    \
-            .name = "o", .tex = t                                                                            \
-        }                                                                                                    \
-    }
+#include "trial.h"
 
 static bool build_chain(struct aob_graph *g, const void *values)
 {
@@ -183,6 +164,78 @@ static bool build_unknown_draw(struct aob_graph *g, const void *values)
     (void)values;
     return aob_pass(g, .name = "first", .shader = "one", .draw = (enum aob_draw)7, .out = OUT(RAW(g)));
 }
+static bool give(struct aob_graph *g, enum aob_output which, enum aob_format format)
+{
+    aob_tex raw = RAW(g), more = aob_texture(g, .name = "more", .format = format);
+    aob_pass(g, .name = "first", .shader = "one", .out = OUT(raw));
+    aob_pass(g, .name = "second", .shader = "two", .out = OUT(more));
+    return aob_output(g, AOB_OUT_VISIBILITY, raw) && aob_output(g, which, more);
+}
+static bool build_bent_normal(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_wants(g, AOB_OUT_BENT_NORMAL) ? give(g, AOB_OUT_BENT_NORMAL, AOB_RGBA16F)
+                                             : give(g, AOB_OUT_VISIBILITY, AOB_R16F);
+}
+static bool build_always_bent_normal(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return give(g, AOB_OUT_BENT_NORMAL, AOB_RGBA16F);
+}
+static bool build_byte_bent_normal(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return give(g, AOB_OUT_BENT_NORMAL, AOB_RGBA8);
+}
+static bool build_output_twice(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return give(g, AOB_OUT_VISIBILITY, AOB_R16F);
+}
+static bool build_specular(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return give(g, AOB_OUT_SPECULAR, AOB_R16F);
+}
+static bool build_unwritten_bent_normal(struct aob_graph *g, const void *values)
+{
+    aob_tex more = aob_texture(g, .name = "more", .format = AOB_RGBA32F);
+    return build_chain(g, values) && aob_output(g, AOB_OUT_BENT_NORMAL, more);
+}
+static bool build_velocity(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH | AOB_VELOCITY,
+                    .out = OUT(RAW(g)));
+}
+static bool build_previous(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_previous(g, RAW(g)).id;
+}
+static bool defines_pass(struct aob_graph *g, const char *name)
+{
+    aob_tex raw = RAW(g);
+    return aob_pass(g, .name = "first", .shader = "one", .defines = {{"A", -2}, {name, 7}},
+                    .out = OUT(raw)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, raw);
+}
+static bool build_defines(struct aob_graph *g, const void *values)
+{
+    char name[] = "WIDE_2"; /* gone when the prelude is written */
+    (void)values;
+    return defines_pass(g, name);
+}
+static bool build_lower_define(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return defines_pass(g, "wide");
+}
+static bool build_prelude_define(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return defines_pass(g, "AOB_DIVISOR");
+}
 static bool build_ignores_failure(struct aob_graph *g, const void *values)
 {
     aob_texture(g, .name = "Bad Name");
@@ -198,22 +251,6 @@ static bool build_too_many(struct aob_graph *g, const void *values)
             return false;
     }
     return true;
-}
-
-static bool try_build(struct aob_pass_graph *graph, bool (*build)(struct aob_graph *, const void *),
-                      struct aob_error *error)
-{
-    static struct aob_technique technique;
-    technique = (struct aob_technique){.abi = AOB_ABI,
-                                       .size = sizeof technique,
-                                       .name = "trial",
-                                       .shaders = shaders,
-                                       .params = params,
-                                       .param_count = 2,
-                                       .values_size = sizeof(struct values),
-                                       .build = build};
-    *error = (struct aob_error){{0}};
-    return aob_graph_build(graph, &technique, &(struct values){3, 1}, 1u << AOB_OUT_VISIBILITY, error);
 }
 
 static void test_prunes_what_nobody_wants(void **state)
@@ -239,18 +276,18 @@ static void test_broken_graphs_are_named(void **state)
         bool (*build)(struct aob_graph *, const void *);
         const char *says;
     } cases[] = {{build_loop, "no earlier pass writes"},
-                 {build_no_output, "no visibility output"},
-                 {build_unwritten, "no pass writes"},
+                 {build_no_output, "gives no output visibility"},
+                 {build_unwritten, "no pass writes texture 'raw'"},
                  {build_twice_written, "already written"},
                  {build_no_shader, "no shader text 'three'"},
                  {build_same_names, "two textures are named 'raw'"},
                  {build_half_output, "not full size"},
                  {build_mixed_sizes, "different sizes"},
                  {build_ignores_failure, "lower-case"},
-                 {build_too_many, "more than 32 textures"},
+                 {build_too_many, "more than 64 textures"},
                  {build_written_table, "writes the table"},
                  {build_divided_table, "no divisor"},
-                 {build_sized_target, "a target none"},
+                 {build_sized_target, "a target none of the three"},
                  {build_byte_depth, "not a target of r16f or r32f"},
                  {build_unread_depth, "does not read it"},
                  {build_unwritten_depth, "no earlier pass writes"},
@@ -260,7 +297,15 @@ static void test_broken_graphs_are_named(void **state)
                  {build_too_many_vertices, "per_triangle is 39"},
                  {build_no_reach, "reach is 0"},
                  {build_screen_with_vertex, "of AOB_TRIANGLES only"},
-                 {build_unknown_draw, "unknown draw"}};
+                 {build_unknown_draw, "unknown draw"},
+                 {build_byte_bent_normal, "bent_normal: texture 'more' is rgba8: must be rgba16f or rgba32f"},
+                 {build_output_twice, "output visibility is given twice"},
+                 {build_specular, "output specular is reserved"},
+                 {build_unwritten_bent_normal, "no pass writes texture 'more' of the output bent_normal"},
+                 {build_velocity, "velocity, material or light: they are reserved"},
+                 {build_previous, "previous textures are reserved"},
+                 {build_lower_define, "define 'wide'"},
+                 {build_prelude_define, "define 'AOB_DIVISOR'"}};
     struct aob_pass_graph graph;
     struct aob_error error;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -307,6 +352,44 @@ static void test_tables_and_depths(void **state)
     aob_text_finish(&text);
 }
 
+static void test_outputs_beside_visibility(void **state)
+{
+    (void)state;
+    struct aob_pass_graph graph;
+    struct aob_error error;
+    struct aob_text dot = {0};
+    assert_true(try_build(&graph, build_chain, &error));
+    assert_true(aob_graph_gives(&graph, AOB_OUT_VISIBILITY));
+    assert_false(aob_graph_gives(&graph, AOB_OUT_BENT_NORMAL));
+    assert_true(try_build(&graph, build_bent_normal, &error));
+    assert_true(aob_graph_gives(&graph, AOB_OUT_BENT_NORMAL) && graph.passes[1].live);
+    aob_graph_dot(&graph, &dot);
+    assert_contains(dot.data, "first -> visibility");
+    assert_contains(dot.data, "second -> bent_normal");
+    aob_text_finish(&dot);
+    struct aob_technique technique = {.name = "trial", .shaders = shaders, .build = build_always_bent_normal};
+    assert_true(aob_graph_build(&graph, &technique, &(struct values){0}, AOB_OUTPUTS_REQUIRED, 0, &error));
+    assert_false(aob_graph_gives(&graph, AOB_OUT_BENT_NORMAL) || graph.passes[1].live);
+    technique.build = build_chain;
+    assert_false(
+        aob_graph_build(&graph, &technique, &(struct values){0}, 1 << AOB_OUT_BENT_NORMAL, 0, &error));
+    assert_contains(error.text, "gives no output bent_normal");
+    technique.frames = 2;
+    assert_false(aob_graph_build(&graph, &technique, &(struct values){0}, AOB_OUTPUTS_REQUIRED, 0, &error));
+    assert_contains(error.text, "frames is 2: it is reserved");
+}
+
+static void test_defines_are_kept(void **state)
+{
+    (void)state;
+    struct aob_pass_graph graph;
+    struct aob_error error;
+    assert_true(try_build(&graph, build_defines, &error));
+    assert_int_equal(graph.passes[0].define_count, 2);
+    assert_string_equal(graph.passes[0].defines[1].name, "WIDE_2");
+    assert_int_equal(graph.passes[0].defines[0].value, -2);
+}
+
 static void test_digest_follows_constants_only(void **state)
 {
     (void)state;
@@ -343,6 +426,8 @@ int main(void)
                                        cmocka_unit_test(test_broken_graphs_are_named),
                                        cmocka_unit_test(test_triangles),
                                        cmocka_unit_test(test_tables_and_depths),
+                                       cmocka_unit_test(test_outputs_beside_visibility),
+                                       cmocka_unit_test(test_defines_are_kept),
                                        cmocka_unit_test(test_digest_follows_constants_only),
                                        cmocka_unit_test(test_dot_picture)};
     return cmocka_run_group_tests(tests, NULL, NULL);

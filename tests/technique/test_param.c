@@ -49,6 +49,27 @@ static void test_prints_what_parses_back(void **state)
     }
 }
 
+static void test_rules_are_kept(void **state)
+{
+    (void)state;
+    static const struct aob_param odd = {
+        .name = "blur", .type = AOB_INT, .min = 0, .max = 33, .rule = AOB_ODD, .doc = "."};
+    static const struct aob_param power = {
+        .name = "divisor", .type = AOB_INT, .min = 0, .max = 8, .rule = AOB_POWER_OF_TWO, .doc = "."};
+    struct aob_error error;
+    double value;
+    for (int i = 0; i <= 8; i++) {
+        char text[8];
+        snprintf(text, sizeof text, "%d", i);
+        assert_int_equal(aob_param_parse(&odd, text, &value, &error), i == 0 || i % 2 == 1);
+        assert_int_equal(aob_param_parse(&power, text, &value, &error), i == 1 || i == 2 || i == 4 || i == 8);
+    }
+    assert_false(aob_param_parse(&odd, "4", &value, &error));
+    assert_string_equal(error.text, "blur: 4: must be odd, or 0");
+    assert_false(aob_param_parse(&power, "3", &value, &error));
+    assert_string_equal(error.text, "divisor: 3: must be a power of two");
+}
+
 static void test_packs_by_offset(void **state)
 {
     (void)state;
@@ -61,8 +82,8 @@ static void test_packs_by_offset(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_whole_text_or_nothing),
-                                       cmocka_unit_test(test_prints_what_parses_back),
-                                       cmocka_unit_test(test_packs_by_offset)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_whole_text_or_nothing), cmocka_unit_test(test_prints_what_parses_back),
+        cmocka_unit_test(test_rules_are_kept), cmocka_unit_test(test_packs_by_offset)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

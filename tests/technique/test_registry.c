@@ -59,7 +59,7 @@ static void test_foreign_files_are_refused(void **state)
 {
     (void)state;
     char *old = module_path("tests/modules/old_abi.so");
-    refused(old, "interface 99.0");
+    refused(old, "made for module interface 3, this program has 4: build it again");
     refused("/nonexistent/x.so", "cannot open");
     refused("/tmp", "is it a file?");
     refused("/etc/passwd", "cannot load");
@@ -81,7 +81,14 @@ static void test_bad_tables_are_refused(void **state)
     struct aob_error error;
     struct aob_technique bad = good;
     assert_true(aob_technique_judge(&good, &error));
-    bad.abi = 7u << 16;
+    bad.abi = 7;
+    assert_false(aob_technique_judge(&bad, &error));
+    assert_contains(error.text, "made for module interface 7 ");
+    assert_contains(error.text, "this program has 4 ");
+    bad = good;
+    bad.size = sizeof bad - 8;
+    assert_false(aob_technique_judge(&bad, &error));
+    bad.size = sizeof bad + 8;
     assert_false(aob_technique_judge(&bad, &error));
     bad = good;
     bad.name = "Bad-Name";
@@ -97,6 +104,18 @@ static void test_bad_tables_are_refused(void **state)
     const struct aob_param beyond = {.name = "p", .doc = "d", .offset = 4};
     bad.params = &beyond;
     assert_false(aob_technique_judge(&bad, &error));
+    const struct aob_param even = {
+        .name = "p", .doc = "d", .type = AOB_INT, .max = 9, .initial = 4, .rule = AOB_ODD};
+    bad.params = &even;
+    assert_false(aob_technique_judge(&bad, &error));
+    assert_contains(error.text, "rule");
+    const struct aob_param real = {.name = "p", .doc = "d", .max = 9, .initial = 1, .rule = AOB_ODD};
+    bad.params = &real;
+    assert_false(aob_technique_judge(&bad, &error));
+    struct aob_param odd = even;
+    odd.initial = 3;
+    bad.params = &odd;
+    assert_true(aob_technique_judge(&bad, &error));
 }
 
 static void test_travels_as_json(void **state)
@@ -113,6 +132,7 @@ static void test_travels_as_json(void **state)
     for (size_t i = 0; i < info->param_count; i++) {
         assert_string_equal(info->params[i].name, gtao->technique->params[i].name);
         assert_int_equal(info->params[i].unit, gtao->technique->params[i].unit);
+        assert_int_equal(info->params[i].rule, gtao->technique->params[i].rule);
         assert_true(info->params[i].initial == gtao->technique->params[i].initial);
     }
     json_decref(json);

@@ -6,7 +6,7 @@
 #include "technique/param.h"
 #include "technique/registry.h"
 
-/* shaders/common/gaussian.glsl by itself: one axis over pictures that a table holds. */
+/* shaders/steps/gaussian.glsl by itself: one axis over pictures that a table holds. */
 
 enum { SIDE = 64 };
 enum picture { CONSTANT, NOISE, NOISE_MIRRORED, NOISE_TRANSPOSED, REGION };
@@ -48,18 +48,16 @@ static void fill_picture(const void *values, void *texels)
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
-    char defines[12];
-    snprintf(defines, sizeof defines, "AXIS=%d", (int)v->axis);
     aob_tex raw = aob_texture(graph, .name = "picture", .format = AOB_R32F, .width = SIDE, .height = SIDE,
                               .fill = fill_picture);
     aob_tex blurred = aob_texture(graph, .name = "blurred", .format = AOB_R32F);
-    return aob_pass(graph, .name = "blur", .shader = "blur", .defines = defines,
+    return aob_pass(graph, .name = "blur", .shader = "gaussian", .defines = {{"AXIS", v->axis}},
                     .reads = AOB_DEPTH | AOB_NORMAL, .in = {{.name = "raw", .tex = raw}},
                     .out = {{.name = "blurred", .tex = blurred}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, blurred);
 }
 
-extern const struct aob_technique aob_technique_starcraft2_ssao; /* for its text "blur" */
+extern const struct aob_technique aob_technique_starcraft2_ssao; /* for its text "gaussian" */
 
 static void blur_picture(const struct aob_rig *rig, struct aob_gpu *gpu, int axis, enum picture picture,
                          float *pixels)
@@ -85,7 +83,8 @@ static void blur_picture(const struct aob_rig *rig, struct aob_gpu *gpu, int axi
     aob_param_pack(aob_option_params, AOB_OPTION_COUNT, chosen, &options, sizeof options);
     if (!aob_screen_init(&screen, gpu, &rig->gbuffer, &options, &error) ||
         !aob_frame_init(&frame, &screen, &technique, &values, AOB_FETCH_SAMPLED, &error) ||
-        !aob_frame_run(&frame, NULL, &error) || !aob_frame_read(&frame, AOB_OUT_VISIBILITY, pixels, &error))
+        !aob_frame_run(&frame, NULL, &error) ||
+        !aob_frame_read(&frame, AOB_OUT_VISIBILITY, 1, pixels, &error))
         fail_msg("%s", error.text);
     aob_frame_finish(&frame);
     aob_screen_finish(&screen);

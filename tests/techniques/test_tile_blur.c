@@ -40,7 +40,8 @@ static bool build(struct aob_graph *graph, const void *values)
     aob_tex raw = aob_texture(graph, .name = "raw", .format = AOB_R32F);
     aob_pass(graph, .name = "pattern", .shader = "pattern", .reads = AOB_DEPTH,
              .out = {{.name = "raw", .tex = raw}});
-    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_tile_blur(graph, raw, 5, 1));
+    return aob_output(graph, AOB_OUT_VISIBILITY,
+                      aob_step_tile_blur(graph, .tex = raw, .taps = 5, .divisor = 1));
 }
 
 static const char *blur_text(void)
@@ -48,15 +49,15 @@ static const char *blur_text(void)
     for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
         for (const struct aob_shader *s = (*t)->shaders; strcmp((*t)->name, "crytek_ssao") == 0 && s->name;
              s++)
-            if (strcmp(s->name, "blur") == 0)
+            if (strcmp(s->name, "tile_blur") == 0)
                 return s->text;
-    fail_msg("crytek_ssao has no text 'blur'");
+    fail_msg("crytek_ssao has no text 'tile_blur'");
     return NULL;
 }
 
 static void blur(const struct aob_rig *rig, struct aob_gpu *gpu, int pattern, int turn, float *pixels)
 {
-    const struct aob_shader shaders[] = {{"pattern", pattern_text}, {"blur", blur_text()}, {NULL, NULL}};
+    const struct aob_shader shaders[] = {{"pattern", pattern_text}, {"tile_blur", blur_text()}, {NULL, NULL}};
     const struct aob_technique technique = {.abi = AOB_ABI,
                                             .size = sizeof technique,
                                             .name = "patterns",
@@ -74,7 +75,8 @@ static void blur(const struct aob_rig *rig, struct aob_gpu *gpu, int pattern, in
     struct aob_error error = {{0}};
     bool ok = aob_screen_init(&screen, gpu, &rig->gbuffer, &options, &error) &&
               aob_frame_init(frame, &screen, &technique, &values, AOB_FETCH_SAMPLED, &error) &&
-              aob_frame_run(frame, NULL, &error) && aob_frame_read(frame, AOB_OUT_VISIBILITY, pixels, &error);
+              aob_frame_run(frame, NULL, &error) &&
+              aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, &error);
     assert_string_equal(error.text, "");
     assert_true(ok);
     aob_frame_finish(frame);

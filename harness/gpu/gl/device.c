@@ -5,45 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Code from a disk cache may have been made under other settings, and hides what a compile costs. */
-const char *const aob_gl_environment[] = {
-    "MESA_SHADER_CACHE_DISABLE=true",
-    "__GL_SHADER_DISK_CACHE=0",
-    NULL,
-};
-
-static const char *explain(GLenum code)
-{
-    switch (code) {
-    case GL_OUT_OF_MEMORY:
-        return "out of memory";
-    case GL_INVALID_ENUM:
-        return "invalid enumerator";
-    case GL_INVALID_VALUE:
-        return "invalid value";
-    case GL_INVALID_OPERATION:
-        return "invalid operation";
-    case GL_INVALID_FRAMEBUFFER_OPERATION:
-        return "incomplete framebuffer";
-    default:
-        return "context lost or unknown error";
-    }
-}
-
-bool aob_gl_ok(struct aob_gpu *gpu, const char *what, struct aob_error *error)
-{
-    GLenum code = ((struct gl *)gpu)->api.GetError();
-    return code == GL_NO_ERROR ||
-           aob_fail(error, "%s: cannot %s: %s (GL error 0x%x)", gpu->info.backend, what, explain(code), code);
-}
-
-const struct gl_api *aob_gl_use(struct aob_gpu *gpu)
-{
-    struct gl *gl = (struct gl *)gpu;
-    gl->context->fns->make_current(gl->context);
-    return &gl->api;
-}
-
 static bool load_functions(struct gl *gl, struct aob_error *error)
 {
     struct gl_context *context = gl->context;
@@ -85,6 +46,7 @@ static void describe(struct gl *gl)
     gl->base.info.device = renderer;
     gl->base.info.driver = gl->driver;
     gl->base.info.software = is_software(renderer);
+    gl->base.info.device_class = gl->base.info.software ? "cpu" : "gpu";
     gl->api.GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->max_texture_size);
     gl->api.GetIntegerv(GL_MAX_IMAGE_UNITS, &gl->max_image_units);
 }
@@ -92,9 +54,11 @@ static void describe(struct gl *gl)
 static void create_samplers(struct gl *gl)
 {
     static const GLint filters[] = {[AOB_NEAREST] = GL_NEAREST, [AOB_BILINEAR] = GL_LINEAR};
+    static const GLint minifying[] = {
+        [AOB_NEAREST] = GL_NEAREST_MIPMAP_NEAREST, [AOB_BILINEAR] = GL_LINEAR_MIPMAP_NEAREST};
     gl->api.CreateSamplers(AOB_COUNT(gl->samplers), gl->samplers);
     for (size_t i = 0; i < AOB_COUNT(gl->samplers); i++) {
-        gl->api.SamplerParameteri(gl->samplers[i], GL_TEXTURE_MIN_FILTER, filters[i]);
+        gl->api.SamplerParameteri(gl->samplers[i], GL_TEXTURE_MIN_FILTER, minifying[i]);
         gl->api.SamplerParameteri(gl->samplers[i], GL_TEXTURE_MAG_FILTER, filters[i]);
         gl->api.SamplerParameteri(gl->samplers[i], GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
         gl->api.SamplerParameteri(gl->samplers[i], GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);

@@ -16,8 +16,11 @@
     X(PFNGLFINISHPROC, Finish)                                                                               \
     X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                                     \
     X(PFNGLVIEWPORTPROC, Viewport)                                                                           \
+    X(PFNGLSCISSORPROC, Scissor)                                                                             \
     X(PFNGLCLIPCONTROLPROC, ClipControl)                                                                     \
     X(PFNGLCREATETEXTURESPROC, CreateTextures)                                                               \
+    X(PFNGLGENTEXTURESPROC, GenTextures)                                                                     \
+    X(PFNGLTEXTUREVIEWPROC, TextureView)                                                                     \
     X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                                               \
     X(PFNGLTEXTURESTORAGE2DPROC, TextureStorage2D)                                                           \
     X(PFNGLTEXTURESUBIMAGE2DPROC, TextureSubImage2D)                                                         \
@@ -30,6 +33,7 @@
     X(PFNGLCREATEBUFFERSPROC, CreateBuffers)                                                                 \
     X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                                                 \
     X(PFNGLNAMEDBUFFERSTORAGEPROC, NamedBufferStorage)                                                       \
+    X(PFNGLNAMEDBUFFERSUBDATAPROC, NamedBufferSubData)                                                       \
     X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                               \
     X(PFNGLCREATESHADERPROC, CreateShader)                                                                   \
     X(PFNGLDELETESHADERPROC, DeleteShader)                                                                   \
@@ -100,16 +104,17 @@ struct gl_program {
     GLuint name;
 };
 
-/* device.c. aob_gl_use makes the device's context current and gives its functions. */
+/* device.c */
 struct aob_gpu *aob_gl_open(const struct aob_gpu_fns *fns, const struct gl_context_fns *context_fns,
                             struct aob_error *error);
 void aob_gl_close(struct aob_gpu *gpu);
+
+/* call.c. aob_gl_use makes the device's context current and gives its functions. */
 const struct gl_api *aob_gl_use(struct aob_gpu *gpu);
 
 /* True if GL reports no error; else one line: "gl-egl: cannot WHAT: why". */
 bool aob_gl_ok(struct aob_gpu *gpu, const char *what, struct aob_error *error);
 
-/* texture.c */
 struct gl_format {
     GLenum internal, layout, type;
 };
@@ -120,10 +125,10 @@ GLuint aob_gl_shader_create(struct aob_gpu *gpu, GLenum stage, const uint32_t *w
                             struct aob_error *error);
 
 /* The table's slots that both backends share. */
-bool aob_gl_texture_create(struct aob_gpu *gpu, enum aob_format format, int width, int height,
-                           const void *texels, struct aob_gpu_texture **texture, struct aob_error *error);
+bool aob_gl_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
+                           struct aob_gpu_texture **texture, struct aob_error *error);
 void aob_gl_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
-bool aob_gl_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels,
+bool aob_gl_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                          struct aob_error *error);
 bool aob_gl_program_create(struct aob_gpu *gpu, const char *vertex, const char *fragment,
                            struct aob_gpu_program **program, struct aob_error *error);
@@ -131,13 +136,16 @@ void aob_gl_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program
 bool aob_gl_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass **pass,
                         struct aob_error *error);
 void aob_gl_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
+bool aob_gl_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
+                              struct aob_error *error);
 bool aob_gl_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
                      struct aob_error *error);
-extern const char *const aob_gl_environment[];
 
 #define AOB_GL_SLOTS                                                                                         \
-    .environment = aob_gl_environment, .close = aob_gl_close, .texture_create = aob_gl_texture_create,       \
-    .texture_destroy = aob_gl_texture_destroy, .texture_read = aob_gl_texture_read,                          \
-    .program_create = aob_gl_program_create, .program_destroy = aob_gl_program_destroy,                      \
-    .pass_create = aob_gl_pass_create, .pass_destroy = aob_gl_pass_destroy, .pass_run = aob_gl_pass_run
+    .environment = aob_gpu_driver_environment, .close = aob_gl_close,                                        \
+    .texture_create = aob_gl_texture_create, .texture_destroy = aob_gl_texture_destroy,                      \
+    .texture_read = aob_gl_texture_read, .program_create = aob_gl_program_create,                            \
+    .program_destroy = aob_gl_program_destroy, .pass_create = aob_gl_pass_create,                            \
+    .pass_destroy = aob_gl_pass_destroy, .pass_set_uniforms = aob_gl_pass_set_uniforms,                      \
+    .pass_run = aob_gl_pass_run
 #endif

@@ -1,14 +1,18 @@
 #include "gl.h"
 #include "base/clock.h"
 #include "base/memory.h"
+#include "gpu/backends.h"
 #include <stdlib.h>
 #include <string.h>
 
-struct aob_gpu_pass {
+struct gl_pass {
+    struct aob_gpu_pass base;
     GLuint framebuffer, uniforms, program, depth; /* depth 0: no test */
     struct aob_gpu_bind *binds;
+    GLuint *views; /* by bind: of the levels that a sampled one shows, else 0 */
     size_t bind_count;
     GLint width, height;
+    bool part; /* the area is less than its targets */
     GLsizei vertices;
     bool add;
     GLint clears; /* targets */
@@ -26,21 +30,39 @@ static bool check_units(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
 }
 
 static void create_framebuffer(const struct gl_api *api, const struct aob_gpu_pass_desc *desc,
-                               struct aob_gpu_pass *pass)
+                               struct gl_pass *pass)
 {
     GLenum buffers[AOB_MAX_OUT];
+    const struct aob_gpu_target *first = &desc->targets[0];
     api->CreateFramebuffers(1, &pass->framebuffer);
     for (size_t i = 0; i < desc->target_count; i++) {
-        const struct gl_texture *target = (const struct gl_texture *)desc->targets[i];
+        const struct gl_texture *texture = (const struct gl_texture *)desc->targets[i].texture;
         buffers[i] = GL_COLOR_ATTACHMENT0 + (GLenum)i;
-        api->NamedFramebufferTexture(pass->framebuffer, buffers[i], target->name, 0);
+        api->NamedFramebufferTexture(pass->framebuffer, buffers[i], texture->name, desc->targets[i].level);
     }
     api->NamedFramebufferDrawBuffers(pass->framebuffer, (GLsizei)desc->target_count, buffers);
-    pass->width = desc->targets[0]->width;
-    pass->height = desc->targets[0]->height;
+    pass->width = desc->width;
+    pass->height = desc->height;
+    pass->part = desc->width < aob_gpu_level_side(first->texture->width, first->level) ||
+                 desc->height < aob_gpu_level_side(first->texture->height, first->level);
 }
 
-static void create_depth(const struct gl_api *api, struct aob_gpu_pass *pass)
+/* A view, not the texture's own range of levels: two passes may bind one texture, each with a range of its own, and
+ * a range that changes between them would be work for the driver within the time of a run. */
+static void create_views(const struct gl_api *api, struct gl_pass *pass)
+{
+    for (size_t i = 0; i < pass->bind_count; i++) {
+        const struct aob_gpu_bind *bind = &pass->binds[i];
+        if (bind->kind != AOB_GPU_SAMPLED)
+            continue;
+        api->GenTextures(1, &pass->views[i]);
+        api->TextureView(pass->views[i], GL_TEXTURE_2D, ((const struct gl_texture *)bind->texture)->name,
+                         aob_gl_format(bind->texture->format)->internal, (GLuint)bind->first_level,
+                         (GLuint)aob_gpu_bind_levels(bind), 0, 1);
+    }
+}
+
+static void create_depth(const struct gl_api *api, struct gl_pass *pass)
 {
     api->CreateRenderbuffers(1, &pass->depth);
     api->NamedRenderbufferStorage(pass->depth, GL_DEPTH_COMPONENT32F, pass->width, pass->height);
@@ -48,15 +70,30 @@ static void create_depth(const struct gl_api *api, struct aob_gpu_pass *pass)
 }
 
 static void create_uniforms(const struct gl_api *api, const struct aob_gpu_pass_desc *desc,
-                            struct aob_gpu_pass *pass)
+                            struct gl_pass *pass)
 {
     /* std140 rounds a block up to 16 bytes, and its reader may not. */
     size_t size = (desc->uniform_size + 15) / 16 * 16;
     unsigned char *block = aob_alloc(size, 1);
     memcpy(block, desc->uniforms, desc->uniform_size);
     api->CreateBuffers(1, &pass->uniforms);
-    api->NamedBufferStorage(pass->uniforms, (GLsizeiptr)size, block, 0);
+    api->NamedBufferStorage(pass->uniforms, (GLsizeiptr)size, block, GL_DYNAMIC_STORAGE_BIT);
     free(block);
+}
+
+static struct gl_pass *describe_pass(const struct aob_gpu_pass_desc *desc)
+{
+    struct gl_pass *made = AOB_NEW(struct gl_pass);
+    made->program = ((const struct gl_program *)desc->program)->name;
+    made->bind_count = desc->bind_count;
+    made->binds = AOB_NEW_ARRAY(struct aob_gpu_bind, desc->bind_count);
+    made->views = AOB_NEW_ARRAY(GLuint, desc->bind_count);
+    for (size_t i = 0; i < desc->bind_count; i++)
+        made->binds[i] = desc->binds[i];
+    made->vertices = desc->vertex_count ? (GLsizei)desc->vertex_count : 3;
+    made->add = desc->blend == AOB_GPU_ADD;
+    made->clears = desc->program->geometry ? (GLint)desc->target_count : 0;
+    return made;
 }
 
 bool aob_gl_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass **pass,
@@ -65,16 +102,9 @@ bool aob_gl_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
     const struct gl_api *api = aob_gl_use(gpu);
     if (!check_units(gpu, desc, error))
         return false;
-    struct aob_gpu_pass *made = AOB_NEW(struct aob_gpu_pass);
-    made->program = ((const struct gl_program *)desc->program)->name;
-    made->bind_count = desc->bind_count;
-    made->binds = AOB_NEW_ARRAY(struct aob_gpu_bind, desc->bind_count);
-    for (size_t i = 0; i < desc->bind_count; i++)
-        made->binds[i] = desc->binds[i];
-    made->vertices = desc->vertex_count ? (GLsizei)desc->vertex_count : 3;
-    made->add = desc->blend == AOB_GPU_ADD;
-    made->clears = desc->program->geometry ? (GLint)desc->target_count : 0;
+    struct gl_pass *made = describe_pass(desc);
     create_framebuffer(api, desc, made);
+    create_views(api, made);
     if (desc->depth_test)
         create_depth(api, made);
     if (desc->uniforms)
@@ -82,31 +112,42 @@ bool aob_gl_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
     if (api->CheckNamedFramebufferStatus(made->framebuffer, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         aob_fail(error, "%s: the driver cannot draw to these targets together", gpu->info.backend);
     else if (aob_gl_ok(gpu, "create a pass", error)) {
-        *pass = made;
+        *pass = &made->base;
         return true;
     }
-    aob_gl_pass_destroy(gpu, made);
+    aob_gl_pass_destroy(gpu, &made->base);
     return false;
 }
 
 void aob_gl_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass)
 {
     const struct gl_api *api = aob_gl_use(gpu);
-    api->DeleteFramebuffers(1, &pass->framebuffer);
-    api->DeleteRenderbuffers(1, &pass->depth);
-    api->DeleteBuffers(1, &pass->uniforms);
-    free(pass->binds);
-    free(pass);
+    struct gl_pass *made = (struct gl_pass *)pass;
+    api->DeleteFramebuffers(1, &made->framebuffer);
+    api->DeleteRenderbuffers(1, &made->depth);
+    api->DeleteBuffers(1, &made->uniforms);
+    api->DeleteTextures((GLsizei)made->bind_count, made->views);
+    free(made->views);
+    free(made->binds);
+    free(made);
 }
 
-static void bind_texture(const struct gl *gl, const struct aob_gpu_bind *bind)
+bool aob_gl_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
+                              struct aob_error *error)
 {
-    GLuint name = ((const struct gl_texture *)bind->texture)->name;
+    struct gl_pass *made = (struct gl_pass *)pass;
+    aob_gl_use(gpu)->NamedBufferSubData(made->uniforms, 0, (GLsizeiptr)pass->uniform_size, block);
+    return aob_gl_ok(gpu, "set a pass's uniforms", error);
+}
+
+static void bind_texture(const struct gl *gl, const struct aob_gpu_bind *bind, GLuint view)
+{
     if (bind->kind == AOB_GPU_STORAGE) {
-        gl->api.BindImageTexture(bind->binding, name, 0, GL_FALSE, 0, GL_READ_ONLY,
+        gl->api.BindImageTexture(bind->binding, ((const struct gl_texture *)bind->texture)->name,
+                                 bind->first_level, GL_FALSE, 0, GL_READ_ONLY,
                                  aob_gl_format(bind->texture->format)->internal);
     } else {
-        gl->api.BindTextureUnit(bind->binding, name);
+        gl->api.BindTextureUnit(bind->binding, view);
         gl->api.BindSampler(bind->binding, gl->samplers[bind->filter]);
     }
 }
@@ -119,7 +160,7 @@ static void set_switch(const struct gl_api *api, GLenum what, bool on)
         api->Disable(what);
 }
 
-static void clear_targets(const struct gl_api *api, const struct aob_gpu_pass *pass)
+static void clear_targets(const struct gl_api *api, const struct gl_pass *pass)
 {
     static const GLfloat zero[4];
     for (GLint i = 0; i < pass->clears; i++)
@@ -128,28 +169,31 @@ static void clear_targets(const struct gl_api *api, const struct aob_gpu_pass *p
         api->ClearNamedFramebufferfv(pass->framebuffer, GL_DEPTH, 0, zero);
 }
 
-static void bind_pass(const struct gl *gl, const struct aob_gpu_pass *pass)
+static void bind_pass(const struct gl *gl, const struct gl_pass *pass)
 {
     gl->api.BindFramebuffer(GL_DRAW_FRAMEBUFFER, pass->framebuffer);
     gl->api.Viewport(0, 0, pass->width, pass->height);
+    gl->api.Scissor(0, 0, pass->width, pass->height);
+    set_switch(&gl->api, GL_SCISSOR_TEST, pass->part); /* clearing knows no viewport */
     gl->api.UseProgram(pass->program);
     set_switch(&gl->api, GL_DEPTH_TEST, pass->depth);
     set_switch(&gl->api, GL_BLEND, pass->add);
     if (pass->uniforms)
         gl->api.BindBufferBase(GL_UNIFORM_BUFFER, 0, pass->uniforms);
     for (size_t i = 0; i < pass->bind_count; i++)
-        bind_texture(gl, &pass->binds[i]);
+        bind_texture(gl, &pass->binds[i], pass->views[i]);
 }
 
 bool aob_gl_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
                      struct aob_error *error)
 {
     const struct gl_api *api = aob_gl_use(gpu);
-    bind_pass((struct gl *)gpu, pass);
+    const struct gl_pass *made = (const struct gl_pass *)pass;
+    bind_pass((struct gl *)gpu, made);
     api->Finish();
     int64_t cpu = aob_clock_cpu_ns(), wall = aob_clock_wall_ns();
-    clear_targets(api, pass);
-    api->DrawArrays(GL_TRIANGLES, 0, pass->vertices);
+    clear_targets(api, made);
+    api->DrawArrays(GL_TRIANGLES, 0, made->vertices);
     api->Finish();
     time->wall_ns = aob_clock_wall_ns() - wall;
     time->cpu_ns = aob_clock_cpu_ns() - cpu;

@@ -52,7 +52,7 @@ static bool link_program(struct aob_gpu *gpu, GLuint program, const GLuint shade
 }
 
 static bool compile(struct aob_gpu *gpu, const char *text, enum aob_glsl_stage stage, GLuint *shader,
-                    uint32_t *bindings, struct aob_error *error)
+                    uint64_t *bindings, struct aob_error *error)
 {
     static const GLenum stages[] = {
         [AOB_GLSL_VERTEX] = GL_VERTEX_SHADER, [AOB_GLSL_FRAGMENT] = GL_FRAGMENT_SHADER};

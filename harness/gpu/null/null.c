@@ -8,13 +8,14 @@ enum { NS_PER_TEXEL = 100 };
 
 struct null_texture {
     struct aob_gpu_texture base;
-    size_t size;
-    unsigned char texels[];
+    unsigned char texels[]; /* a level after the other */
 };
 
-struct aob_gpu_pass {
-    struct null_texture *targets[AOB_MAX_OUT];
+struct null_pass {
+    struct aob_gpu_pass base;
+    struct aob_gpu_target targets[AOB_MAX_OUT];
     size_t target_count;
+    int width, height;
 };
 
 static struct null_texture *null_texture(const struct aob_gpu_texture *texture)
@@ -31,6 +32,7 @@ static struct aob_gpu *null_open(const struct aob_gpu_desc *desc, struct aob_err
     gpu->info = (struct aob_gpu_info){.backend = aob_gpu_null.name,
                                       .device = "none",
                                       .driver = "none",
+                                      .device_class = "cpu",
                                       .software = true,
                                       .draws_nothing = true};
     return gpu;
@@ -41,17 +43,24 @@ static void null_close(struct aob_gpu *gpu)
     free(gpu);
 }
 
-static bool null_texture_create(struct aob_gpu *gpu, enum aob_format format, int width, int height,
-                                const void *texels, struct aob_gpu_texture **texture, struct aob_error *error)
+static size_t level_offset(const struct aob_gpu_texture *texture, int level)
+{
+    size_t offset = 0;
+    for (int above = 0; above < level; above++)
+        offset += aob_gpu_level_bytes(texture, above);
+    return offset;
+}
+
+static bool null_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
+                                struct aob_gpu_texture **texture, struct aob_error *error)
 {
     (void)gpu;
     (void)error;
-    size_t size = (size_t)width * (size_t)height * aob_gpu_texel_size(format);
-    struct null_texture *made = aob_alloc(sizeof *made + size, 1);
-    made->base = (struct aob_gpu_texture){.format = format, .width = width, .height = height};
-    made->size = size;
-    if (texels)
-        memcpy(made->texels, texels, size);
+    struct aob_gpu_texture base = aob_gpu_texture_base(desc);
+    struct null_texture *made = aob_alloc(sizeof *made + level_offset(&base, base.levels), 1);
+    made->base = base;
+    if (desc->texels)
+        memcpy(made->texels, desc->texels, aob_gpu_level_bytes(&base, 0));
     *texture = &made->base;
     return true;
 }
@@ -62,16 +71,17 @@ static void null_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *te
     free(null_texture(texture));
 }
 
-static bool null_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels,
-                              struct aob_error *error)
+static bool null_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level,
+                              void *texels, struct aob_error *error)
 {
     (void)gpu;
     (void)error;
-    memcpy(texels, null_texture(texture)->texels, null_texture(texture)->size);
+    memcpy(texels, null_texture(texture)->texels + level_offset(texture, level),
+           aob_gpu_level_bytes(texture, level));
     return true;
 }
 
-static bool add_bindings(const char *text, enum aob_glsl_stage stage, uint32_t *bindings,
+static bool add_bindings(const char *text, enum aob_glsl_stage stage, uint64_t *bindings,
                          struct aob_error *error)
 {
     size_t count;
@@ -87,7 +97,7 @@ static bool null_program_create(struct aob_gpu *gpu, const char *vertex, const c
                                 struct aob_gpu_program **program, struct aob_error *error)
 {
     (void)gpu;
-    uint32_t bindings = 0;
+    uint64_t bindings = 0;
     if ((vertex && !add_bindings(vertex, AOB_GLSL_VERTEX, &bindings, error)) ||
         !add_bindings(fragment, AOB_GLSL_FRAGMENT, &bindings, error))
         return false;
@@ -107,10 +117,13 @@ static bool null_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc
 {
     (void)gpu;
     (void)error;
-    *pass = AOB_NEW(struct aob_gpu_pass);
-    (*pass)->target_count = desc->target_count;
+    struct null_pass *made = AOB_NEW(struct null_pass);
+    made->target_count = desc->target_count;
     for (size_t i = 0; i < desc->target_count; i++)
-        (*pass)->targets[i] = null_texture(desc->targets[i]);
+        made->targets[i] = desc->targets[i];
+    made->width = desc->width;
+    made->height = desc->height;
+    *pass = &made->base;
     return true;
 }
 
@@ -120,18 +133,35 @@ static void null_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass)
     free(pass);
 }
 
+static bool null_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
+                                   struct aob_error *error)
+{
+    (void)gpu;
+    (void)pass;
+    (void)block;
+    (void)error;
+    return true;
+}
+
+static void clear_area(const struct aob_gpu_target *target, int width, int height)
+{
+    const struct aob_gpu_texture *texture = target->texture;
+    size_t texel = aob_gpu_texel_size(texture->format);
+    size_t row = (size_t)aob_gpu_level_side(texture->width, target->level) * texel;
+    unsigned char *texels = null_texture(texture)->texels + level_offset(texture, target->level);
+    for (int y = 0; y < height; y++)
+        memset(texels + (size_t)y * row, 0, (size_t)width * texel);
+}
+
 static bool null_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
                           struct aob_error *error)
 {
     (void)gpu;
     (void)error;
-    int64_t texels = 0;
-    for (size_t i = 0; i < pass->target_count; i++) {
-        struct null_texture *target = pass->targets[i];
-        memset(target->texels, 0, target->size);
-        texels += (int64_t)target->base.width * target->base.height;
-    }
-    time->wall_ns = time->cpu_ns = texels * NS_PER_TEXEL;
+    const struct null_pass *made = (const struct null_pass *)pass;
+    for (size_t i = 0; i < made->target_count; i++)
+        clear_area(&made->targets[i], made->width, made->height);
+    time->wall_ns = time->cpu_ns = (int64_t)made->target_count * made->width * made->height * NS_PER_TEXEL;
     return true;
 }
 
@@ -150,5 +180,6 @@ const struct aob_gpu_fns aob_gpu_null = {
     .program_destroy = null_program_destroy,
     .pass_create = null_pass_create,
     .pass_destroy = null_pass_destroy,
+    .pass_set_uniforms = null_pass_set_uniforms,
     .pass_run = null_pass_run,
 };

@@ -1,12 +1,27 @@
 #include "vk.h"
 #include "base/clock.h"
 
+/* All earlier writes before all later reads and writes. */
+static void record_barrier(VkCommandBuffer commands)
+{
+    VkMemoryBarrier2 all = {
+        .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+    };
+    vkCmdPipelineBarrier2(commands, &(VkDependencyInfo){.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                                        .memoryBarrierCount = 1,
+                                                        .pMemoryBarriers = &all});
+}
+
 bool aob_vk_begin(struct vk *vk, VkCommandBuffer commands, struct aob_error *error)
 {
     VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     if (!aob_vk_ok(vk, vkBeginCommandBuffer(commands, &begin), "begin a command buffer", error))
         return false;
-    aob_vk_barrier(commands);
+    record_barrier(commands);
     return true;
 }
 
@@ -48,18 +63,4 @@ bool aob_vk_submit(struct vk *vk, VkCommandBuffer commands, struct aob_gpu_time 
         time->cpu_ns = aob_clock_cpu_ns() - cpu;
     }
     return aob_vk_ok(vk, vkResetFences(vk->device, 1, &vk->fence), "reset a fence", error);
-}
-
-void aob_vk_barrier(VkCommandBuffer commands)
-{
-    VkMemoryBarrier2 all = {
-        .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
-        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
-    };
-    vkCmdPipelineBarrier2(commands, &(VkDependencyInfo){.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                                        .memoryBarrierCount = 1,
-                                                        .pMemoryBarriers = &all});
 }

@@ -3,57 +3,6 @@
 #include "gpu/glsl.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-static const VkFormat formats[AOB_FORMAT_COUNT] = {
-    [AOB_R8] = VK_FORMAT_R8_UNORM,
-    [AOB_R16] = VK_FORMAT_R16_UNORM,
-    [AOB_R16F] = VK_FORMAT_R16_SFLOAT,
-    [AOB_R32F] = VK_FORMAT_R32_SFLOAT,
-    [AOB_RG8] = VK_FORMAT_R8G8_UNORM,
-    [AOB_RG16F] = VK_FORMAT_R16G16_SFLOAT,
-    [AOB_RG32F] = VK_FORMAT_R32G32_SFLOAT,
-    [AOB_RGBA8] = VK_FORMAT_R8G8B8A8_UNORM,
-    [AOB_RGBA16F] = VK_FORMAT_R16G16B16A16_SFLOAT,
-    [AOB_RGBA32F] = VK_FORMAT_R32G32B32A32_SFLOAT,
-};
-
-VkFormat aob_vk_format(enum aob_format format)
-{
-    return formats[format];
-}
-
-static const char *explain(VkResult result)
-{
-    switch (result) {
-    case VK_ERROR_OUT_OF_HOST_MEMORY:
-        return "out of memory";
-    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
-        return "out of device memory";
-    case VK_ERROR_DEVICE_LOST:
-        return "the device is lost (a crash or hang in the driver)";
-    case VK_ERROR_INITIALIZATION_FAILED:
-        return "the driver failed to start";
-    case VK_ERROR_FEATURE_NOT_PRESENT:
-        return "the device lacks a feature";
-    default:
-        return NULL;
-    }
-}
-
-bool aob_vk_ok(struct vk *vk, VkResult result, const char *what, struct aob_error *error)
-{
-    if (vk->complaint[0]) {
-        aob_fail(error, "vulkan: validation, on the way to %s: %s", what, vk->complaint);
-        vk->complaint[0] = '\0';
-        return false;
-    }
-    if (result == VK_SUCCESS)
-        return true;
-    const char *why = explain(result);
-    return why ? aob_fail(error, "vulkan: cannot %s: %s", what, why)
-               : aob_fail(error, "vulkan: cannot %s: VkResult %d", what, (int)result);
-}
 
 static bool create_device(struct vk *vk, struct aob_error *error)
 {
@@ -112,6 +61,7 @@ static bool create_sampler(struct vk *vk, enum aob_filter filter, struct aob_err
         .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
         .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
         .addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+        .maxLod = VK_LOD_CLAMP_NONE,
     };
     return aob_vk_ok(vk, vkCreateSampler(vk->device, &sampler, NULL, &vk->samplers[filter]),
                      "create a sampler", error);
@@ -129,6 +79,22 @@ static bool create_triangle(struct vk *vk, struct aob_error *error)
     return vk->triangle;
 }
 
+static const char *device_class(VkPhysicalDeviceType type)
+{
+    switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+        return "cpu";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+        return "integrated";
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+        return "discrete";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+        return "virtual";
+    default:
+        return "gpu";
+    }
+}
+
 static void describe(struct vk *vk)
 {
     VkPhysicalDeviceDriverProperties driver = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
@@ -142,14 +108,16 @@ static void describe(struct vk *vk)
         .backend = vk->base.fns->name,
         .device = vk->properties.deviceName,
         .driver = vk->driver,
+        .device_class = device_class(vk->properties.deviceType),
         .software = vk->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU,
     };
 }
 
-struct aob_gpu *aob_vk_open(const struct aob_gpu_desc *desc, struct aob_error *error)
+struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_desc *desc,
+                            struct aob_error *error)
 {
     struct vk *vk = AOB_NEW(struct vk);
-    vk->base.fns = aob_gpu_find("vulkan");
+    vk->base.fns = fns;
     if (aob_vk_instance_create(vk, desc->validate, error) && aob_vk_choose_device(vk, error) &&
         create_device(vk, error) && create_commands(vk, error) && create_sampler(vk, AOB_NEAREST, error) &&
         create_sampler(vk, AOB_BILINEAR, error) && create_triangle(vk, error)) {

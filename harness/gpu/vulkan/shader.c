@@ -17,7 +17,7 @@ VkShaderModule aob_vk_shader_create(struct vk *vk, const uint32_t *words, size_t
 }
 
 static bool compile(struct vk *vk, const char *text, enum aob_glsl_stage stage, VkShaderModule *module,
-                    uint32_t *bindings, struct aob_error *error)
+                    uint64_t *bindings, struct aob_error *error)
 {
     size_t count;
     uint32_t *words = aob_glsl_compile(text, stage, AOB_GLSL_VULKAN, &count, error);

@@ -1,75 +1,69 @@
 #include "vk.h"
 #include "base/memory.h"
+#include "gpu/backends.h"
 #include <stdlib.h>
 #include <string.h>
 
-static size_t byte_size(const struct aob_gpu_texture *texture)
+static VkImageUsageFlags image_usage(const struct aob_gpu_texture_desc *desc)
 {
-    return (size_t)texture->width * (size_t)texture->height * aob_gpu_texel_size(texture->format);
+    static const struct {
+        uint32_t use;
+        VkImageUsageFlags usage;
+    } table[] = {
+        {AOB_GPU_USE_SAMPLED, VK_IMAGE_USAGE_SAMPLED_BIT},
+        {AOB_GPU_USE_STORAGE, VK_IMAGE_USAGE_STORAGE_BIT},
+        {AOB_GPU_USE_TARGET, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT},
+        {AOB_GPU_USE_READ_BACK, VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
+    };
+    VkImageUsageFlags usage = desc->texels ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : 0;
+    for (size_t i = 0; i < AOB_COUNT(table); i++)
+        usage |= desc->uses & table[i].use ? table[i].usage : 0;
+    return usage;
 }
 
-static VkBufferImageCopy whole(const struct vk_texture *texture)
+/* A pass is recorded once, before it is known which runs after which, so between passes a texture lies in one
+ * layout, that of its readers. GENERAL serves all but costs a real GPU its compression; a storage image may be
+ * read in no other. */
+static VkImageLayout rest_layout(uint32_t uses)
+{
+    if (uses & AOB_GPU_USE_STORAGE)
+        return VK_IMAGE_LAYOUT_GENERAL;
+    if (uses & AOB_GPU_USE_SAMPLED)
+        return VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    if (uses & AOB_GPU_USE_TARGET)
+        return VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    return VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+}
+
+static VkBufferImageCopy whole_level(const struct aob_gpu_texture *texture, int level)
 {
     return (VkBufferImageCopy){
-        .imageSubresource = {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .layerCount = 1},
-        .imageExtent = {(uint32_t)texture->base.width, (uint32_t)texture->base.height, 1},
+        .imageSubresource = {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT,
+                             .mipLevel = (uint32_t)level,
+                             .layerCount = 1},
+        .imageExtent = {(uint32_t)aob_gpu_level_side(texture->width, level),
+                        (uint32_t)aob_gpu_level_side(texture->height, level), 1},
     };
 }
 
-static bool create_image(struct vk *vk, struct vk_texture *texture, struct aob_error *error)
+static void record_move(struct vk *vk, const struct vk_texture *texture, VkImageSubresourceRange range,
+                        VkImageLayout from, VkImageLayout to)
 {
-    VkImageCreateInfo create = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
-        .imageType = VK_IMAGE_TYPE_2D,
-        .format = aob_vk_format(texture->base.format),
-        .extent = {(uint32_t)texture->base.width, (uint32_t)texture->base.height, 1},
-        .mipLevels = 1,
-        .arrayLayers = 1,
-        .samples = VK_SAMPLE_COUNT_1_BIT,
-        .tiling = VK_IMAGE_TILING_OPTIMAL,
-        .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
-                 VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-                 VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-    };
-    if (!aob_vk_ok(vk, vkCreateImage(vk->device, &create, NULL, &texture->image), "create an image", error))
-        return false;
-    VkMemoryRequirements needs;
-    vkGetImageMemoryRequirements(vk->device, texture->image, &needs);
-    return aob_vk_allocate(vk, &needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, &texture->memory, error) &&
-           aob_vk_ok(vk, vkBindImageMemory(vk->device, texture->image, texture->memory, 0), "bind an image",
-                     error);
+    VkImageMemoryBarrier2 move = aob_vk_move(texture->image.image, range, from, to);
+    aob_vk_record_moves(vk->scratch, &move, 1);
 }
 
-static bool create_view(struct vk *vk, struct vk_texture *texture, struct aob_error *error)
+static void record_upload(struct vk *vk, const struct vk_texture *texture, VkBuffer texels)
 {
-    VkImageViewCreateInfo create = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-        .image = texture->image,
-        .viewType = VK_IMAGE_VIEW_TYPE_2D,
-        .format = aob_vk_format(texture->base.format),
-        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1},
-    };
-    return aob_vk_ok(vk, vkCreateImageView(vk->device, &create, NULL, &texture->view), "create an image view",
-                     error);
-}
-
-static void record_layout(struct vk *vk, const struct vk_texture *texture)
-{
-    VkImageMemoryBarrier2 to_general = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
-        .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
-        .newLayout = VK_IMAGE_LAYOUT_GENERAL,
-        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-        .image = texture->image,
-        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1},
-    };
-    vkCmdPipelineBarrier2(vk->scratch, &(VkDependencyInfo){.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                                           .imageMemoryBarrierCount = 1,
-                                                           .pImageMemoryBarriers = &to_general});
+    VkImageSubresourceRange all = aob_vk_levels(0, texture->base.levels);
+    VkImageLayout from = VK_IMAGE_LAYOUT_UNDEFINED, filled = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    VkBufferImageCopy region = whole_level(&texture->base, 0);
+    if (texels) {
+        record_move(vk, texture, all, from, filled);
+        vkCmdCopyBufferToImage(vk->scratch, texels, texture->image.image, filled, 1, &region);
+        from = filled;
+    }
+    record_move(vk, texture, all, from, texture->rest);
 }
 
 static bool upload(struct vk *vk, const struct vk_texture *texture, const void *texels,
@@ -77,64 +71,72 @@ static bool upload(struct vk *vk, const struct vk_texture *texture, const void *
 {
     struct vk_buffer staging = {0};
     if (texels) {
-        size_t size = byte_size(&texture->base);
+        size_t size = aob_gpu_level_bytes(&texture->base, 0);
         if (!aob_vk_buffer_init(vk, size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, &staging, error))
             return false;
         memcpy(staging.map, texels, size);
     }
     bool good = aob_vk_begin(vk, vk->scratch, error);
     if (good) {
-        VkBufferImageCopy region = whole(texture);
-        record_layout(vk, texture);
-        if (texels)
-            vkCmdCopyBufferToImage(vk->scratch, staging.buffer, texture->image, VK_IMAGE_LAYOUT_GENERAL, 1,
-                                   &region);
+        record_upload(vk, texture, staging.buffer);
         good = aob_vk_end(vk, vk->scratch, error) && aob_vk_submit(vk, vk->scratch, NULL, error);
     }
     aob_vk_buffer_finish(vk, &staging);
     return good;
 }
 
-bool aob_vk_texture_create(struct aob_gpu *gpu, enum aob_format format, int width, int height,
-                           const void *texels, struct aob_gpu_texture **texture, struct aob_error *error)
+bool aob_vk_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
+                           struct aob_gpu_texture **texture, struct aob_error *error)
 {
     struct vk *vk = (struct vk *)gpu;
+    int width = desc->width, height = desc->height;
     uint32_t limit = vk->properties.limits.maxImageDimension2D;
     if ((uint32_t)width > limit || (uint32_t)height > limit)
         return aob_fail(error, "vulkan: texture size %dx%d is beyond this device's %u", width, height, limit);
     struct vk_texture *made = AOB_NEW(struct vk_texture);
-    made->base = (struct aob_gpu_texture){.format = format, .width = width, .height = height};
-    if (create_image(vk, made, error) && create_view(vk, made, error) && upload(vk, made, texels, error)) {
+    made->base = aob_gpu_texture_base(desc);
+    made->rest = rest_layout(desc->uses);
+    const struct vk_image_desc image = {.format = aob_vk_format(desc->format),
+                                        .width = width,
+                                        .height = height,
+                                        .levels = made->base.levels,
+                                        .usage = image_usage(desc)};
+    if (aob_vk_image_init(vk, &image, &made->image, error) && upload(vk, made, desc->texels, error)) {
         *texture = &made->base;
         return true;
     }
     aob_vk_texture_destroy(gpu, &made->base);
-    return aob_fail_in(error, "texture %dx%d %s", width, height, aob_gpu_format_layout(format));
+    return aob_fail_in(error, "texture %dx%d %s", width, height, aob_gpu_format_layout(desc->format));
 }
 
 void aob_vk_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture)
 {
-    struct vk *vk = (struct vk *)gpu;
     struct vk_texture *made = (struct vk_texture *)texture;
-    vkDestroyImageView(vk->device, made->view, NULL);
-    vkDestroyImage(vk->device, made->image, NULL);
-    vkFreeMemory(vk->device, made->memory, NULL);
+    aob_vk_image_finish((struct vk *)gpu, &made->image);
     free(made);
 }
 
-bool aob_vk_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels,
+static void record_read(struct vk *vk, const struct vk_texture *texture, int level, VkBuffer texels)
+{
+    VkImageSubresourceRange range = aob_vk_levels(level, 1);
+    VkImageLayout read = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    VkBufferImageCopy region = whole_level(&texture->base, level);
+    record_move(vk, texture, range, texture->rest, read);
+    vkCmdCopyImageToBuffer(vk->scratch, texture->image.image, read, texels, 1, &region);
+    record_move(vk, texture, range, read, texture->rest);
+}
+
+bool aob_vk_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                          struct aob_error *error)
 {
     struct vk *vk = (struct vk *)gpu;
-    const struct vk_texture *made = (const struct vk_texture *)texture;
-    size_t size = byte_size(texture);
+    size_t size = aob_gpu_level_bytes(texture, level);
     struct vk_buffer staging;
     if (!aob_vk_buffer_init(vk, size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &staging, error))
         return false;
     bool good = aob_vk_begin(vk, vk->scratch, error);
     if (good) {
-        VkBufferImageCopy region = whole(made);
-        vkCmdCopyImageToBuffer(vk->scratch, made->image, VK_IMAGE_LAYOUT_GENERAL, staging.buffer, 1, &region);
+        record_read(vk, (const struct vk_texture *)texture, level, staging.buffer);
         good = aob_vk_end(vk, vk->scratch, error) && aob_vk_submit(vk, vk->scratch, NULL, error);
     }
     if (good)

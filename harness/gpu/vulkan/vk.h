@@ -1,6 +1,6 @@
 /* The Vulkan backend's own types. Vulkan 1.3 with dynamic rendering and synchronization2; one queue, one
- * thread; images stay in the GENERAL layout; every submit is waited for, so no object is ever in use between
- * calls. */
+ * thread; between calls all levels of a texture lie in its rest layout, and no object is ever in use, because
+ * every submit is waited for. */
 #ifndef AOB_GPU_VULKAN_VK_H
 #define AOB_GPU_VULKAN_VK_H
 #include <vulkan/vulkan.h>
@@ -32,11 +32,15 @@ struct vk_buffer { /* mapped as long as it lives */
     void *map;
 };
 
-struct vk_texture {
-    struct aob_gpu_texture base;
+struct vk_image {
     VkImage image;
     VkDeviceMemory memory;
-    VkImageView view;
+};
+
+struct vk_texture {
+    struct aob_gpu_texture base;
+    struct vk_image image;
+    VkImageLayout rest; /* between passes, and while it is read */
 };
 
 struct vk_program {
@@ -44,9 +48,11 @@ struct vk_program {
     VkShaderModule vertex, fragment; /* vertex: NULL for the screen triangle */
 };
 
+/* call.c */
 /* True if `result` is success and the validation layer kept quiet; else one line: "vulkan: cannot WHAT: why".
  */
 bool aob_vk_ok(struct vk *vk, VkResult result, const char *what, struct aob_error *error);
+VkFormat aob_vk_format(enum aob_format format);
 
 /* instance.c: instance, messenger, choice of the physical device. */
 bool aob_vk_instance_create(struct vk *vk, bool validate, struct aob_error *error);
@@ -54,16 +60,15 @@ void aob_vk_instance_destroy(struct vk *vk);
 bool aob_vk_choose_device(struct vk *vk, struct aob_error *error);
 
 /* device.c */
-struct aob_gpu *aob_vk_open(const struct aob_gpu_desc *desc, struct aob_error *error);
+struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_desc *desc,
+                            struct aob_error *error);
 void aob_vk_close(struct aob_gpu *gpu);
-VkFormat aob_vk_format(enum aob_format format);
 
-/* commands.c: begin, record, end, then submit and wait, with a time if wanted. */
+/* commands.c: begin (after all that was submitted earlier), record, end, then submit and wait, with a time if wanted. */
 bool aob_vk_begin(struct vk *vk, VkCommandBuffer commands, struct aob_error *error);
 bool aob_vk_end(struct vk *vk, VkCommandBuffer commands, struct aob_error *error);
 bool aob_vk_submit(struct vk *vk, VkCommandBuffer commands, struct aob_gpu_time *time,
                    struct aob_error *error);
-void aob_vk_barrier(VkCommandBuffer commands); /* all earlier writes before all later reads and writes */
 
 /* memory.c */
 bool aob_vk_buffer_init(struct vk *vk, size_t size, VkBufferUsageFlags usage, struct vk_buffer *buffer,
@@ -76,22 +81,56 @@ bool aob_vk_allocate(struct vk *vk, const VkMemoryRequirements *needs, VkMemoryP
 VkShaderModule aob_vk_shader_create(struct vk *vk, const uint32_t *words, size_t word_count,
                                     struct aob_error *error);
 
-/* depth.c: the depth of a pass, float, GENERAL layout after aob_vk_depth_record. */
+/* image.c: an image and its memory; finish also after an init that failed. */
+struct vk_image_desc {
+    VkFormat format;
+    int width, height, levels;
+    VkImageUsageFlags usage;
+};
+bool aob_vk_image_init(struct vk *vk, const struct vk_image_desc *desc, struct vk_image *image,
+                       struct aob_error *error);
+void aob_vk_image_finish(struct vk *vk, struct vk_image *image);
+bool aob_vk_view_create(struct vk *vk, VkImage image, VkFormat format, const VkImageSubresourceRange *range,
+                        VkImageView *view, struct aob_error *error);
+VkImageSubresourceRange aob_vk_levels(int first, int count); /* of a colour image */
+
+/* A move from layout to layout, after all earlier writes and before all later reads and writes. */
+VkImageMemoryBarrier2 aob_vk_move(VkImage image, VkImageSubresourceRange range, VkImageLayout from,
+                                  VkImageLayout to);
+void aob_vk_record_moves(VkCommandBuffer commands, const VkImageMemoryBarrier2 *moves, uint32_t count);
+
+/* depth.c: the depth of a pass, float. aob_vk_depth_move makes it an attachment of undefined content. */
 struct vk_depth {
-    VkImage image;
-    VkDeviceMemory memory;
+    struct vk_image image;
     VkImageView view;
 };
 #define AOB_VK_DEPTH_FORMAT VK_FORMAT_D32_SFLOAT
 bool aob_vk_depth_init(struct vk *vk, int width, int height, struct vk_depth *depth, struct aob_error *error);
 void aob_vk_depth_finish(struct vk *vk, struct vk_depth *depth);
-void aob_vk_depth_record(const struct vk_depth *depth, VkCommandBuffer commands);
+VkImageMemoryBarrier2 aob_vk_depth_move(const struct vk_depth *depth);
+
+/* binds.c: what a pass reads. */
+struct vk_binds {
+    struct vk_buffer uniforms;
+    VkImageView views[AOB_GPU_MAX_BINDING];
+    VkDescriptorSetLayout set_layout;
+    VkDescriptorPool pool;
+    VkDescriptorSet set; /* NULL: the pass reads nothing */
+    VkPipelineLayout layout;
+};
+bool aob_vk_binds_init(struct vk *vk, const struct aob_gpu_pass_desc *desc, struct vk_binds *binds,
+                       struct aob_error *error);
+void aob_vk_binds_finish(struct vk *vk, struct vk_binds *binds);
+
+/* pipeline.c: how a pass draws. False also where the device cannot draw to such targets. */
+bool aob_vk_pipeline_create(struct vk *vk, const struct aob_gpu_pass_desc *desc, VkPipelineLayout layout,
+                            VkPipeline *pipeline, struct aob_error *error);
 
 /* The table's slots, texture.c, shader.c and pass.c. */
-bool aob_vk_texture_create(struct aob_gpu *gpu, enum aob_format format, int width, int height,
-                           const void *texels, struct aob_gpu_texture **texture, struct aob_error *error);
+bool aob_vk_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
+                           struct aob_gpu_texture **texture, struct aob_error *error);
 void aob_vk_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
-bool aob_vk_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, void *texels,
+bool aob_vk_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                          struct aob_error *error);
 bool aob_vk_program_create(struct aob_gpu *gpu, const char *vertex, const char *fragment,
                            struct aob_gpu_program **program, struct aob_error *error);
@@ -99,6 +138,8 @@ void aob_vk_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program
 bool aob_vk_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass **pass,
                         struct aob_error *error);
 void aob_vk_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
+bool aob_vk_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
+                              struct aob_error *error);
 bool aob_vk_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
                      struct aob_error *error);
 #endif

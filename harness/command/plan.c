@@ -1,0 +1,57 @@
+#include "plan/plan.h"
+#include <stdio.h>
+#include "base/json.h"
+#include "command.h"
+#include "run/record.h"
+#include "run/sweep.h"
+
+static bool write_plan(const struct aob_plan *plan, const char *json, struct aob_error *error)
+{
+    json_t *cases = json_array();
+    for (size_t i = 0; i < plan->case_count; i++)
+        json_array_append_new(cases, aob_record_create(&(struct aob_record_desc){
+                                         .config = plan->config, .c = &plan->cases[i], .status = "planned"}));
+    json_t *document = json_pack("{s:s, s:f, s:o}", "name", plan->config->name, "estimated_s",
+                                 aob_plan_estimate_s(plan), "cases", cases);
+    bool ok = aob_json_write(document, json, error);
+    json_decref(document);
+    return ok;
+}
+
+static void print_plan(const struct aob_plan *plan, bool quiet)
+{
+    for (size_t i = 0; i < plan->case_count && !quiet; i++) {
+        struct aob_text text = {0};
+        aob_case_describe(plan, &plan->cases[i], &text);
+        printf("%s\n", text.data);
+        aob_text_finish(&text);
+    }
+    long seconds = (long)aob_plan_estimate_s(plan);
+    printf("%zu cases, about %ld:%02ld minutes\n", plan->case_count, seconds / 60, seconds % 60);
+}
+
+static enum aob_exit plan(void *options, struct aob_error *error)
+{
+    const struct aob_common *common = options;
+    struct aob_sweep sweep = {0};
+    bool ok = aob_config_read(&sweep.config, common->words.items[0], error) &&
+              aob_sweep_expand(&sweep, &common->dispatch, error);
+    if (ok && common->json)
+        ok = write_plan(&sweep.plan, common->json, error);
+    else if (ok)
+        print_plan(&sweep.plan, common->quiet);
+    aob_sweep_finish(&sweep);
+    return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
+}
+
+const struct aob_command aob_command_plan = {
+    .name = "plan",
+    .help = "the cases that a config comes to",
+    .usage = "CONFIG",
+    .summary = "The expanded cases, their number and the estimated time.",
+    .modules = true,
+    .least = 1,
+    .most = 1,
+    .size = sizeof(struct aob_common),
+    .run = plan,
+};

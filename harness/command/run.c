@@ -1,0 +1,48 @@
+#include "run/run.h"
+#include "command.h"
+
+struct options {
+    struct aob_common common;
+    const char *out, *filter;
+    bool resume, fresh;
+};
+
+static const struct aob_flag flags[] = {
+    {"out", "DIR", "where the run goes (results/NAME)", AOB_FLAG_TEXT, offsetof(struct options, out)},
+    {"resume", NULL, "go on where DIR stopped (the default, if the config is the same)", AOB_FLAG_SWITCH,
+     offsetof(struct options, resume)},
+    {"fresh", NULL, "discard what DIR holds", AOB_FLAG_SWITCH, offsetof(struct options, fresh)},
+    {"filter", "TEXT", "only cases whose line in `plan` holds the text", AOB_FLAG_TEXT,
+     offsetof(struct options, filter)},
+    {0},
+};
+
+static enum aob_exit run(void *from, struct aob_error *error)
+{
+    const struct options *options = from;
+    if (options->resume && options->fresh) {
+        aob_fail(error, "run: give --resume or --fresh, not both");
+        return AOB_EXIT_USAGE;
+    }
+    return aob_run(&(struct aob_run_desc){.dispatch = options->common.dispatch,
+                                          .config = options->common.words.items[0],
+                                          .out = options->out,
+                                          .filter = options->filter,
+                                          .json = options->common.json,
+                                          .fresh = options->fresh,
+                                          .quiet = options->common.quiet},
+                   error);
+}
+
+const struct aob_command aob_command_run_config = {
+    .name = "run",
+    .help = "a sweep: times, errors, images, report",
+    .usage = "CONFIG [--out DIR] [--resume|--fresh] [--filter TEXT] [--module FILE.so]",
+    .summary = "The sweep: journal, images, report.",
+    .flags = flags,
+    .modules = true,
+    .least = 1,
+    .most = 1,
+    .size = sizeof(struct options),
+    .run = run,
+};

@@ -1,0 +1,132 @@
+#include "vk.h"
+#include "base/memory.h"
+
+static const VkPipelineVertexInputStateCreateInfo no_vertices = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
+};
+static const VkPipelineInputAssemblyStateCreateInfo triangles = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
+    .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
+};
+static const VkPipelineRasterizationStateCreateInfo fill = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+    .lineWidth = 1,
+};
+static const VkPipelineDepthStencilStateCreateInfo greater_wins = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
+    .depthTestEnable = VK_TRUE,
+    .depthWriteEnable = VK_TRUE,
+    .depthCompareOp = VK_COMPARE_OP_GREATER,
+};
+static const VkPipelineMultisampleStateCreateInfo one_sample = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
+    .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT,
+};
+
+static VkPipelineShaderStageCreateInfo describe_stage(VkShaderStageFlagBits stage, VkShaderModule module)
+{
+    return (VkPipelineShaderStageCreateInfo){.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                                             .stage = stage,
+                                             .module = module,
+                                             .pName = "main"};
+}
+
+static VkPipelineColorBlendStateCreateInfo
+describe_output(const struct aob_gpu_pass_desc *desc,
+                VkPipelineColorBlendAttachmentState outputs[AOB_MAX_OUT])
+{
+    for (size_t i = 0; i < desc->target_count; i++)
+        outputs[i] = (VkPipelineColorBlendAttachmentState){.blendEnable = desc->blend == AOB_GPU_ADD,
+                                                           .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
+                                                           .dstColorBlendFactor = VK_BLEND_FACTOR_ONE,
+                                                           .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+                                                           .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+                                                           .colorWriteMask = 0xf};
+    return (VkPipelineColorBlendStateCreateInfo){
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+        .attachmentCount = (uint32_t)desc->target_count,
+        .pAttachments = outputs,
+    };
+}
+
+static bool can_draw(const struct vk *vk, const struct aob_gpu_pass_desc *desc, struct aob_error *error)
+{
+    const VkPhysicalDeviceLimits *limits = &vk->properties.limits;
+    uint32_t most = limits->maxColorAttachments < limits->maxFragmentOutputAttachments
+                        ? limits->maxColorAttachments
+                        : limits->maxFragmentOutputAttachments;
+    if (desc->target_count > most)
+        return aob_fail(
+            error, "vulkan: pass with %zu targets: %s draws to %u at most: use another device or backend",
+            desc->target_count, vk->properties.deviceName, most);
+    for (size_t i = 0; desc->blend != AOB_GPU_REPLACE && i < desc->target_count; i++) {
+        enum aob_format format = desc->targets[i].texture->format;
+        VkFormatProperties can;
+        vkGetPhysicalDeviceFormatProperties(vk->physical, aob_vk_format(format), &can);
+        if (!(can.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
+            return aob_fail(error, "vulkan: %s cannot blend to %s: use another device or backend",
+                            vk->properties.deviceName, aob_gpu_format_layout(format));
+    }
+    return true;
+}
+
+static VkPipelineRenderingCreateInfo describe_targets(const struct aob_gpu_pass_desc *desc,
+                                                      VkFormat formats[AOB_MAX_OUT])
+{
+    for (size_t i = 0; i < desc->target_count; i++)
+        formats[i] = aob_vk_format(desc->targets[i].texture->format);
+    return (VkPipelineRenderingCreateInfo){.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+                                           .colorAttachmentCount = (uint32_t)desc->target_count,
+                                           .pColorAttachmentFormats = formats,
+                                           .depthAttachmentFormat =
+                                               desc->depth_test ? AOB_VK_DEPTH_FORMAT : VK_FORMAT_UNDEFINED};
+}
+
+static VkPipelineViewportStateCreateInfo describe_area(const struct aob_gpu_pass_desc *desc,
+                                                       VkViewport *viewport, VkRect2D *scissor)
+{
+    *scissor = (VkRect2D){.extent = {(uint32_t)desc->width, (uint32_t)desc->height}};
+    *viewport = (VkViewport){.width = (float)desc->width, .height = (float)desc->height, .maxDepth = 1};
+    return (VkPipelineViewportStateCreateInfo){
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
+        .viewportCount = 1,
+        .pViewports = viewport,
+        .scissorCount = 1,
+        .pScissors = scissor,
+    };
+}
+
+bool aob_vk_pipeline_create(struct vk *vk, const struct aob_gpu_pass_desc *desc, VkPipelineLayout layout,
+                            VkPipeline *pipeline, struct aob_error *error)
+{
+    if (!can_draw(vk, desc, error))
+        return false;
+    const struct vk_program *program = (const struct vk_program *)desc->program;
+    VkPipelineShaderStageCreateInfo stages[] = {
+        describe_stage(VK_SHADER_STAGE_VERTEX_BIT, program->vertex ? program->vertex : vk->triangle),
+        describe_stage(VK_SHADER_STAGE_FRAGMENT_BIT, program->fragment),
+    };
+    VkFormat formats[AOB_MAX_OUT];
+    VkPipelineColorBlendAttachmentState outputs[AOB_MAX_OUT];
+    VkViewport viewport;
+    VkRect2D scissor;
+    VkPipelineRenderingCreateInfo targets = describe_targets(desc, formats);
+    VkPipelineViewportStateCreateInfo area = describe_area(desc, &viewport, &scissor);
+    VkPipelineColorBlendStateCreateInfo output = describe_output(desc, outputs);
+    VkGraphicsPipelineCreateInfo create = {
+        .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
+        .pNext = &targets,
+        .stageCount = AOB_COUNT(stages),
+        .pStages = stages,
+        .pVertexInputState = &no_vertices,
+        .pInputAssemblyState = &triangles,
+        .pViewportState = &area,
+        .pRasterizationState = &fill,
+        .pMultisampleState = &one_sample,
+        .pDepthStencilState = desc->depth_test ? &greater_wins : NULL,
+        .pColorBlendState = &output,
+        .layout = layout,
+    };
+    return aob_vk_ok(vk, vkCreateGraphicsPipelines(vk->device, NULL, 1, &create, NULL, pipeline),
+                     "create a pipeline", error);
+}

@@ -1,0 +1,138 @@
+#include "block_job.h"
+#include <stdint.h>
+#include <stdlib.h>
+#include "base/json.h"
+#include "base/memory.h"
+
+static json_t *targets_to_json(const struct aob_block_job *job)
+{
+    json_t *targets = json_array();
+    for (size_t i = 0; i < job->target_count; i++) {
+        const struct aob_block_target *t = &job->targets[i];
+        json_array_append_new(targets,
+                              json_pack("{s:o, s:b, s:s?, s:b}", "radius", aob_json_number(t->radius),
+                                        "uniform", t->uniform, "truth", t->truth, "bent", t->bent));
+    }
+    return targets;
+}
+
+static json_t *case_to_json(const struct aob_block_case *c)
+{
+    return json_pack("{s:s, s:o, s:o, s:I, s:s?, s:s?, s:s?}", "technique", c->technique, "params",
+                     aob_json_vector(c->params, c->param_count), "options",
+                     aob_json_vector(c->options, AOB_OPTION_COUNT), "target", (json_int_t)c->target,
+                     "definition", c->definition, "screen", c->screen, "image", c->image);
+}
+
+json_t *aob_block_job_to_json(const struct aob_block_job *job)
+{
+    json_t *cases = json_array();
+    for (size_t i = 0; i < job->case_count; i++)
+        json_array_append_new(cases, case_to_json(&job->cases[i]));
+    json_t *object =
+        json_pack("{s:s, s:o, s:s, s:b, s:b, s:b, s:b, s:b, s:f, s:o, s:o}", "job", "block", "modules",
+                  aob_modules_to_json(&job->modules), "backend", job->backend, "validate", job->validate,
+                  "raster", job->raster, "triangles", job->triangles, "time", job->time, "error", job->error,
+                  "seconds", job->seconds, "targets", targets_to_json(job), "cases", cases);
+    aob_job_view_to_json(&job->view, object);
+    return object;
+}
+
+static bool read_targets(const json_t *array, struct aob_block_job *job, struct aob_error *error)
+{
+    job->targets = AOB_NEW_ARRAY(struct aob_block_target, json_array_size(array));
+    for (size_t i = 0; i < json_array_size(array); i++) {
+        const json_t *object = json_array_get(array, i);
+        job->targets[job->target_count++] =
+            (struct aob_block_target){aob_json_to_number(json_object_get(object, "radius")),
+                                      json_is_true(json_object_get(object, "uniform")),
+                                      json_string_value(json_object_get(object, "truth")),
+                                      json_is_true(json_object_get(object, "bent"))};
+        if (!(job->targets[i].radius > 0))
+            return aob_fail(error, "target %zu of a block job has no radius", i);
+    }
+    return true;
+}
+
+static bool read_case(const json_t *object, const struct aob_block_job *job, struct aob_block_case *c,
+                      struct aob_error *error)
+{
+    const json_t *params = json_object_get(object, "params");
+    *c = (struct aob_block_case){.technique = json_string_value(json_object_get(object, "technique")),
+                                 .param_count = json_array_size(params),
+                                 .target = (size_t)json_integer_value(json_object_get(object, "target")),
+                                 .definition = json_string_value(json_object_get(object, "definition")),
+                                 .screen = json_string_value(json_object_get(object, "screen")),
+                                 .image = json_string_value(json_object_get(object, "image"))};
+    if (!c->technique || c->param_count > AOB_MAX_PARAM ||
+        !aob_json_to_vector(params, c->params, c->param_count))
+        return aob_fail(error, "a block job's case has no technique with its parameters");
+    if (!aob_json_to_vector(json_object_get(object, "options"), c->options, AOB_OPTION_COUNT))
+        return aob_fail(error, "a block job's case has not %d options", AOB_OPTION_COUNT);
+    return c->target < job->target_count || job->target_count == 0 ||
+           aob_fail(error, "a block job's case has target %zu of %zu", c->target, job->target_count);
+}
+
+static bool read_cases(const json_t *array, struct aob_block_job *job, struct aob_error *error)
+{
+    size_t count = json_array_size(array);
+    if (count < 1 || count > AOB_BLOCK_MAX)
+        return aob_fail(error, "a block job has %zu cases: there must be 1 .. %d", count, AOB_BLOCK_MAX);
+    job->cases = AOB_NEW_ARRAY(struct aob_block_case, count);
+    job->case_count = count;
+    for (size_t i = 0; i < count; i++)
+        if (!read_case(json_array_get(array, i), job, &job->cases[i], error))
+            return false;
+    return true;
+}
+
+static bool read_flags(const json_t *object, struct aob_block_job *job, struct aob_error *error)
+{
+    int validate, raster, triangles, time, score;
+    if (json_unpack((json_t *)(uintptr_t)object, "{s:s, s:b, s:b, s:b, s:b, s:b, s:F}", "backend",
+                    &job->backend, "validate", &validate, "raster", &raster, "triangles", &triangles, "time",
+                    &time, "error", &score, "seconds", &job->seconds) != 0)
+        return aob_fail(error, "a block job lacks a field");
+    job->validate = validate;
+    job->raster = raster;
+    job->triangles = triangles;
+    job->time = time;
+    job->error = score;
+    return true;
+}
+
+bool aob_block_job_from_json(const json_t *object, struct aob_block_job *job, struct aob_error *error)
+{
+    *job = (struct aob_block_job){0};
+    if (read_flags(object, job, error) && aob_job_view_from_json(object, &job->view, error) &&
+        read_targets(json_object_get(object, "targets"), job, error) &&
+        read_cases(json_object_get(object, "cases"), job, error)) {
+        aob_modules_from_json(json_object_get(object, "modules"), &job->modules);
+        return true;
+    }
+    aob_block_job_finish(job);
+    return false;
+}
+
+void aob_block_job_finish(struct aob_block_job *job)
+{
+    aob_modules_finish(&job->modules);
+    free(job->targets);
+    free(job->cases);
+    *job = (struct aob_block_job){0};
+}
+
+json_t *aob_block_shares_to_json(const struct aob_block_shares *shares)
+{
+    return json_pack("{s:{s:f, s:f, s:f}}", "shares", "measured_s", shares->measured, "warmup_s",
+                     shares->warmup, "images_s", shares->images);
+}
+
+bool aob_block_shares_from_json(const json_t *object, struct aob_block_shares *shares)
+{
+    const json_t *s = json_object_get(object, "shares");
+    *shares = (struct aob_block_shares){.measured = json_number_value(json_object_get(s, "measured_s")),
+                                        .warmup = json_number_value(json_object_get(s, "warmup_s")),
+                                        .images = json_number_value(json_object_get(s, "images_s"))};
+    return json_is_object(s);
+}

@@ -1,0 +1,85 @@
+#include "term.h"
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include "base/json.h"
+#include "base/memory.h"
+
+bool aob_term_same_trace(const struct aob_term *a, const struct aob_term *b)
+{
+    if (a->uniform != b->uniform || a->of_triangle != b->of_triangle || a->bound != b->bound)
+        return false;
+    return !a->bound || a->thickness == b->thickness;
+}
+
+json_t *aob_term_to_json(const struct aob_term *term)
+{
+    json_t *falloff = term->falloff ? json_array() : json_null();
+    for (size_t i = 0; term->falloff && i < term->falloff_count; i++)
+        json_array_append_new(falloff, aob_json_number((double)term->falloff[i]));
+    json_t *object = json_pack("{s:o, s:b, s:o, s:b}", "radius", aob_json_number(term->radius), "uniform",
+                               term->uniform, "falloff", falloff, "of_triangle", term->of_triangle);
+    if (term->bound)
+        aob_term_set_bound(object, term->thickness);
+    if (term->bent)
+        json_object_set_new(object, "bent", json_true());
+    return object;
+}
+
+void aob_term_set_bound(json_t *term, double thickness)
+{
+    json_object_set_new(term, "screen", aob_json_number(thickness));
+}
+
+static bool read_falloff(const json_t *array, struct aob_term *term, struct aob_error *error)
+{
+    size_t count = json_array_size(array);
+    if (!json_is_array(array))
+        return true;
+    if (count < 2)
+        return aob_fail(error, "a term's falloff has %zu rows: two or more are needed", count);
+    float *table = AOB_NEW_ARRAY(float, count);
+    term->falloff = table;
+    term->falloff_count = count;
+    for (size_t i = 0; i < count; i++) {
+        table[i] = (float)aob_json_to_number(json_array_get(array, i));
+        if (!isfinite(table[i]))
+            return aob_fail(error, "row %zu of a term's falloff is no finite number", i);
+    }
+    return true;
+}
+
+bool aob_term_from_json(const json_t *object, struct aob_term *term, struct aob_error *error)
+{
+    const json_t *thickness = json_object_get(object, "screen");
+    *term = (struct aob_term){.radius = aob_json_to_number(json_object_get(object, "radius")),
+                              .uniform = json_is_true(json_object_get(object, "uniform")),
+                              .of_triangle = json_is_true(json_object_get(object, "of_triangle")),
+                              .bent = json_is_true(json_object_get(object, "bent")),
+                              .bound = thickness != NULL,
+                              .thickness = thickness ? aob_json_to_number(thickness) : 0};
+    if (!(term->radius > 0))
+        return aob_fail(error, "a term has no radius above 0");
+    if (!(term->thickness >= 0))
+        return aob_fail(error, "a term's bound has no thickness");
+    if (read_falloff(json_object_get(object, "falloff"), term, error))
+        return true;
+    aob_term_finish(term);
+    return false;
+}
+
+void aob_term_finish(struct aob_term *term)
+{
+    free((void *)(uintptr_t)term->falloff);
+    *term = (struct aob_term){0};
+}
+
+double aob_term_falloff(const struct aob_term *term, double t)
+{
+    if (!term->falloff)
+        return 1;
+    double place = sqrt(t) * (double)(term->falloff_count - 1);
+    size_t low = place < (double)(term->falloff_count - 2) ? (size_t)place : term->falloff_count - 2;
+    double a = (double)term->falloff[low], b = (double)term->falloff[low + 1];
+    return a + (b - a) * (place - (double)low);
+}

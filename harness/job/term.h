@@ -1,0 +1,37 @@
+/* One visibility that a case is compared with, as it travels between processes: {radius, uniform, falloff, of_triangle,
+ * screen, bent}. `screen` is there for what is traced against the screen-space bound only, `bent` where the mean open
+ * direction is wanted too. The text of this object, keys in
+ * this order, is a part of the name of the cached file, so the run hands it on as it is. */
+#ifndef AOB_JOB_TERM_H
+#define AOB_JOB_TERM_H
+#include <jansson.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include "base/error.h"
+
+struct aob_term {
+    double radius; /* scene units; INFINITY allowed */
+    bool uniform,
+        of_triangle;      /* weighting of directions; how the distance of an occluder is meant (tracer.h) */
+    const float *falloff; /* what an occluder counts, over the root of its share of the radius; NULL: 1 */
+    size_t falloff_count; /* rows of that table, 2 or more */
+    bool bent;            /* the mean open direction is wanted too: channels B.X B.Y B.Z of its file */
+    bool bound;           /* traced against the screen-space bound, */
+    double thickness;     /* whose surfaces are so thick; 0: thin, INFINITY: as far as they go */
+};
+
+/* Whether one set of rays serves both: same weighting, distance and surface. A cosine term that is traced beside a
+ * uniform one has other noise, and a cached file must not depend on what else was wanted when it was made. */
+bool aob_term_same_trace(const struct aob_term *a, const struct aob_term *b);
+
+json_t *aob_term_to_json(const struct aob_term *term); /* a new object */
+void aob_term_set_bound(json_t *term, double thickness);
+
+/* False with a line unless it has a radius above 0 and, if any, a table of numbers. Allocates the table;
+ * aob_term_finish frees it. */
+bool aob_term_from_json(const json_t *object, struct aob_term *term, struct aob_error *error);
+void aob_term_finish(struct aob_term *term);
+
+/* What an occluder at a share t of the radius counts, t in [0, 1]; linear in the root of t between the rows. */
+double aob_term_falloff(const struct aob_term *term, double t);
+#endif

@@ -1,0 +1,157 @@
+#include "plan_scene.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/memory.h"
+#include "base/table.h"
+#include "scene/scene_folder.h"
+#include "scene/source.h"
+
+static bool choose_view(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                        struct aob_error *error)
+{
+    const struct aob_view *view = aob_scene_view(scene->info, choice->view);
+    if (view) {
+        scene->camera = view->camera;
+        scene->view = aob_strdup(view->name);
+        return true;
+    }
+    struct aob_text all = {0};
+    for (size_t i = 0; i < scene->info->view_count; i++)
+        aob_text_add(&all, "%s%s", i ? ", " : "", scene->info->views[i].name);
+    aob_fail(error, "scene '%s' has no view '%s'; it has %s", scene->name, choice->view, all.data);
+    aob_text_finish(&all);
+    return false;
+}
+
+static struct aob_vec3 from_array(const double v[3])
+{
+    return aob_vec(v[0], v[1], v[2]);
+}
+
+static bool choose_camera(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                          struct aob_error *error)
+{
+    if (choice->has_camera) {
+        scene->view = aob_strdup("camera");
+        scene->camera = (struct aob_camera){.eye = from_array(choice->eye),
+                                            .target = from_array(choice->target),
+                                            .fov_deg = choice->fov_deg,
+                                            .ortho_height = choice->ortho ? choice->ortho_height : 0,
+                                            .shift = {choice->shift[0], choice->shift[1]},
+                                            .moves = choice->moves,
+                                            .previous_eye = from_array(choice->previous.eye),
+                                            .previous_target = from_array(choice->previous.target)};
+        return aob_camera_check(&scene->camera, error);
+    }
+    if (scene->info)
+        return choose_view(scene, choice, error);
+    if (choice->view)
+        return aob_fail(error,
+                        "scene '%s' is a mesh file and has no named views: give eye, target and fov_deg",
+                        scene->name);
+    scene->view = aob_strdup("framed");
+    scene->framed = true;
+    return true;
+}
+
+static bool fail_unknown(const char *name, const struct aob_scene_folder *folder, struct aob_error *error)
+{
+    struct aob_text all = {0};
+    for (const struct aob_scene_info *const *s = aob_scenes; *s; s++)
+        aob_text_add(&all, "%s%s", s == aob_scenes ? "" : ", ", (*s)->name);
+    for (size_t i = 0; i < folder->count; i++)
+        aob_text_add(&all, ", %s", folder->files[i].name);
+    aob_fail(error, "unknown scene '%s'; there are %s", name, all.data);
+    aob_text_finish(&all);
+    return false;
+}
+
+/* A listed scene, one of the user's folder by its name, or a mesh file. */
+static bool find_scene(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                       struct aob_error *error)
+{
+    struct aob_scene_folder folder;
+    scene->info = choice->name ? aob_scene_find(choice->name) : NULL;
+    scene->name = aob_strdup(choice->name ? choice->name : choice->file);
+    scene->metres_per_unit = scene->info ? scene->info->metres_per_unit : 1;
+    scene->file = aob_strdup(scene->info ? scene->info->file : choice->file);
+    if (scene->info || choice->file)
+        return true;
+    if (!aob_scene_folder_read(&folder, error))
+        return aob_fail_in(error, "unknown scene '%s'", scene->name);
+    scene->file = aob_strdup(aob_scene_folder_find(&folder, scene->name));
+    bool ok = scene->file || fail_unknown(scene->name, &folder, error);
+    aob_scene_folder_finish(&folder);
+    return ok;
+}
+
+/* A frame of another renderer, of the size and seen by the camera that it was loaded with. */
+static bool choose_capture(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                           struct aob_error *error)
+{
+    struct aob_text name = {0};
+    aob_text_add(&name, "capture:%s", choice->capture);
+    scene->name = name.data;
+    scene->gbuffer = choice->gbuffer;
+    scene->width = choice->width;
+    scene->height = choice->height;
+    scene->metres_per_unit = 1;
+    memcpy(scene->digest, choice->digest, sizeof scene->digest);
+    memcpy(scene->geometry, choice->geometry, sizeof scene->geometry);
+    bool ok = choose_camera(scene, choice, error);
+    free(scene->view);
+    scene->view = aob_strdup("capture");
+    return ok;
+}
+
+/* The digest of a mesh takes a pass over its triangles or its file, so views of one scene share it. */
+static bool find_digest(struct aob_plan *plan, size_t index, struct aob_table *seen, struct aob_error *error)
+{
+    struct aob_plan_scene *scene = &plan->scenes[index];
+    struct aob_text source = {0};
+    aob_text_add(&source, "%s %s", scene->file ? "file" : "scene", scene->file ? scene->file : scene->name);
+    size_t first = aob_table_put(seen, source.data, index);
+    aob_text_finish(&source);
+    if (first != index)
+        memcpy(scene->geometry, plan->scenes[first].geometry, sizeof scene->geometry);
+    else if (!aob_source_digest(scene->info, scene->file, scene->geometry, error))
+        return scene->info && scene->info->package && !aob_file_exists(scene->file)
+                   ? aob_fail(error, "scene '%s' needs %s: apt-get install %s", scene->name, scene->file,
+                              scene->info->package)
+                   : false;
+    aob_source_import_digest(scene->file, scene->geometry, scene->digest);
+    return true;
+}
+
+static bool choose_scene(struct aob_plan *plan, size_t index, struct aob_table *seen, struct aob_error *error)
+{
+    const struct aob_scene_choice *choice = &plan->config->scenes[index];
+    struct aob_plan_scene *scene = &plan->scenes[index];
+    if (choice->capture)
+        return choose_capture(scene, choice, error);
+    return find_scene(scene, choice, error) && find_digest(plan, index, seen, error) &&
+           choose_camera(scene, choice, error);
+}
+
+bool aob_plan_choose_scenes(struct aob_plan *plan, struct aob_error *error)
+{
+    const struct aob_config *config = plan->config;
+    struct aob_table seen = {0};
+    bool ok = true;
+    plan->scene_count = config->scene_count;
+    plan->scenes = AOB_NEW_ARRAY(struct aob_plan_scene, config->scene_count);
+    for (size_t i = 0; ok && i < config->scene_count; i++)
+        ok = choose_scene(plan, i, &seen, error) ||
+             aob_config_fail_at(config, config->scenes[i].line, config->scenes[i].column, error);
+    aob_table_finish(&seen);
+    return ok;
+}
+
+void aob_plan_scene_finish(struct aob_plan_scene *scene)
+{
+    free(scene->name);
+    free(scene->file);
+    free(scene->view);
+    free(scene->targets);
+}

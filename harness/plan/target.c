@@ -1,0 +1,77 @@
+#include "target.h"
+#include <math.h>
+#include <stdlib.h>
+#include "base/memory.h"
+#include "base/table.h"
+#include "technique/param.h"
+
+static void add_target(struct aob_plan_scene *scene, struct aob_target target)
+{
+    *AOB_PUSH(scene->targets, scene->target_count, scene->target_capacity) = target;
+}
+
+/* Nine digits tell any two floats apart. */
+static void add_radius(struct aob_plan *plan, struct aob_table *seen, const struct aob_case *c)
+{
+    struct aob_plan_scene *scene = &plan->scenes[c->scene - plan->scenes];
+    double radius = aob_case_radius(c);
+    struct aob_text text = {0};
+    aob_text_add(&text, "%zu %.9g", (size_t)(c->scene - plan->scenes), radius);
+    size_t number = seen->count;
+    if (!isnan(radius) && aob_table_put(seen, text.data, number) == number)
+        add_target(scene, (struct aob_target){.radius = radius});
+    aob_text_finish(&text);
+}
+
+void aob_plan_add_targets(struct aob_plan *plan)
+{
+    const struct aob_config *config = plan->config;
+    struct aob_table seen = {0};
+    for (size_t i = 0; !config->target_count && i < plan->case_count; i++)
+        add_radius(plan, &seen, &plan->cases[i]);
+    for (size_t i = 0; i < plan->scene_count; i++) {
+        struct aob_plan_scene *scene = &plan->scenes[i];
+        for (size_t t = 0; t < config->target_count; t++)
+            add_target(scene, config->targets[t]);
+        if (!scene->target_count)
+            add_target(scene, (struct aob_target){.radius = (double)(float)(1 / scene->metres_per_unit)});
+    }
+    aob_table_finish(&seen);
+}
+
+bool aob_plan_settle_targets(struct aob_plan *plan, struct aob_error *error)
+{
+    for (size_t i = 0; i < plan->scene_count; i++) {
+        struct aob_plan_scene *scene = &plan->scenes[i];
+        if (!plan->config->measure_error)
+            scene->target_count = 0;
+        if (scene->target_count > AOB_CONFIG_MAX_TARGETS) {
+            aob_fail(
+                error,
+                "%zu radii would each be a target, %d at most: name the question with target: {radius: R}",
+                scene->target_count, AOB_CONFIG_MAX_TARGETS);
+            return aob_config_fail_at(plan->config, 0, 0, error);
+        }
+    }
+    for (size_t i = 0; i < plan->case_count; i++) {
+        struct aob_case *c = &plan->cases[i];
+        c->reference_radius = c->scene->target_count ? c->scene->targets[aob_case_own_target(c)].radius : 0;
+    }
+    return true;
+}
+
+double aob_case_radius(const struct aob_case *c)
+{
+    const struct aob_param *radius =
+        aob_param_find(c->technique->params, c->technique->param_count, "radius");
+    return radius ? c->params[radius - c->technique->params] : NAN;
+}
+
+size_t aob_case_own_target(const struct aob_case *c)
+{
+    double radius = aob_case_radius(c);
+    for (size_t i = 0; i < c->scene->target_count; i++)
+        if (c->scene->targets[i].radius == radius)
+            return i;
+    return 0;
+}

@@ -1,0 +1,53 @@
+#include "info.h"
+#include <string.h>
+#include <time.h>
+#include "base/memory.h"
+
+/* Those of the plan, so that a page can say what was measured. */
+static json_t *techniques_to_json(const struct aob_sweep *sweep)
+{
+    json_t *array = json_array();
+    for (size_t t = 0; t < sweep->techniques.count; t++) {
+        bool used = false;
+        for (size_t i = 0; i < sweep->plan.case_count && !used; i++)
+            used = sweep->plan.cases[i].technique == &sweep->techniques.items[t];
+        if (used)
+            json_array_append_new(array, aob_technique_info_to_json(&sweep->techniques.items[t]));
+    }
+    return array;
+}
+
+static json_t *keys_to_json(const struct aob_plan *plan)
+{
+    json_t *keys = json_array();
+    for (size_t i = 0; i < plan->case_count; i++)
+        json_array_append_new(keys, json_string(plan->cases[i].key));
+    return keys;
+}
+
+static json_t *probe_devices(const struct aob_sweep *sweep, const struct aob_dispatch *dispatch)
+{
+    json_t *devices = json_object();
+    for (size_t i = 0; i < sweep->config.backend_count; i++) {
+        const char *backend = sweep->config.backends[i].text;
+        json_t *device =
+            json_object_get(devices, backend) ? NULL : aob_dispatch_probe(dispatch, backend, NULL);
+        if (!json_object_get(devices, backend))
+            json_object_set_new(devices, backend, device ? device : json_null());
+    }
+    return devices;
+}
+
+json_t *aob_run_info_create(const struct aob_sweep *sweep, const struct aob_dispatch *dispatch,
+                            struct aob_error *error)
+{
+    char date[32], build[AOB_KEY_SIZE];
+    time_t now = time(NULL);
+    if (!aob_hash_file(dispatch->program, build, error))
+        return NULL;
+    strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:o}", "name", sweep->config.name,
+                     "config_hash", sweep->config.hash, "build", build, "program", AOBUDGET_VERSION, "date",
+                     date, "cases", (int)sweep->plan.case_count, "keys", keys_to_json(&sweep->plan),
+                     "techniques", techniques_to_json(sweep), "devices", probe_devices(sweep, dispatch));
+}

@@ -1,0 +1,55 @@
+#include "measurement.h"
+#include <stdlib.h>
+#include "base/file.h"
+#include "base/memory.h"
+
+/* Cases of one view together, else in the plan's order. */
+static int by_view(const void *a, const void *b, void *user)
+{
+    const struct aob_case *cases = user;
+    size_t i = *(const size_t *)a, j = *(const size_t *)b;
+    const struct aob_case *p = &cases[i], *q = &cases[j];
+    if (p->scene != q->scene)
+        return p->scene < q->scene ? -1 : 1;
+    if (p->width != q->width)
+        return p->width < q->width ? -1 : 1;
+    if (p->height != q->height)
+        return p->height < q->height ? -1 : 1;
+    return (i > j) - (i < j);
+}
+
+static void sort_by_view(struct aob_measurement *m)
+{
+    size_t count = m->plan->case_count;
+    m->by_view = AOB_NEW_ARRAY(size_t, count);
+    m->place = AOB_NEW_ARRAY(size_t, count);
+    for (size_t i = 0; i < count; i++)
+        m->by_view[i] = i;
+    qsort_r(m->by_view, count, sizeof *m->by_view, by_view, m->plan->cases);
+    for (size_t i = 0; i < count; i++)
+        m->place[m->by_view[i]] = i;
+}
+
+bool aob_measurement_init(struct aob_measurement *m, const struct aob_dispatch *dispatch,
+                          struct aob_plan *plan, struct aob_error *error)
+{
+    *m = (struct aob_measurement){.dispatch = dispatch, .plan = plan, .cache = aob_path_cache_folder()};
+    m->states = AOB_NEW_ARRAY(struct aob_state, plan->case_count);
+    sort_by_view(m);
+    if (aob_folder_create(m->cache, error))
+        return true;
+    aob_fail_in(error, "cache (set AOBUDGET_CACHE to move it)");
+    aob_measurement_finish(m);
+    return false;
+}
+
+void aob_measurement_finish(struct aob_measurement *m)
+{
+    for (size_t i = 0; m->states && i < m->plan->case_count; i++)
+        json_decref(m->states[i].definition);
+    free(m->states);
+    free(m->by_view);
+    free(m->place);
+    free(m->cache);
+    *m = (struct aob_measurement){0};
+}

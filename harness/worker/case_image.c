@@ -1,0 +1,107 @@
+#include "case_image.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "store/image.h"
+
+void aob_case_image_finish(struct aob_case_image *image)
+{
+    free(image->depth);
+    free(image->ao);
+    free(image->bent);
+    free(image->open);
+    free(image->truth);
+    free(image->se);
+    free(image->definition);
+    free(image->screen);
+    *image = (struct aob_case_image){0};
+}
+
+void aob_case_image_crop(const struct aob_block *block, const float *from, int stride, float *into)
+{
+    const struct aob_job_view *view = &block->job.view;
+    for (int y = 0; y < view->height; y++)
+        for (int x = 0; x < view->width; x++)
+            into[y * view->width + x] =
+                from[((size_t)(y + view->guard) * (size_t)block->gbuffer.projection.width +
+                      (size_t)(x + view->guard)) *
+                     (size_t)stride];
+}
+
+static bool is_sky(const struct aob_case_image *image, size_t i)
+{
+    return image->depth[i] >= 0.5f * AOB_GBUFFER_SKY;
+}
+
+static void add_plane(struct aob_image *file, const char *name, const float *pixels)
+{
+    if (pixels)
+        memcpy(aob_image_add(file, name), pixels, (size_t)file->width * (size_t)file->height * sizeof(float));
+}
+
+static void add_vectors(struct aob_image *file, const char *stem, const float (*vectors)[3])
+{
+    for (int c = 0; c < 3 && vectors; c++) {
+        char name[64];
+        snprintf(name, sizeof name, "%s.%c", stem, 'X' + c);
+        float *channel = aob_image_add(file, name);
+        for (size_t i = 0; i < (size_t)file->width * (size_t)file->height; i++)
+            channel[i] = vectors[i][c];
+    }
+}
+
+static void add_camera(struct aob_image *file, const struct aob_camera *camera)
+{
+    aob_image_set_number(file, "aobudget.fov_deg", camera->fov_deg);
+    aob_image_set_number(file, "aobudget.ortho_height", camera->ortho_height);
+    aob_image_set_vec3(file, "aobudget.shift", (double[3]){camera->shift[0], camera->shift[1], 0});
+    aob_image_set_vec3(file, "aobudget.eye", (double[3]){camera->eye.x, camera->eye.y, camera->eye.z});
+    aob_image_set_vec3(file, "aobudget.target",
+                       (double[3]){camera->target.x, camera->target.y, camera->target.z});
+}
+
+/* What is known of the view without a technique. */
+static void add_surface(struct aob_image *file, const struct aob_block *block,
+                        const struct aob_case_image *image)
+{
+    static const char *const normals[3] = {"N.X", "N.Y", "N.Z"}, *const velocities[2] = {"V.X", "V.Y"},
+                             *const albedo[3] = {"albedo.R", "albedo.G", "albedo.B"};
+    const struct aob_gbuffer *gbuffer = &block->gbuffer;
+    float *z = aob_image_add(file, "Z");
+    for (size_t i = 0; i < (size_t)file->width * (size_t)file->height; i++)
+        z[i] = is_sky(image, i) ? INFINITY : image->depth[i];
+    for (int n = 0; n < 3; n++)
+        aob_case_image_crop(block, gbuffer->normal + n, 4, aob_image_add(file, normals[n]));
+    for (int a = 0; a < 3 && gbuffer->albedo; a++)
+        aob_case_image_crop(block, gbuffer->albedo + a, 3, aob_image_add(file, albedo[a]));
+    for (int v = 0; v < 2 && gbuffer->velocity; v++)
+        aob_case_image_crop(block, gbuffer->velocity + v, 2, aob_image_add(file, velocities[v]));
+}
+
+static void add_error(struct aob_image *file, const struct aob_case_image *image)
+{
+    float *error = image->truth ? aob_image_add(file, "error.AO") : NULL;
+    for (size_t i = 0; error && i < (size_t)file->width * (size_t)file->height; i++)
+        error[i] = is_sky(image, i) ? 0 : image->ao[i] - image->truth[i];
+}
+
+bool aob_case_image_write(const struct aob_block *block, const struct aob_block_case *c,
+                          const struct aob_case_image *image, struct aob_error *error)
+{
+    struct aob_image file = {.width = block->job.view.width, .height = block->job.view.height};
+    add_surface(&file, block, image);
+    add_plane(&file, "technique.AO", image->ao);
+    add_plane(&file, "reference.AO", image->truth);
+    add_plane(&file, "reference.SE", image->se);
+    add_vectors(&file, "technique.bent", (const float(*)[3])image->bent);
+    add_vectors(&file, "reference.bent", (const float(*)[3])image->open);
+    add_plane(&file, "definition.AO", image->definition);
+    add_plane(&file, "screen.AO", image->screen);
+    add_error(&file, image);
+    add_camera(&file, &block->job.view.camera);
+    aob_image_set_text(&file, "aobudget.technique", c->technique);
+    bool ok = aob_image_write(&file, c->image, error);
+    aob_image_finish(&file);
+    return ok;
+}

@@ -1,0 +1,23 @@
+/* The images of one case, cropped to the view, and its EXR file (docs/design.md, EXR channels). */
+#ifndef AOB_WORKER_CASE_IMAGE_H
+#define AOB_WORKER_CASE_IMAGE_H
+#include "block.h"
+
+struct aob_case_image { /* width x height floats each, owned; NULL where the case has none */
+    float *depth;       /* scene units; AOB_GBUFFER_SKY where sky */
+    float *ao;          /* what the technique wrote */
+    float (*bent)[3];   /* the bent normal that it wrote, view space; NULL where it gives none */
+    float *truth, *se;  /* of the case's own target */
+    float (*open)[3];   /* that target's mean open direction; NULL where `bent` is */
+    float *definition;  /* what the technique claims, mapped */
+    float *screen;      /* the claim within the screen-space bound */
+};
+void aob_case_image_finish(struct aob_case_image *image);
+
+/* Leaves the guard band out: one component, `stride` floats a pixel in `from`. */
+void aob_case_image_crop(const struct aob_block *block, const float *from, int stride, float *into);
+
+/* Into the file c->image. */
+bool aob_case_image_write(const struct aob_block *block, const struct aob_block_case *c,
+                          const struct aob_case_image *image, struct aob_error *error);
+#endif

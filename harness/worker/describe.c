@@ -1,0 +1,31 @@
+#include "gpu/gpu.h"
+#include "worker.h"
+
+static bool describe(struct aob_worker *worker, struct aob_error *error)
+{
+    struct aob_registry registry;
+    struct aob_modules modules;
+    aob_modules_from_json(json_object_get(worker->job, "modules"), &modules);
+    bool ok = aob_worker_registry(&modules, &registry, error);
+    for (size_t i = 0; ok && i < registry.count; i++)
+        aob_worker_reply(worker, aob_technique_to_json(&registry.entries[i]));
+    if (ok)
+        aob_registry_finish(&registry);
+    aob_modules_finish(&modules);
+    return ok;
+}
+
+static bool probe(struct aob_worker *worker, struct aob_error *error)
+{
+    const char *backend = json_string_value(json_object_get(worker->job, "backend"));
+    struct aob_gpu *gpu = aob_gpu_open(backend ? backend : "", &(struct aob_gpu_desc){0}, error);
+    if (!gpu)
+        return false;
+    aob_worker_reply(worker, json_pack("{s:s, s:s, s:s}", "device", gpu->info.device, "driver",
+                                       gpu->info.driver, "class", gpu->info.device_class));
+    aob_gpu_close(gpu);
+    return true;
+}
+
+const struct aob_worker_job aob_worker_describe = {"describe", describe};
+const struct aob_worker_job aob_worker_probe = {"probe", probe};

@@ -1,0 +1,88 @@
+#include "job/layout_job.h"
+#include <stdlib.h>
+#include "base/memory.h"
+#include "job/term.h"
+#include "technique/definition.h"
+#include "technique/graph.h"
+#include "worker.h"
+
+/* The definition as a term; *term stays NULL where the technique claims nothing. */
+static bool define(const struct aob_technique *technique, const void *values, json_t **term,
+                   struct aob_error *error)
+{
+    struct aob_definition_table table;
+    if (!aob_definition_tabulate(technique, values, &table, error))
+        return aob_fail_in(error, "%s", technique->name);
+    if (table.claims)
+        *term = aob_term_to_json(&(struct aob_term){.radius = (double)table.radius,
+                                                    .uniform = table.uniform,
+                                                    .of_triangle = table.of_triangle,
+                                                    .falloff = table.fades ? table.falloff : NULL,
+                                                    .falloff_count = table.fades ? AOB_FALLOFF_ROWS : 0});
+    return true;
+}
+
+static unsigned outputs_of(const struct aob_pass_graph *graph)
+{
+    unsigned outputs = 0;
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+        if (aob_graph_gives(graph, (enum aob_output)which))
+            outputs |= 1u << which;
+    return outputs;
+}
+
+static json_t *describe(const struct aob_pass_graph *graph, const void *values, const json_t *definition)
+{
+    struct aob_text dot = {0};
+    char key[AOB_KEY_SIZE];
+    aob_graph_digest(graph, values, key);
+    aob_graph_dot(graph, &dot);
+    json_t *answer = aob_layout_answer_to_json(
+        &(struct aob_layout_answer){.status = "ok",
+                                    .graph = key,
+                                    .dot = dot.data,
+                                    .outputs = outputs_of(graph),
+                                    .triangles = aob_graph_needs_triangles(graph),
+                                    .definition = definition,
+                                    .mapped = graph->technique->definition.map != NULL});
+    aob_text_finish(&dot);
+    return answer;
+}
+
+static json_t *lay_case(const struct aob_technique *technique, const double *params, size_t count)
+{
+    struct aob_pass_graph *graph = AOB_NEW(struct aob_pass_graph);
+    struct aob_error error = {{0}};
+    unsigned char values[4 * AOB_MAX_PARAM];
+    json_t *definition = NULL, *answer;
+    bool ok = aob_worker_values(technique, params, count, values, &error) &&
+              aob_graph_build(graph, technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, &error);
+    ok = ok && define(technique, values, &definition, &error);
+    answer = ok ? describe(graph, values, definition)
+                : aob_layout_answer_to_json(
+                      &(struct aob_layout_answer){.status = "invalid", .reason = error.text});
+    json_decref(definition);
+    free(graph);
+    return answer;
+}
+
+static bool layout(struct aob_worker *worker, struct aob_error *error)
+{
+    struct aob_registry registry;
+    struct aob_layout_job job;
+    if (!aob_layout_job_from_json(worker->job, &job, error))
+        return false;
+    bool ok = aob_worker_registry(&job.modules, &registry, error);
+    const struct aob_registry_entry *entry = ok ? aob_registry_find(&registry, job.technique) : NULL;
+    for (size_t i = 0; entry && i < job.case_count; i++)
+        aob_worker_reply(worker,
+                         lay_case(entry->technique, job.params + i * job.param_count, job.param_count));
+    if (ok && !entry)
+        aob_fail(error, "no technique '%s'", job.technique);
+    if (ok)
+        aob_registry_finish(&registry);
+    aob_layout_job_finish(&job);
+    return entry;
+}
+
+const struct aob_worker_job aob_worker_layout = {"layout", layout};

@@ -1,0 +1,92 @@
+#include "csv.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/text.h"
+#include "label.h"
+
+static const char names[] =
+    "key,series,scene,view,technique,params,backend,size,status,target_radius,target_weighting,time_ms,"
+    "ratio_to_ref,ci_low,ci_high,memory_bytes";
+
+/* A field and the comma before it; in quotes where it must be. */
+static void add_text(struct aob_text *csv, const char *text)
+{
+    aob_text_add(csv, ",");
+    if (!text[strcspn(text, ",\"\r\n")]) {
+        aob_text_add(csv, "%s", text);
+        return;
+    }
+    aob_text_add(csv, "\"");
+    for (; *text; text++)
+        aob_text_add(csv, *text == '"' ? "\"\"" : "%c", *text);
+    aob_text_add(csv, "\"");
+}
+
+/* Nine digits give a float back; a count is written whole. */
+static void add_number(struct aob_text *csv, double value)
+{
+    if (isnan(value))
+        aob_text_add(csv, ",");
+    else
+        aob_text_add(csv, fabs(value) < 1e15 && value == floor(value) ? ",%.0f" : ",%.9g", value);
+}
+
+static void add_case(struct aob_text *csv, const struct aob_row *row)
+{
+    char *params = aob_label_params(row);
+    struct aob_text key = {0};
+    add_text(&key, row->key);
+    aob_text_add(csv, "%s", key.data + 1); /* the first field has no comma before it */
+    aob_text_finish(&key);
+    add_text(csv, row->series);
+    add_text(csv, row->scene);
+    add_text(csv, row->view);
+    add_text(csv, row->technique);
+    add_text(csv, params);
+    add_text(csv, row->backend);
+    if (row->width && row->height)
+        aob_text_add(csv, ",%dx%d", row->width, row->height);
+    else
+        aob_text_add(csv, ",");
+    add_text(csv, row->status);
+    free(params);
+}
+
+static void add_line(struct aob_text *csv, const struct aob_rows *rows, const struct aob_row *row,
+                     const struct aob_score *score)
+{
+    add_case(csv, row);
+    add_number(csv, score ? rows->targets[score->target].radius : NAN);
+    add_text(csv, !score ? "" : rows->targets[score->target].uniform ? "uniform" : "cosine");
+    add_number(csv, row->cost_ms);
+    add_number(csv, row->ratio);
+    add_number(csv, row->ci_low);
+    add_number(csv, row->ci_high);
+    add_number(csv, row->memory_bytes);
+    for (const struct aob_metric *m = aob_metric_table; m->name; m++)
+        add_number(csv, score ? aob_metric_get(&score->metrics, m) : NAN);
+    aob_text_add(csv, "\r\n");
+}
+
+bool aob_csv_write(const struct aob_rows *rows, const char *folder, struct aob_error *error)
+{
+    struct aob_text csv = {0};
+    char *path = aob_path_join(folder, "cases.csv");
+    aob_text_add(&csv, "%s", names);
+    for (const struct aob_metric *m = aob_metric_table; m->name; m++)
+        aob_text_add(&csv, ",%s", m->name);
+    aob_text_add(&csv, "\r\n");
+    for (size_t i = 0; i < rows->count; i++) {
+        const struct aob_row *row = &rows->list[i];
+        for (size_t k = 0; k < row->score_count; k++)
+            add_line(&csv, rows, row, &row->scores[k]);
+        if (!row->score_count)
+            add_line(&csv, rows, row, NULL);
+    }
+    bool ok = aob_file_write(path, csv.data, csv.size, error);
+    aob_text_finish(&csv);
+    free(path);
+    return ok;
+}

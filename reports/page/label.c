@@ -1,0 +1,174 @@
+#include "label.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "base/text.h"
+#include "technique/option.h"
+
+/* Of the values of one technique's parameters, or of the options. */
+struct words {
+    json_t *first;    /* the value that was met first, by name */
+    json_t *varying;  /* names of those that had another one since */
+    json_t *defaults; /* values; NULL: not known */
+};
+
+bool aob_label_same(const json_t *a, const json_t *b)
+{
+    if (!json_is_number(a) || !json_is_number(b))
+        return json_equal(a, b);
+    double x = json_number_value(a), y = json_number_value(b);
+    return fabs(x - y) <= 1e-6 * fmax(fabs(x), fabs(y));
+}
+
+json_t *aob_label_defaults(const json_t *technique)
+{
+    json_t *defaults = json_object(), *param;
+    size_t i;
+    json_array_foreach(json_object_get(technique, "params"), i, param)
+    {
+        const json_t *choices = json_object_get(param, "choices");
+        double initial = aob_member_number(param, "initial");
+        if (json_is_array(choices))
+            json_object_set(defaults, aob_member_text(param, "name"),
+                            json_array_get(choices, initial >= 0 && initial < 1e6 ? (size_t)initial : 0));
+        else if (isfinite(initial))
+            json_object_set_new(defaults, aob_member_text(param, "name"), json_real(initial));
+    }
+    return defaults;
+}
+
+static json_t *option_defaults(void)
+{
+    json_t *defaults = json_object();
+    for (size_t i = 0; i < AOB_OPTION_COUNT; i++) {
+        const struct aob_param *param = &aob_option_params[i];
+        json_object_set_new(defaults, param->name,
+                            param->choices ? json_string(param->choices[(size_t)param->initial])
+                                           : json_real(param->initial));
+    }
+    return defaults;
+}
+
+static void meet(struct words *words, const json_t *values)
+{
+    const char *name;
+    json_t *value;
+    json_object_foreach((json_t *)values, name, value)
+    {
+        const json_t *first = json_object_get(words->first, name);
+        if (!first)
+            json_object_set(words->first, name, value);
+        else if (!aob_label_same(first, value))
+            json_object_set_new(words->varying, name, json_true());
+    }
+}
+
+static void add_pair(struct aob_text *text, const char *name, const json_t *value)
+{
+    char *shown = aob_member_show(value);
+    aob_text_add(text, "%s%s=%s", text->size ? " " : "", name, shown);
+    free(shown);
+}
+
+static void add_varying(struct aob_text *text, const struct words *words, const json_t *values)
+{
+    const char *name;
+    json_t *value;
+    json_object_foreach((json_t *)values, name, value)
+    {
+        if (json_object_get(words->varying, name))
+            add_pair(text, name, value);
+    }
+}
+
+static void add_unusual(struct aob_text *text, const struct words *words, const json_t *values)
+{
+    const char *name;
+    json_t *value;
+    json_object_foreach((json_t *)values, name, value)
+    {
+        const json_t *usual = json_object_get(words->defaults, name);
+        if (usual && !json_object_get(words->varying, name) && !aob_label_same(usual, value))
+            add_pair(text, name, value);
+    }
+}
+
+static char *text_of(struct aob_text *text)
+{
+    return text->data ? text->data : aob_strdup("");
+}
+
+static char *label_of(const struct aob_row *row, const struct words *params, const struct words *options)
+{
+    struct aob_text text = {0};
+    const json_t *p = json_object_get(row->json, "params"), *o = json_object_get(row->json, "options");
+    add_varying(&text, params, p);
+    add_varying(&text, options, o);
+    add_unusual(&text, params, p);
+    add_unusual(&text, options, o);
+    return text_of(&text);
+}
+
+static void add_all(struct aob_text *text, const json_t *values)
+{
+    const char *name;
+    json_t *value;
+    json_object_foreach((json_t *)values, name, value) add_pair(text, name, value);
+}
+
+char *aob_label_params(const struct aob_row *row)
+{
+    struct aob_text text = {0};
+    add_all(&text, json_object_get(row->json, "params"));
+    return text_of(&text);
+}
+
+char *aob_label_full(const struct aob_row *row)
+{
+    struct aob_text text = {0};
+    add_all(&text, json_object_get(row->json, "params"));
+    add_all(&text, json_object_get(row->json, "options"));
+    return text_of(&text);
+}
+
+/* Of the first run that describes the technique. */
+static json_t *defaults_of(const struct aob_rows *rows, const char *technique)
+{
+    for (size_t i = 0; i < rows->run_count; i++) {
+        json_t *list = json_object_get(rows->runs[i].info, "techniques"), *info;
+        size_t k;
+        json_array_foreach(list, k, info)
+        {
+            if (strcmp(aob_member_text(info, "name"), technique) == 0)
+                return aob_label_defaults(info);
+        }
+    }
+    return NULL;
+}
+
+static void finish(struct words *words)
+{
+    json_decref(words->first);
+    json_decref(words->varying);
+    json_decref(words->defaults);
+}
+
+void aob_labels_make(struct aob_rows *rows)
+{
+    struct words *params = AOB_NEW_ARRAY(struct words, rows->technique_count);
+    struct words options = {json_object(), json_object(), option_defaults()};
+    for (size_t k = 0; k < rows->technique_count; k++)
+        params[k] = (struct words){json_object(), json_object(), defaults_of(rows, rows->techniques[k])};
+    for (size_t i = 0; i < rows->count; i++) {
+        const struct aob_row *row = &rows->list[i];
+        meet(&params[row->technique_place], json_object_get(row->json, "params"));
+        meet(&options, json_object_get(row->json, "options"));
+    }
+    for (size_t i = 0; i < rows->count; i++)
+        rows->list[i].label = label_of(&rows->list[i], &params[rows->list[i].technique_place], &options);
+    for (size_t k = 0; k < rows->technique_count; k++)
+        finish(&params[k]);
+    finish(&options);
+    free(params);
+}

@@ -1,1 +1,0 @@
-#include "common/tile_blur.glsl"

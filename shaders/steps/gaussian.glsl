@@ -1,0 +1,21 @@
+/* One axis of a separable Gaussian blur with tests (Filion 2010, listing 1.2.7): BLUR taps (odd) along AXIS (0 x, 1 y),
+ * standard deviation a quarter of the taps. A tap whose depth differs by more than param.blur_depth, or whose normal
+ * has a cosine below param.blur_normal with the centre's, weighs nothing; the sum is normalised again. */
+void main()
+{
+    ivec2 p = aob_pixel;
+    float depth = aob_surface_z(p);
+    vec3 normal = aob_surface_normal(p);
+    AOB_TYPE_RAW centre = aob_fetch_raw(p), sum = centre;
+    float weights = 1.0;
+    const float sigma = float(BLUR) / 4.0;
+    for (int i = -(BLUR / 2); i <= BLUR / 2; i++) {
+        ivec2 q = p + (AXIS == 0 ? ivec2(i, 0) : ivec2(0, i));
+        bool other = abs(aob_surface_z(q) - depth) > param.blur_depth ||
+                     dot(aob_surface_normal(q), normal) < param.blur_normal;
+        float w = i == 0 || other ? 0.0 : exp(-0.5 * float(i * i) / (sigma * sigma));
+        sum += w * aob_fetch_raw(q);
+        weights += w;
+    }
+    blurred = aob_surface_is_sky(p) ? centre : sum / weights;
+}

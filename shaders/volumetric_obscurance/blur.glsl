@@ -1,1 +1,0 @@
-#include "common/cross_bilateral.glsl"

@@ -1,0 +1,31 @@
+# Sourced by bench.sh: what the number of cases costs where nothing is measured. The journal of a finished run is written,
+# not run: the record of one case, with the identity of each.
+if wanted cases; then
+  cat >"$folder/cases.yaml" <<EOF
+name: cases
+scenes: [{name: corner, views: [front, far]}]
+resolutions: [64x36]
+backends: ["null"]
+options: {fetch: [sampled, storage], guard_band: [0, 8, 16, 24, 32]}
+techniques:
+  - name: gtao
+    sweep:
+      - {param: radius, from: 0.02, to: 2, step: 0.02}
+      - {param: slices, from: 1, to: 10, step: 1}
+measure: {time: false, error: false, images: false}
+EOF
+  elapsed() { # COMMAND...: seconds of wall time
+    local start=$(date +%s.%N)
+    "$@" >/dev/null 2>"$folder/cases.log" || { cat "$folder/cases.log" >&2; return 1; }
+    awk -v s="$start" -v e="$(date +%s.%N)" 'BEGIN { printf "%.2f", e - s }'
+  }
+  row "cases: plan of 20,000" "$(elapsed build/release/aobudget plan "$folder/cases.yaml")" s "<=" 2
+  build/release/aobudget run "$folder/cases.yaml" --out "$folder/cases" --quiet \
+    --filter "corner/front gtao radius=0.02 slices=1 guard_band=0 fetch=sampled "
+  build/release/aobudget plan "$folder/cases.yaml" --json "$folder/cases.json"
+  cp "$folder/cases/journal.jsonl" "$folder/first.jsonl"
+  jq -c --slurpfile first "$folder/first.jsonl" '.cases[] | $first[0] + (. | del(.status, .reason))' \
+    "$folder/cases.json" >"$folder/cases/journal.jsonl"
+  row "cases: run resumes 20,000 finished ones" "$(elapsed build/release/aobudget run "$folder/cases.yaml" --out "$folder/cases" --quiet)" s "<=" 3
+  row "cases: records in the journal after it" "$(wc -l <"$folder/cases/journal.jsonl")" lines "<=" 20000
+fi

@@ -1,0 +1,131 @@
+/* Configs of a megabyte that would take minutes or all memory: read or refused with one line that says what is wrong.
+ * Without the bound that a row is about, the row runs into the time limit of the test. */
+#include <stdlib.h>
+#include <unistd.h>
+#include "base/file.h"
+#include "base/text.h"
+#include "check.h"
+#include "config/config.h"
+
+static char path[256];
+enum { MEGABYTE = 1 << 20 };
+
+static void refuse(struct aob_text *text, const char *place, const char *says)
+{
+    struct aob_config config;
+    struct aob_error error = {{0}};
+    assert_true(text->size <= MEGABYTE);
+    assert_true(aob_file_write(path, text->data, text->size, &error));
+    assert_false(aob_config_read(&config, path, &error));
+    assert_contains(error.text, path);
+    assert_contains(error.text, place);
+    assert_contains(error.text, says);
+    aob_text_finish(text);
+}
+
+static void repeat(struct aob_text *text, const char *part, size_t end)
+{
+    while (text->size + strlen(part) < end)
+        aob_text_add_bytes(text, part, strlen(part));
+}
+
+static void test_nesting(void **state)
+{
+    (void)state;
+    static const char *const parts[] = {"[", "[a, ", "{a: ", "- ", "? ", "a: ["};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        struct aob_text text = {0};
+        repeat(&text, parts[i], MEGABYTE);
+        refuse(&text, ":1:", "32 lists and mappings");
+    }
+}
+
+static void test_anchors(void **state)
+{
+    (void)state;
+    struct aob_text text = {0};
+    aob_text_add(&text, "name: t\nscenes:\n");
+    for (int i = 0; text.size < MEGABYTE - 20; i++)
+        aob_text_add(&text, "- &a%d x\n", i);
+    refuse(&text, ":259:3", "256 anchors");
+    repeat(&text, "%TAG !a! tag:x\n", MEGABYTE / 2);
+    refuse(&text, ":1:", "%TAG");
+}
+
+/* A million values by ten lines: 100 axes of 10,000 values each, again and again. */
+static void test_aliases(void **state)
+{
+    (void)state;
+    struct aob_text text = {0};
+    aob_text_add(&text, "name: t\ntechniques:\n- &t {name: gtao, sweep: [&s {param: radius, values: &v [");
+    repeat(&text, "1,", 20000);
+    aob_text_add(&text, "1]}");
+    repeat(&text, ", *s", 20400);
+    aob_text_add(&text, "]}\n");
+    repeat(&text, "- *t\n", MEGABYTE);
+    refuse(&text, ":3:", "the aliases stand for more than 1000000 values");
+}
+
+static void test_many_keys(void **state)
+{
+    (void)state;
+    struct aob_text text = {0};
+    aob_text_add(&text, "name: t\noptions: {");
+    for (int i = 0; text.size < MEGABYTE - 40; i++)
+        aob_text_add(&text, "k%d: 1, ", i);
+    aob_text_add(&text, "k0: 1}\n");
+    refuse(&text, ":2:", "key 'k0' stands here twice");
+}
+
+static void test_long_values(void **state)
+{
+    (void)state;
+    struct aob_text text = {0};
+    aob_text_add(&text, "name: t\nscenes: [{name: ");
+    repeat(&text, "x", MEGABYTE / 2);
+    aob_text_add(&text, ", views: [");
+    repeat(&text, "a,", MEGABYTE - 10);
+    aob_text_add(&text, "a]}]\n");
+    refuse(&text, ":2:17", "4096 bytes");
+    aob_text_add(&text, "name: t\nscenes: [{name: corner, views: [");
+    repeat(&text, "a,", MEGABYTE - 10);
+    aob_text_add(&text, "a]}]\n");
+    refuse(&text, ":2:10", "20000 views");
+}
+
+/* One anchor, used as people do, is no hostility. */
+static void test_an_alias_is_read(void **state)
+{
+    (void)state;
+    static const char text[] = "name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [null]\n"
+                               "techniques:\n- {name: gtao, params: {radius: &r [1, 2]}}\n"
+                               "- {name: hbao, params: {radius: *r}}\n";
+    struct aob_config config;
+    struct aob_error error = {{0}};
+    assert_true(aob_file_write(path, text, strlen(text), &error));
+    assert_true(aob_config_read(&config, path, &error));
+    assert_int_equal(config.techniques[1].axes[0].count, 2);
+    assert_string_equal(config.techniques[1].axes[0].values[1].text, "2");
+    aob_config_finish(&config);
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    snprintf(path, sizeof path, "/tmp/aobudget-hostile-%ld.yaml", (long)getpid());
+    return 0;
+}
+static int tear_down(void **state)
+{
+    (void)state;
+    return unlink(path);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_nesting),     cmocka_unit_test(test_anchors),
+        cmocka_unit_test(test_aliases),     cmocka_unit_test(test_many_keys),
+        cmocka_unit_test(test_long_values), cmocka_unit_test(test_an_alias_is_read)};
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

@@ -1,0 +1,298 @@
+/* Each message, written and read again without a process: every field comes back, and what is missing is said. */
+#include "check.h"
+#include <math.h>
+#include <stdlib.h>
+#include "base/json.h"
+#include "job/block_job.h"
+#include "job/capture_job.h"
+#include "job/layout_job.h"
+#include "job/mesh_job.h"
+
+/* As it travels: through the text of one line. */
+static json_t *send(json_t *message)
+{
+    char *line = aob_json_line(message, 17);
+    json_t *read = json_loads(line, JSON_REJECT_DUPLICATES, NULL);
+    free(line);
+    json_decref(message);
+    assert_non_null(read);
+    return read;
+}
+
+static const struct aob_camera camera = {.eye = {1, 2, 3.25},
+                                         .target = {0.1, 0, -4},
+                                         .fov_deg = 47,
+                                         .shift = {0.25, -0.5},
+                                         .moves = true,
+                                         .previous_eye = {1, 2, 3.5},
+                                         .previous_target = {0.2, 0, -4}};
+static const struct aob_job_view view = {.mesh = "/cache/a.mesh",
+                                         .camera = camera,
+                                         .width = 320,
+                                         .height = 180,
+                                         .guard = 16,
+                                         .gbuffer = "/cache/g.exr"};
+
+static void check_view(const struct aob_job_view *v)
+{
+    assert_string_equal(v->mesh, "/cache/a.mesh");
+    assert_null(v->scene);
+    assert_string_equal(v->gbuffer, "/cache/g.exr");
+    assert_int_equal(v->width, 320);
+    assert_int_equal(v->height, 180);
+    assert_int_equal(v->guard, 16);
+    assert_false(v->captured);
+    assert_true(v->camera.eye.z == 3.25 && v->camera.target.x == 0.1 && v->camera.target.z == -4);
+    assert_true(v->camera.fov_deg == 47 && v->camera.ortho_height == 0);
+    assert_true(v->camera.shift[0] == 0.25 && v->camera.shift[1] == -0.5);
+    assert_true(v->camera.moves && v->camera.previous_eye.z == 3.5 && v->camera.previous_target.x == 0.2);
+}
+
+static void a_view_job(void **state)
+{
+    (void)state;
+    const float falloff[3] = {1, 0.3f, 0};
+    const struct aob_term faded = {.radius = 0.7, .uniform = true, .falloff = falloff, .falloff_count = 3},
+                          bound = {.radius = INFINITY,
+                                   .of_triangle = true,
+                                   .bound = true,
+                                   .thickness = INFINITY,
+                                   .bent = true};
+    json_t *terms = json_array(), *term;
+    json_array_append_new(terms, term = aob_term_to_json(&faded));
+    json_object_set_new(term, "out", json_string("a.exr"));
+    json_array_append_new(terms, term = aob_term_to_json(&bound));
+    json_object_set_new(term, "out", json_string("b.exr"));
+    struct aob_view_job job;
+    struct aob_error error = {{0}};
+    json_t *message = send(aob_view_job_to_json(&view, 128, terms));
+    assert_string_equal(json_string_value(json_object_get(message, "job")), "view");
+    assert_true(aob_view_job_from_json(message, &job, &error));
+    check_view(&job.view);
+    assert_int_equal(job.spp, 128);
+    assert_int_equal(job.term_count, 2);
+    const struct aob_term *a = &job.terms[0].term, *b = &job.terms[1].term;
+    assert_string_equal(job.terms[0].out, "a.exr");
+    assert_string_equal(job.terms[1].out, "b.exr");
+    assert_true(a->radius == 0.7 && a->uniform && !a->of_triangle && !a->bound);
+    assert_int_equal(a->falloff_count, 3);
+    assert_memory_equal(a->falloff, falloff, sizeof falloff);
+    assert_true(isinf(b->radius) && !b->uniform && b->of_triangle && b->bound && isinf(b->thickness));
+    assert_true(!a->bent && b->bent);
+    assert_null(b->falloff);
+    assert_false(aob_term_same_trace(a, b));
+    assert_true(aob_term_same_trace(a, a));
+    /* linear in the root of the distance: half way between the first two rows at 1/16 of the radius */
+    assert_near(aob_term_falloff(a, 1.0 / 16), 0.65, 1e-6);
+    assert_near(aob_term_falloff(b, 0.5), 1, 0);
+    aob_view_job_finish(&job);
+    json_object_del(json_array_get(json_object_get(message, "terms"), 1), "out");
+    assert_false(aob_view_job_from_json(message, &job, &error));
+    assert_contains(error.text, "term 1");
+    json_object_del(message, "gbuffer");
+    assert_false(aob_view_job_from_json(message, &job, &error));
+    json_decref(message);
+}
+
+static void a_block_job(void **state)
+{
+    (void)state;
+    const char *const paths[] = {"one.so", "two.so"};
+    struct aob_block_target targets[] = {{0.25, false, "t.exr", true}, {INFINITY, true, NULL, false}};
+    struct aob_block_case cases[] = {{.technique = "gtao",
+                                      .params = {0.5, 3},
+                                      .param_count = 2,
+                                      .options = {16, 1},
+                                      .target = 1,
+                                      .definition = "d.exr",
+                                      .screen = "s.exr",
+                                      .image = "i.exr"},
+                                     {.technique = "none"}};
+    const struct aob_block_job out = {.modules = {paths, 2},
+                                      .view = view,
+                                      .backend = "gl-egl",
+                                      .validate = true,
+                                      .triangles = true,
+                                      .error = true,
+                                      .seconds = 0.75,
+                                      .targets = targets,
+                                      .target_count = 2,
+                                      .cases = cases,
+                                      .case_count = 2};
+    struct aob_block_job job;
+    struct aob_error error = {{0}};
+    json_t *message = send(aob_block_job_to_json(&out));
+    assert_string_equal(json_string_value(json_object_get(message, "job")), "block");
+    assert_true(aob_block_job_from_json(message, &job, &error));
+    check_view(&job.view);
+    assert_int_equal(job.modules.count, 2);
+    assert_string_equal(job.modules.paths[1], "two.so");
+    assert_string_equal(job.backend, "gl-egl");
+    assert_true(job.validate && !job.raster && job.triangles && !job.time && job.error);
+    assert_true(job.seconds == 0.75);
+    assert_int_equal(job.target_count, 2);
+    assert_true(job.targets[0].radius == 0.25 && !job.targets[0].uniform && job.targets[0].bent);
+    assert_string_equal(job.targets[0].truth, "t.exr");
+    assert_true(isinf(job.targets[1].radius) && job.targets[1].uniform && !job.targets[1].truth &&
+                !job.targets[1].bent);
+    assert_int_equal(job.case_count, 2);
+    assert_string_equal(job.cases[0].technique, "gtao");
+    assert_int_equal(job.cases[0].param_count, 2);
+    assert_true(job.cases[0].params[0] == 0.5 && job.cases[0].params[1] == 3);
+    assert_true(job.cases[0].options[0] == 16 && job.cases[0].options[1] == 1 &&
+                job.cases[0].options[2] == 0);
+    assert_int_equal(job.cases[0].target, 1);
+    assert_string_equal(job.cases[0].definition, "d.exr");
+    assert_string_equal(job.cases[0].screen, "s.exr");
+    assert_string_equal(job.cases[0].image, "i.exr");
+    assert_int_equal(job.cases[1].param_count, 0);
+    assert_true(!job.cases[1].definition && !job.cases[1].screen && !job.cases[1].image);
+    aob_block_job_finish(&job);
+    json_object_set_new(json_array_get(json_object_get(message, "cases"), 1), "target", json_integer(2));
+    assert_false(aob_block_job_from_json(message, &job, &error));
+    assert_contains(error.text, "target 2 of 2");
+    json_array_clear(json_object_get(message, "cases"));
+    assert_false(aob_block_job_from_json(message, &job, &error));
+    assert_contains(error.text, "0 cases");
+    json_decref(message);
+    struct aob_block_shares shares = {1.5, 2.5, 3.5}, back;
+    message = send(aob_block_shares_to_json(&shares));
+    assert_true(aob_block_shares_from_json(message, &back));
+    assert_true(back.measured == 1.5 && back.warmup == 2.5 && back.images == 3.5);
+    json_decref(message);
+    message = json_pack("{s:i}", "index", 0);
+    assert_false(aob_block_shares_from_json(message, &back));
+    json_decref(message);
+}
+
+static void a_capture_job(void **state)
+{
+    (void)state;
+    struct aob_capture_job out = {.file = "F.exr",
+                                  .out = "g.exr",
+                                  .convention = {.depth = AOB_DEPTH_DEVICE_REVERSED,
+                                                 .normals = AOB_NORMALS_WORLD,
+                                                 .near = 0.1,
+                                                 .far = INFINITY,
+                                                 .left_handed = true,
+                                                 .up = {0, 0, 1},
+                                                 .depth_channel = "zed",
+                                                 .normal_channel = "nor"},
+                                  .fov_deg = 50,
+                                  .has_camera = true,
+                                  .eye = {1, 2, 3},
+                                  .target = {4, 5, 6}},
+                           job;
+    struct aob_error error = {{0}};
+    json_t *message = send(aob_capture_job_to_json(&out));
+    assert_true(aob_capture_job_from_json(message, &job, &error));
+    assert_string_equal(job.file, "F.exr");
+    assert_string_equal(job.out, "g.exr");
+    assert_int_equal(job.convention.depth, AOB_DEPTH_DEVICE_REVERSED);
+    assert_int_equal(job.convention.normals, AOB_NORMALS_WORLD);
+    assert_true(job.convention.near == 0.1 && isinf(job.convention.far) && job.convention.left_handed);
+    assert_true(job.convention.up[2] == 1 && job.convention.up[0] == 0);
+    assert_string_equal(job.convention.depth_channel, "zed");
+    assert_string_equal(job.convention.normal_channel, "nor");
+    assert_true(job.fov_deg == 50 && job.ortho_height == 0 && job.has_camera);
+    assert_true(job.eye[1] == 2 && job.target[2] == 6);
+    json_object_del(message, "depth_channel");
+    assert_false(aob_capture_job_from_json(message, &job, &error));
+    json_decref(message);
+    out.has_camera = false;
+    message = send(aob_capture_job_to_json(&out));
+    assert_true(aob_capture_job_from_json(message, &job, &error));
+    assert_false(job.has_camera);
+    json_decref(message);
+    json_t *warnings = json_pack("[s]", "two depths");
+    struct aob_capture_answer answer = {.width = 64,
+                                        .height = 36,
+                                        .surface = 2000,
+                                        .derived = 7,
+                                        .ortho_height = 3,
+                                        .eye = {1, 2, 3},
+                                        .target = {4, 5, 6},
+                                        .warnings = warnings},
+                              back;
+    message = send(aob_capture_answer_to_json(&answer));
+    json_decref(warnings);
+    assert_true(aob_capture_answer_from_json(message, &back));
+    assert_true(back.width == 64 && back.height == 36 && back.surface == 2000 && back.derived == 7);
+    assert_true(back.fov_deg == 0 && back.ortho_height == 3 && back.eye[0] == 1 && back.target[1] == 5);
+    assert_string_equal(json_string_value(json_array_get(back.warnings, 0)), "two depths");
+    json_object_del(message, "eye");
+    assert_false(aob_capture_answer_from_json(message, &back));
+    json_decref(message);
+}
+
+static void a_layout_job(void **state)
+{
+    (void)state;
+    double params[] = {0.5, 3, 1, 9};
+    struct aob_layout_job out = {.technique = "gtao", .case_count = 2, .param_count = 2, .params = params},
+                          job;
+    struct aob_error error = {{0}};
+    json_t *message = send(aob_layout_job_to_json(&out));
+    assert_true(aob_layout_job_from_json(message, &job, &error));
+    assert_string_equal(job.technique, "gtao");
+    assert_true(job.case_count == 2 && job.param_count == 2 && job.modules.count == 0);
+    assert_memory_equal(job.params, params, sizeof params);
+    aob_layout_job_finish(&job);
+    json_array_append_new(json_array_get(json_object_get(message, "cases"), 1), json_real(1));
+    assert_false(aob_layout_job_from_json(message, &job, &error));
+    assert_contains(error.text, "case 1");
+    json_decref(message);
+    json_t *term = aob_term_to_json(&(struct aob_term){.radius = 0.5});
+    struct aob_layout_answer answer = {.status = "ok",
+                                       .graph = "abc",
+                                       .dot = "digraph",
+                                       .outputs = 1u << AOB_OUT_BENT_NORMAL | 1,
+                                       .triangles = true,
+                                       .definition = term,
+                                       .mapped = true},
+                             back;
+    message = send(aob_layout_answer_to_json(&answer));
+    json_decref(term);
+    assert_true(aob_layout_answer_from_json(message, &back));
+    assert_string_equal(back.graph, "abc");
+    assert_string_equal(back.dot, "digraph");
+    assert_true(back.triangles && back.mapped && !back.reason);
+    assert_int_equal(back.outputs, 1u << AOB_OUT_BENT_NORMAL | 1u << AOB_OUT_VISIBILITY);
+    assert_true(json_number_value(json_object_get(back.definition, "radius")) == 0.5);
+    json_decref(message);
+    message =
+        send(aob_layout_answer_to_json(&(struct aob_layout_answer){.status = "invalid", .reason = "no"}));
+    assert_true(aob_layout_answer_from_json(message, &back));
+    assert_string_equal(back.reason, "no");
+    assert_true(!back.definition && !back.triangles);
+    json_decref(message);
+}
+
+static void a_mesh_job(void **state)
+{
+    (void)state;
+    struct aob_mesh_job job;
+    struct aob_mesh_answer answer = {{-1, -2, -3}, {1, 2, 3}, 8, 12, NULL}, back;
+    struct aob_error error = {{0}};
+    json_t *message = send(aob_mesh_job_to_json(&(struct aob_mesh_job){"a.ply", "a.mesh"}));
+    assert_true(aob_mesh_job_from_json(message, &job, &error));
+    assert_string_equal(job.file, "a.ply");
+    assert_string_equal(job.out, "a.mesh");
+    json_object_del(message, "out");
+    assert_false(aob_mesh_job_from_json(message, &job, &error));
+    json_decref(message);
+    message = send(aob_mesh_answer_to_json(&answer));
+    assert_true(aob_mesh_answer_from_json(message, &back));
+    assert_true(back.low.y == -2 && back.high.z == 3 && back.vertices == 8 && back.triangles == 12);
+    json_object_del(message, "low");
+    assert_false(aob_mesh_answer_from_json(message, &back));
+    json_decref(message);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_view_job), cmocka_unit_test(a_block_job),
+                                       cmocka_unit_test(a_capture_job), cmocka_unit_test(a_layout_job),
+                                       cmocka_unit_test(a_mesh_job)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
