@@ -17,8 +17,8 @@ progress() {
   fi
 }
 
-# step WHAT READER LOG COMMAND...: READER gets what COMMAND writes, line by line, and writes the log. If COMMAND fails,
-# its output is shown without the lines of progress, and ./dev ends with its exit code.
+# step WHAT READER LOG COMMAND...: READER reads what COMMAND prints, shows progress and adds to the log. If COMMAND fails,
+# the end of its output is shown without the lines of progress, and ./dev ends with its exit code.
 step() {
   local what=$1 reader=$2 log=build/log/$3.log start=$SECONDS code=0
   shift 3
@@ -28,7 +28,7 @@ step() {
   "$@" 2>>"$log" | "$reader" "$log" || code=$?
   [ -t 2 ] && printf '\r\033[K' >&2
   if [ $code -ne 0 ]; then
-    grep -vE '^\[[0-9]+/[0-9]+\] ' "$log" >&2 || true
+    grep -vE '^\[[0-9]+/[0-9]+\] ' "$log" | tail -n 60 >&2 || true
     say "$what failed after $((SECONDS - start)) s with exit code $code; the whole output is in $PWD/$log"
     exit $code
   fi
@@ -37,12 +37,13 @@ step() {
 
 read_quietly() { cat >>"$1"; } # for a step of seconds
 
-# What ninja writes: "[7/246] Building C object FOLDER/CMakeFiles/TARGET.dir/FILE.o". Only the file is of interest.
+# What ninja writes: "[7/246] Building C object FOLDER/CMakeFiles/TARGET.dir/FILE.o". Only the file is of interest. A count
+# of 0 is ninja's look at what there is to do.
 read_ninja() {
   local line
   while IFS= read -r line; do
     printf '%s\n' "$line" >>"$1"
-    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\ (.*) ]]; then
+    if [[ $line =~ ^\[([1-9][0-9]*)/([0-9]+)\]\ (.*) ]]; then
       progress $((100 * BASH_REMATCH[1] / BASH_REMATCH[2])) "[${BASH_REMATCH[1]}/${BASH_REMATCH[2]}] ${BASH_REMATCH[3]##*.dir/}"
     fi
   done
@@ -51,15 +52,11 @@ read_ninja() {
 # What apt writes to APT::Status-Fd: "dlstatus:NUMBER:PERCENT:TEXT" while it downloads, then "pmstatus:PACKAGE:PERCENT:TEXT"
 # while it installs. A package's name may hold a colon, so the percent is known by its point.
 read_apt() {
-  local line phase=
+  local line doing
   while IFS= read -r line; do
     [[ $line =~ ^(dl|pm)status:.*:([0-9]+)\.[0-9]+:(.*) ]] || continue
-    [ "$phase" = "${BASH_REMATCH[1]}" ] || tenth=-1
-    phase=${BASH_REMATCH[1]}
-    if [ $phase = dl ]; then
-      progress "${BASH_REMATCH[2]}" "downloading, ${BASH_REMATCH[2]} %: ${BASH_REMATCH[3]}"
-    else
-      progress "${BASH_REMATCH[2]}" "installing, ${BASH_REMATCH[2]} %: ${BASH_REMATCH[3]}"
-    fi
+    doing=installing
+    [ "${BASH_REMATCH[1]}" = dl ] && doing=downloading
+    progress "${BASH_REMATCH[2]}" "$doing, ${BASH_REMATCH[2]} %: ${BASH_REMATCH[3]}"
   done
 }

@@ -45,6 +45,7 @@ for n in 0 4 57 58 100; do echo "pmstatus:libc6:amd64:\$n.0000:Unpacking step \$
 EOS
 fake cmake <<'EOS'
 [ "$1" = --preset ] && { echo "-- Configuring done"; exit 0; }
+echo "[0/2] Re-checking globbed directories..."
 echo "[1/20] Building C object CMakeFiles/core.dir/harness/a.c.o"
 echo "[2/20] Building C object reports/plot/CMakeFiles/plot.dir/plot.c.o"
 echo "[3/20] Generating shaders.h"
@@ -104,6 +105,24 @@ if ! grep -qxF '[1/2] Building C object CMakeFiles/core.dir/a.c.o' "$folder/tree
   echo "FAILED: the log holds all of the output"
   failures=$((failures + 1))
 fi
+
+# A terminal of 30 columns: one line, rewritten and never as wide as the terminal, so that it does not wrap.
+fake cmake <<'EOS'
+[ "$1" = --preset ] && exit 0
+echo "[1/2] Building C object CMakeFiles/core.dir/harness/a_file_of_a_long_name.c.o"
+echo "[2/2] Linking C executable aobudget"
+EOS
+PATH="$folder/bin:$PATH" TERM=xterm script -qec "stty cols 30; bash '$folder/tree/dev' build" "$folder/typescript" >/dev/null </dev/null
+grep -v '^Script' "$folder/typescript" | tr '\r' '\n' | sed -E 's/took [0-9]+ s/took N s/; s/\x1b\[K/<clear>/; /^$/d' >"$folder/said"
+cat >"$folder/expected" <<'EOS'
+dev: configuring release
+<clear>dev: configuring release took N s
+dev: building release
+<clear>dev: [1/2] harness/a_file_of_
+<clear>dev: [2/2] Linking C executab
+<clear>dev: building release took N s
+EOS
+diff "$folder/expected" "$folder/said" || { echo "FAILED: on a terminal"; failures=$((failures + 1)); }
 
 [ $failures -eq 0 ] && echo "all checks passed"
 exit $((failures > 0))
