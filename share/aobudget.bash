@@ -1,4 +1,4 @@
-# Bash completion of aobudget: commands, flags, and the names that the program itself lists.
+# Bash completion of aobudget. It offers commands, flags, and the names that the program itself lists.
 _aobudget_names() { # techniques|scenes|backends
   "${COMP_WORDS[0]}" list "$1" --json - 2>/dev/null | sed -n 's/^      "name": "\([^"]*\)".*/\1/p'
 }
@@ -16,10 +16,12 @@ _aobudget() {
       --normals) words="view world derived" ;;
       --handed) words="right left" ;;
       --backend) words=$(_aobudget_names backends) ;;
+      --target-weighting) words="cosine uniform" ;;
       list) words="techniques scenes backends" ;;
       *)
         case $current in
-          -*) words=$("${COMP_WORDS[0]}" "$command" --help 2>/dev/null | sed -n 's/^  \(--*[a-z-]*\).*/\1/p') ;;
+          # A flag that was given another name stays in the help, to say so, and is not offered.
+          -*) words=$("${COMP_WORDS[0]}" "$command" --help 2>/dev/null | sed -n '/ is now /d; s/^  \(--*[a-z-]*\).*/\1/p') ;;
         esac
         ;;
     esac

@@ -1,4 +1,4 @@
-/* cmocka with what it needs in front of it. */
+/* Includes cmocka with the headers that it needs in front of it. */
 #ifndef AOB_TESTS_CHECK_H
 #define AOB_TESTS_CHECK_H
 #include <setjmp.h>

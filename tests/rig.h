@@ -1,4 +1,4 @@
-/* A scene on a device, in this process: what the tests of techniques and backends share. */
+/* A scene on a device, in this process. The tests of techniques and backends share it. */
 #ifndef AOB_TESTS_RIG_H
 #define AOB_TESTS_RIG_H
 #include "frame/frame.h"
@@ -14,13 +14,13 @@ struct aob_rig {
     struct aob_tracer *tracer;
 };
 
-/* Casts the mesh; ends the test program on any failure. The mesh may be freed afterwards. */
+/* Casts the mesh, and ends the test program on any failure. The mesh may be freed afterwards. */
 void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct aob_camera *camera,
                   int width, int height, int guard);
 void aob_rig_scene(struct aob_rig *rig, const char *scene, const char *view, int width, int height,
                    int guard);
-/* An open plane that fills the image, seen along its middle. Zeros: 3 units away, a field of view of 60 degrees, facing
- * the camera. */
+/* An open plane that fills the image, seen along its middle. Zeros stand for 3 units away, a field of view of 60
+ * degrees, and facing the camera. */
 struct aob_rig_plane {
     double distance, fov_deg;
     double tilt_deg, azimuth_deg; /* from facing the camera, towards an azimuth of the image */
@@ -29,28 +29,31 @@ struct aob_rig_plane {
 void aob_rig_plane(struct aob_rig *rig, const struct aob_rig_plane *plane);
 void aob_rig_finish(struct aob_rig *rig);
 
-/* One frame of a built-in technique; params: "radius=1 slices=9", run options among them
- * ("depth_encoding=r16f"; guard_band, fetch and threads do nothing here), the rest default. pixels: width x height.
- */
+/* Draws one frame of a built-in technique. `params` are such as "radius=1 slices=9", with run options among them
+ * ("depth_encoding=r16f"; guard_band, fetch and threads do nothing here); the rest has its default. `pixels` holds
+ * width x height floats. */
 void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique, const char *params,
                  enum aob_fetch fetch, float *pixels);
 
-/* One frame of any technique, such as one that a test makes for the purpose; `values` is its own struct. */
+/* Draws one frame of any technique, such as one that a test makes for the purpose. `values` is the technique's own
+ * struct. */
 void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
                    const void *values, const struct aob_options *options, float *pixels);
 
-/* What that technique claims to compute with those parameters, ray-traced as a run does. pixels: width x height; sky 1. */
+/* Traces what that technique claims to compute with those parameters, as a run does. `pixels` holds width x height
+ * floats; sky is 1. */
 void aob_rig_definition(const struct aob_rig *rig, const char *technique, const char *params, int spp,
                         float *pixels);
 
-/* A device, or the program ends as skipped (77) where there is none. Vulkan runs under the validation layer.
- */
+/* Returns a device. If there is none, the program ends with exit code 77 and has failed, since ./dev installs every
+ * driver. Vulkan runs under the validation layer. */
 struct aob_gpu *aob_rig_gpu(const char *backend);
 
-/* World position of the surface in view pixel (x, y), guard band not counted; false where sky. */
+/* Gives the world position of the surface in view pixel (x, y), guard band not counted. False for sky. */
 bool aob_rig_position(const struct aob_rig *rig, int x, int y, struct aob_vec3 *position);
 
-/* RMSE of a technique on `corner` against truth(distance to the other plane, radius), over pixels with truth < 0.995. */
+/* Returns the RMSE of a technique on `corner` against truth(distance to the other plane, radius), over pixels with
+ * truth < 0.995. */
 double aob_rig_corner_rmse(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique,
                            const char *params, double (*truth)(double d, double r), double radius);
 #endif

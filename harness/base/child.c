@@ -19,8 +19,8 @@
 
 extern char **environ;
 
-/* AddressSanitizer reserves terabytes of address space, so it cannot run under a limit of it; it watches what is
- * resident instead. */
+/* AddressSanitizer reserves terabytes of address space, so it cannot run under a limit of address space. It watches
+ * resident memory instead. */
 #ifdef __SANITIZE_ADDRESS__
 static const bool limits_memory = false;
 #else
@@ -29,7 +29,7 @@ static const bool limits_memory = true;
 
 enum { READ_SIZE = 1 << 16, DRAIN_READS = 16 };
 
-/* One output of the child: bytes come in, whole lines go to `take`. */
+/* One output of the child. Bytes come in, and whole lines go to `take`. */
 struct stream {
     int fd; /* -1 after its end */
     char *data;
@@ -77,7 +77,7 @@ static void stream_lines(struct stream *stream, size_t searched)
     memmove(stream->data, line, stream->size);
 }
 
-/* True if there may be more to read at once. */
+/* Returns true if there may be more to read at once. */
 static bool stream_read(struct stream *stream)
 {
     if (stream->fd < 0)
@@ -100,8 +100,8 @@ static bool stream_read(struct stream *stream)
     return true;
 }
 
-/* The child is gone, so what is left is at most what a pipe holds; a stray grandchild could write for ever.
- */
+/* The child is gone, so a pipe's content is all that is left. The number of reads is limited because a stray
+ * grandchild could write for ever. */
 static void stream_finish(struct stream *stream, bool keep_unfinished_line)
 {
     for (int i = 0; i < DRAIN_READS && stream_read(stream); i++)
@@ -141,8 +141,8 @@ static char **merge_environment(const char *const *extra)
     return merged;
 }
 
-/* A file in memory instead of a pipe: nothing to feed while the child runs, and no SIGPIPE if it does not
- * read. */
+/* The input is a file in memory and not a pipe, so nothing has to be fed while the child runs, and no SIGPIPE comes
+ * if the child does not read. */
 static int open_input(const char *input, size_t size)
 {
     if (!input)
@@ -217,7 +217,7 @@ static bool child_prepare(struct child *child, const struct aob_child_desc *desc
            !fcntl(child->err_pipe[0], F_SETFL, O_NONBLOCK);
 }
 
-/* Runs between fork and exec: nothing here may allocate or lock. */
+/* This runs between fork and exec, so nothing here may allocate or lock. */
 static void __attribute__((noreturn)) become(const struct child *child, const struct aob_child_desc *desc)
 {
     struct rlimit no_core = {0, 0}, memory = {desc->memory_limit, desc->memory_limit};
@@ -280,7 +280,7 @@ static bool has_ended(pid_t pid)
     return waitid(P_PID, (id_t)pid, &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == pid;
 }
 
-/* Until the child ends or its time is up; returns whether it was the time. */
+/* Waits until the child ends or its time is up, and returns whether it was the time. */
 static bool follow(pid_t pid, double timeout_s, struct stream *out, struct stream *err)
 {
     int64_t start = aob_clock_wall_ns();

@@ -10,12 +10,12 @@
 struct aob_child_desc {
     const char *const *argv; /* NULL-ended; argv[0] is the program's path */
     const char *const *env;  /* NULL, or NULL-ended "NAME=value" set on top of this process's environment */
-    const char *input;       /* given on standard input; NULL: empty */
+    const char *input;       /* what it reads from standard input; NULL: nothing */
     size_t input_size;
-    double timeout_s;    /* of the whole run; 0: none */
-    size_t memory_limit; /* bytes of address space (of resident memory under AddressSanitizer); 0: none */
-    /* Each line of standard output, of any length, without the newline; may be NULL. A last line that lacks
-     * its newline counts only if the child exited by itself: a crash may have cut it. */
+    double timeout_s;    /* for the whole run; 0: no limit */
+    size_t memory_limit; /* bytes of address space (of resident memory under AddressSanitizer); 0: no limit */
+    /* Called with each line of standard output, of any length, without its newline; may be NULL. A last line that
+     * lacks its newline counts only if the child exited by itself: a crash may have cut it. */
     void (*on_line)(void *user, const char *line);
     void *user;
 };

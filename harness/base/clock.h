@@ -7,6 +7,7 @@ int64_t aob_clock_wall_ns(void); /* monotonic */
 int64_t
 aob_clock_cpu_ns(void); /* processor time of all threads of this process, a software driver's included */
 
-/* Involuntary context switches of this process so far: a wall time is clean if this did not change. */
+/* The number of involuntary context switches of this process so far. A wall time is clean if it did not change
+ * meanwhile. */
 int64_t aob_clock_preemptions(void);
 #endif

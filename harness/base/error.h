@@ -10,23 +10,23 @@ enum aob_exit {
     AOB_EXIT_OK = 0,    /* done and good */
     AOB_EXIT_BAD = 1,   /* the answer is bad: slower, a regression, a failed property */
     AOB_EXIT_USAGE = 2, /* usage, config, unreadable input, unwritable output, nothing could run */
-    AOB_EXIT_PART = 3,  /* done in part; everything else is stored */
+    AOB_EXIT_PART = 3,  /* done in part; what was done is stored */
 };
 
 struct aob_error {
     char text[768]; /* empty while nothing failed */
 };
 
-/* Write the line into `error` (NULL is allowed: the caller does not want it). Always returns false. */
+/* Writes the line into `error` (NULL is allowed: the caller does not want it). Always returns false. */
 bool aob_fail(struct aob_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Put "prefix: " before the line that is already there. Always returns false. */
+/* Puts "prefix: " before the line that is already there. Always returns false. */
 bool aob_fail_in(struct aob_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* One line on standard error: "aobudget: error: TEXT". Line breaks within the text become spaces. */
+/* Prints one line on standard error: "aobudget: error: TEXT". Line breaks within the text become spaces. */
 void aob_error_print(const struct aob_error *error);
 
-/* One line on standard error: "aobudget: warning: TEXT" / "aobudget: TEXT". */
+/* Each prints one line on standard error: "aobudget: warning: TEXT" or "aobudget: TEXT". */
 void aob_warn(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void aob_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 #endif

@@ -81,7 +81,6 @@ static char *part_of(const char *target)
     return part;
 }
 
-/* A pipe is not opened: its reader would see the end. */
 bool aob_file_copy(const char *from, const char *to, struct aob_error *error)
 {
     size_t size;
@@ -91,6 +90,7 @@ bool aob_file_copy(const char *from, const char *to, struct aob_error *error)
     return ok;
 }
 
+/* A pipe is not opened here, because its reader would see the end of its input. */
 bool aob_file_check(const char *path, struct aob_error *error)
 {
     if (is_special(path))

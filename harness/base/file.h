@@ -5,30 +5,31 @@
 #include <stddef.h>
 #include "error.h"
 
-/* The file's bytes with a NUL behind them; free() them. At most `limit` bytes, else an error. */
+/* Returns the file's bytes with a NUL behind them; free() them. A file of more than `limit` bytes is an error. */
 char *aob_file_read(const char *path, size_t limit, size_t *size, struct aob_error *error);
 
-/* Write beside `path`, flush to disk, rename: a reader sees the old file or the new one. A link stays a link, and
- * what is no file at all (a device, a pipe) is written into, not replaced. */
+/* Writes a file beside `path`, flushes it to disk and renames it, so a reader sees the old file or the new one. A
+ * link stays a link. What is no regular file (a device, a pipe) is written into and not replaced. */
 bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob_error *error);
 
-/* The whole of one file into another, as aob_file_write writes it. */
+/* Copies the whole of one file into another, as aob_file_write writes it. */
 bool aob_file_copy(const char *from, const char *to, struct aob_error *error);
 
-/* Whether that could be written now, for those who would be long at work before they write it. Leaves nothing behind. */
+/* Checks that `path` can be written, so that a long job fails at its start and not at its end. It leaves nothing
+ * behind. */
 bool aob_file_check(const char *path, struct aob_error *error);
 
-/* Where a whole file for `path` may be renamed to: links followed; NULL after a line if that is no regular file.
- * free() it. */
+/* Returns the path that a finished file for `path` is renamed to, with links followed; free() it. NULL after a line
+ * if that is no regular file. */
 char *aob_file_target(const char *path, struct aob_error *error);
 
 bool aob_file_exists(const char *path);
 size_t aob_file_size(const char *path); /* bytes; 0 if there is none */
 
-/* A folder with its parents. An existing folder is fine; it must be writable. */
+/* Creates a folder and its parents. The folder may exist already; it must be writable. */
 bool aob_folder_create(const char *path, struct aob_error *error);
 
-/* "a/b": allocated; free() it. */
+/* Returns "folder/name"; free() it. */
 char *aob_path_join(const char *folder, const char *name);
 
 /* The folder of the running program, without a trailing slash; free() it. */

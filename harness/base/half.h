@@ -1,4 +1,4 @@
-/* IEEE 754 half floats as their bits; the compiler's _Float16 rounds to the nearest even. */
+/* IEEE 754 half floats as their bits. The compiler's _Float16 rounds to the nearest, ties to even. */
 #ifndef AOB_BASE_HALF_H
 #define AOB_BASE_HALF_H
 #include <stdint.h>

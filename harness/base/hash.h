@@ -10,6 +10,6 @@ enum { AOB_KEY_SIZE = 33 }; /* with the NUL */
 void aob_hash_bytes(const void *bytes, size_t size, char key[AOB_KEY_SIZE]);
 void aob_hash_text(const char *text, char key[AOB_KEY_SIZE]);
 
-/* Of a file's bytes, read as a stream. */
+/* Hashes a file's bytes, which it reads as a stream. */
 bool aob_hash_file(const char *path, char key[AOB_KEY_SIZE], struct aob_error *error);
 #endif

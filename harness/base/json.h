@@ -10,14 +10,15 @@ json_t *aob_json_number(double value);
 double aob_json_to_number(const json_t *value); /* NAN unless a number or "inf" */
 json_t *aob_json_vector(const double *values, size_t count);
 bool aob_json_to_vector(const json_t *array, double *values,
-                        size_t count); /* false: not so many finite numbers */
+                        size_t count); /* false: the array has not exactly `count` finite numbers */
 
-/* Compact, one line, reals with so many digits (17: exact; 9: a float exactly); free() it. */
+/* Returns the value as one compact line, with `digits` digits for each real (17 keep a double exactly, 9 a float);
+ * free() it. */
 char *aob_json_line(const json_t *value, int digits);
 
-/* One indented document into a file, whole or not at all; "-" is standard output. */
+/* Writes one indented document into a file, whole or not at all; "-" is standard output. */
 bool aob_json_write(const json_t *document, const char *path, struct aob_error *error);
 
-/* Whether that could be written now, before the work for it is done; NULL, no document, can. */
+/* Checks that `path` can be written, before the work for the document is done. NULL passes: no document is wanted. */
 bool aob_json_check(const char *path, struct aob_error *error);
 #endif

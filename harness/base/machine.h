@@ -1,8 +1,8 @@
-/* What machine this is; for a record's fingerprint. */
+/* The machine that this is, for a record's fingerprint. */
 #ifndef AOB_BASE_MACHINE_H
 #define AOB_BASE_MACHINE_H
 #include <stddef.h>
 
 void aob_machine_processor(char *name, size_t size); /* "AMD EPYC ..." or "unknown" */
-int aob_machine_cores(void);                         /* that this process may use */
+int aob_machine_cores(void);                         /* those that this process may use */
 #endif

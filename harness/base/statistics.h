@@ -1,4 +1,4 @@
-/* Statistics of paired times. All arrays are left alone; n >= 1. */
+/* Statistics of paired times. No function changes its arrays; n >= 1. */
 #ifndef AOB_BASE_STATISTICS_H
 #define AOB_BASE_STATISTICS_H
 #include <stdbool.h>
@@ -6,15 +6,15 @@
 
 double aob_median(const double *x, size_t n);
 
-/* The q-quantile (0..1), linear between order statistics. */
+/* The q-quantile, q in 0..1, which is linear between order statistics. */
 double aob_quantile(const double *x, size_t n, double q);
 
-/* Exact sign-test interval of the median, at least 95 %: [x_(k), x_(n+1-k)] with the largest k for which
- * P(Bin(n, 1/2) < k) <= 2.5 %. False (and the whole range) for n < 6, where no such interval exists. */
+/* Exact sign-test interval of the median, at least 95 %: [x_(k), x_(n+1-k)] with the largest k for which P(Bin(n,
+ * 1/2) < k) <= 2.5 %. Returns false, with the whole range, for n < 6, where no such interval exists. */
 bool aob_median_interval(const double *x, size_t n, double *low, double *high);
 
-/* Ratio of two costs from paired rounds: exp of the median of ln(a_i/b_i), with the interval above carried
- * through. The pairing removes what both sides of a round share (drift, load). */
+/* The ratio of two costs from paired rounds is exp of the median of ln(a_i/b_i); its interval is the one above,
+ * carried through exp. The pairing removes what both sides of a round share (drift, load). */
 struct aob_ratio {
     double ratio, low, high;
     bool bounded; /* low and high are a 95 % interval */

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Doubled, so that a text of many small parts is not copied for each. */
+/* The room doubles, so that a text of many small parts is not copied for each of them. */
 static void make_room(struct aob_text *text, size_t more)
 {
     if (text->data && more < text->room - text->size)

@@ -8,7 +8,7 @@
 
 const char aob_capture_version[] = "capture 1";
 
-/* Half of what shaders take for sky, so that rounding does not make a surface of it. */
+/* The limit is half of what shaders take for sky, so that rounding does not make a surface of the sky. */
 static const double FARTHEST = 5e8;
 static const float LARGEST_HALF = 65504;
 
@@ -91,7 +91,7 @@ static bool find_camera(struct aob_capture *capture, const struct aob_capture_de
     return aob_camera_check(camera, error) || aob_fail_in(error, "%s", desc->file);
 }
 
-/* Distance along the view axis; 0 where sky. `slant`: length of the pixel's ray for a depth of 1. */
+/* Returns the distance along the view axis, or 0 for sky. `slant` is the length of the pixel's ray for a depth of 1. */
 static double decode(const struct aob_convention *c, bool perspective, double z, double slant)
 {
     if (!isfinite(z) || (c->depth != AOB_DEPTH_DEVICE && z <= 0))

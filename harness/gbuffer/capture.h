@@ -1,10 +1,10 @@
-/* A captured frame: depth and normals from another renderer's EXR file, brought to the form of the canonical G-buffer.
- * The file is a stranger's, so this runs in a worker. One thread.
+/* A captured frame: depth and normals from another renderer's EXR file, brought to the form of the canonical
+ * G-buffer. The file comes from a stranger, so this runs in a worker, on one thread.
  *
- * Sky is what is not finite, not above 0, 5e8 or more, 65504 (the largest half, where Blender puts the sky), at `far`
- * or beyond, or at a depth buffer's far value; and what the file has no pixels for.
- * Normals are turned to the camera and normalised. Where a pixel has none it is derived from depth: of the two
- * neighbours on each axis the one that is nearer in depth, and their cross product. */
+ * A pixel is sky if its depth is not finite, not above 0, 5e8 or more, 65504 (the largest half, where Blender puts
+ * the sky), at `far` or beyond, or at a depth buffer's far value, or if the file has no pixel there. Normals are
+ * turned to the camera and normalised. If a pixel has none, it is derived from depth: on each axis the neighbour
+ * nearer in depth is taken, and the cross product of the two gives the normal. */
 #ifndef AOB_GBUFFER_CAPTURE_H
 #define AOB_GBUFFER_CAPTURE_H
 #include <stdbool.h>
@@ -26,7 +26,7 @@ struct aob_capture {
     struct aob_hits
         hits; /* depth, normal, shading (the same), primitive 0; the size is the display window's */
     size_t surface, derived; /* pixels that are no sky; of these, with a derived normal */
-    struct aob_error warnings[AOB_CAPTURE_WARNINGS]; /* where another channel would do as well */
+    struct aob_error warnings[AOB_CAPTURE_WARNINGS]; /* one where another channel would do as well */
     size_t warning_count;
 };
 
@@ -35,10 +35,11 @@ bool aob_capture_read(struct aob_capture *capture, const struct aob_capture_desc
                       struct aob_error *error);
 void aob_capture_finish(struct aob_capture *capture);
 
-/* For aob_capture_read: fills normal and shading from `planes`, three of the file's or NULL thrice. */
+/* Fills normal and shading from `planes`, which are three of the file's or NULL three times. It serves
+ * aob_capture_read. */
 bool aob_capture_normals(struct aob_capture *capture, const struct aob_capture_desc *desc,
                          const float *const planes[3], bool camera_known, struct aob_error *error);
 
-/* Raised when what a file is read as could change; part of its digest. */
+/* The version is raised when a file could be read as something else. It is part of the file's digest. */
 extern const char aob_capture_version[];
 #endif

@@ -100,7 +100,7 @@ static bool take_normal(const char *const *names, size_t count, const char *name
     return false;
 }
 
-/* Of two colour channels of one depth (R, G, B), the second is no second depth. */
+/* A depth may be stored as a colour (R, G, B). Its second channel is no second depth. */
 static bool same_layer(const char *a, const char *b)
 {
     size_t stem = split(a).stem;

@@ -25,11 +25,12 @@ struct aob_capture_channels {
         other_normal; /* another that would do as well (a normal by its X); else AOB_CHANNEL_NONE */
 };
 
-/* False with one line: no depth (it lists the channels), or the convention names channels that are not there. */
+/* False after one line if there is no depth (the line lists the channels), or if the convention names channels that
+ * are not there. */
 bool aob_capture_channels_choose(struct aob_capture_channels *channels, const char *const *names,
                                  size_t count, const struct aob_convention *convention,
                                  struct aob_error *error);
 
-/* Printable ASCII of a name that came from a file; at most `size` - 1 letters. */
+/* Writes a name that came from a file as printable ASCII, at most `size` - 1 letters. */
 void aob_capture_channel_print(const char *name, char *text, size_t size);
 #endif

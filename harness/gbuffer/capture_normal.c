@@ -45,7 +45,7 @@ static bool is_surface(const struct context *context, int x, int y)
            hits->depth[(size_t)y * (size_t)hits->width + (size_t)x] > 0;
 }
 
-/* Along +(dx, dy), by the neighbour nearer in depth. False if both are sky. */
+/* Finds the tangent along +(dx, dy) by the neighbour nearer in depth. False if both neighbours are sky. */
 static bool slope(const struct context *context, int x, int y, int dx, int dy, struct aob_vec3 *step)
 {
     struct aob_vec3 here = position(context, x, y);
@@ -64,7 +64,7 @@ static struct aob_vec3 to_camera(const struct context *context, int x, int y)
     return context->view.perspective ? aob_vec_scale(position(context, x, y), -1) : aob_vec(0, 0, 1);
 }
 
-/* Where a pixel stands alone it faces the camera. */
+/* A pixel that stands alone faces the camera. */
 static struct aob_vec3 derive(const struct context *context, int x, int y)
 {
     struct aob_vec3 across, up;
@@ -80,7 +80,7 @@ static struct aob_vec3 file_normal(const struct context *context, const float *c
                    aob_vec_dot(n, context->back));
 }
 
-/* Packed or otherwise coded vectors would pass for normals and spoil every figure. */
+/* Packed or otherwise coded vectors would pass for normals and spoil every figure, so they are refused. */
 static bool judge_lengths(const struct aob_capture *capture, const struct aob_capture_desc *desc,
                           const float *const planes[3], struct aob_error *error)
 {

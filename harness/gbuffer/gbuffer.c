@@ -65,7 +65,7 @@ bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh,
     return ok;
 }
 
-/* `size` channels side by side, `stride` floats a pixel, the rest 0; NULL unless all are there. */
+/* Returns `size` channels side by side with `stride` floats a pixel, the rest 0; NULL unless all channels are there. */
 static float *interleave(const struct aob_image *image, const char *const *names, size_t size, size_t stride)
 {
     size_t count = (size_t)image->width * (size_t)image->height;

@@ -1,7 +1,7 @@
-/* The canonical G-buffer: what the ray tracer sees at pixel centres, in the form that shaders and scores
- * read. It travels between processes as an EXR file (Z, N.X N.Y N.Z, S.X S.Y S.Z, primitive; V.X V.Y if the
- * camera moves; material, albedo.R albedo.G albedo.B if the mesh has other materials than the default; Z = 0 and
- * primitive = material = -1 where sky). */
+/* The canonical G-buffer is what the ray tracer sees at pixel centres, in the form that shaders and scores read. It
+ * travels between processes as an EXR file (Z, N.X N.Y N.Z, S.X S.Y S.Z, primitive; V.X V.Y if the camera moves;
+ * material, albedo.R albedo.G albedo.B if the mesh has other materials than the default; Z = 0 and primitive =
+ * material = -1 where sky). */
 #ifndef AOB_GBUFFER_GBUFFER_H
 #define AOB_GBUFFER_GBUFFER_H
 #include <stdbool.h>
@@ -23,22 +23,24 @@ struct aob_gbuffer {
 };
 #define AOB_GBUFFER_SKY 1e9f /* far beyond any scene, and its square is finite; AOB_SKY_Z in shaders */
 
-/* From hits, of the tracer or of a rasteriser (frame/raster.h): depth and normals. Allocates; aob_gbuffer_finish frees. */
+/* Takes depth and normals from the hits of the tracer or of a rasteriser (frame/raster.h). Allocates;
+ * aob_gbuffer_finish frees. */
 void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,
                       const struct aob_projection *projection, int guard);
 
-/* Into a file, with the materials of the mesh that was cast (an empty one of a capture) / from such a file; that allocates too. */
+/* Writes the hits into a file, with the materials of the mesh that was cast (an empty mesh for a capture).
+ * aob_gbuffer_load reads such a file; it allocates as well. */
 bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh, const char *path,
                        struct aob_error *error);
-struct aob_gbuffer_desc { /* what such a file must be of */
+struct aob_gbuffer_desc { /* what such a file must show */
     const struct aob_camera *camera;
     int width, height, guard; /* pixels; the guard band lies around width x height */
 };
 bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_gbuffer_desc *desc,
                       struct aob_error *error);
 
-/* The other way: what was seen, for the screen-space bound of a capture (reference/bound.h). Depth, normals and which
- * pixels are sky (primitive 0 or none); no place on a triangle. Allocates; aob_hits_finish frees. */
+/* Goes the other way, for the screen-space bound of a capture (reference/bound.h): the hits hold depth, normals and
+ * which pixels are sky (primitive 0 or none), but no place on a triangle. Allocates; aob_hits_finish frees. */
 void aob_gbuffer_hits(const struct aob_gbuffer *gbuffer, struct aob_hits *hits);
 void aob_gbuffer_finish(struct aob_gbuffer *gbuffer);
 #endif

@@ -26,7 +26,7 @@ static void copy_hits(struct aob_hits *hits, const struct aob_hits *from)
         hits->primitive[i] = from->depth[i] > 0 ? (uint32_t)i : AOB_NO_PRIMITIVE;
 }
 
-/* Thin surfaces may have no whole cell: then only points are known, and nothing occludes. */
+/* Thin surfaces may have no whole cell. Then only points are known, and nothing occludes. */
 static bool has_area(const struct aob_mesh *mesh)
 {
     for (size_t i = 0; i < mesh->triangle_count; i++) {

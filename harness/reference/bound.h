@@ -33,18 +33,18 @@ struct aob_bound_desc {
 
 struct aob_bound;
 
-/* Reads `depth` (0: sky) and `normal` of the hits, and keeps nothing of them. NULL after one line: a thickness that is
- * not positive, or what aob_tracer_create says. A picture of nothing but sky, or of nothing that can be joined, is open everywhere. Threads: as a
- * tracer. */
+/* Reads `depth` (0: sky) and `normal` of the hits, and keeps nothing of them. NULL after one line if the thickness is
+ * not positive, or if aob_tracer_create fails. A picture that has nothing but sky, or nothing that can be joined, is
+ * open everywhere. It is used by one thread at a time, as a tracer is. */
 struct aob_bound *aob_bound_create(const struct aob_camera *camera, const struct aob_projection *projection,
                                    const struct aob_hits *hits, const struct aob_bound_desc *desc,
                                    struct aob_error *error);
 void aob_bound_destroy(struct aob_bound *bound);
 
-/* As aob_tracer_visibility, all its terms included: with the same desc the same rays as the truth. */
+/* Does what aob_tracer_visibility does, with all its terms. With the same desc it traces the same rays as the truth. */
 bool aob_bound_visibility(const struct aob_bound *bound, const struct aob_visibility_desc *desc,
                           struct aob_visibility *result, struct aob_error *error);
 
-/* Raised when any value of the bound could change for the same truth; part of cache keys. */
+/* The version is raised when any value of the bound could change for the same truth. It is part of cache keys. */
 extern const char aob_bound_version[];
 #endif

@@ -4,11 +4,11 @@
 enum { CORNERS = 4 };
 static const int corner_x[CORNERS] = {0, 1, 1, 0}, corner_y[CORNERS] = {0, 0, 1, 1};
 
-/* Pixel widths by which joined neighbours may leave each other's tangent plane. Less tears the surface at its
- * creases, more joins what lies behind an edge to what lies before it. */
+/* Joined neighbours may leave each other's tangent plane by so many pixel widths. A smaller limit tears the surface
+ * at its creases; a larger one joins what lies behind an edge to what lies before it. */
 static const double join_limit = 2;
 
-/* Where walls against the sky end, in farthest depths. */
+/* Walls against the sky end at so many farthest depths of the view. */
 static const double end_ratio = 4;
 
 struct rebuild {
@@ -26,7 +26,7 @@ struct place {
     double x, y, depth;
 };
 
-/* Between four pixel centres; side k joins corner k to the next. */
+/* A cell between four pixel centres. Side k joins corner k to the next. */
 struct cell {
     struct place corner[CORNERS]; /* depth 0: sky, or outside */
     size_t pixel[CORNERS];
@@ -65,7 +65,7 @@ static struct aob_vec3 view_normal(const struct rebuild *r, size_t pixel)
     return aob_vec(n[0], n[1], n[2]);
 }
 
-/* What is linear over the image on a plane: 1 / depth in a perspective view. */
+/* On a plane this is linear over the image: 1 / depth in a perspective view. */
 static double mean_depth(const struct rebuild *r, double a, double b)
 {
     return r->projection->perspective ? 2 / (1 / a + 1 / b) : (a + b) / 2;
@@ -76,7 +76,7 @@ static double clamp(double value, double low, double high)
     return value < high ? fmax(value, low) : high;
 }
 
-/* Depth at (x, y) of the tangent plane of corner k; a plane that never gets there counts as endlessly far. */
+/* The depth of corner k's tangent plane at (x, y). A plane that never gets there counts as endlessly far. */
 static double plane_depth(const struct rebuild *r, const struct cell *cell, int k, double x, double y)
 {
     struct place at = cell->corner[k], one = {x, y, 1};
@@ -113,7 +113,7 @@ static void cell_init(const struct rebuild *r, int x, int y, struct cell *cell)
         cell->joined[k] = are_joined(r, cell, k, next_corner(k));
 }
 
-/* Of the side from corner k to corner `other`, as k sees it. */
+/* The middle of the side from corner k to corner `other`, as k sees it. */
 static struct place side_middle(const struct rebuild *r, const struct cell *cell, int k, int other)
 {
     struct place a = cell->corner[k], b = cell->corner[other];
@@ -139,7 +139,7 @@ static void find_groups(const struct cell *cell, int group[CORNERS])
     }
 }
 
-/* What each corner's plane may reach in the middle. */
+/* The depths that each corner's plane may reach in the middle of the cell. */
 static void depth_range(const struct cell *cell, double *low, double *high)
 {
     bool sky = false;
@@ -217,7 +217,8 @@ static void add_whole(const struct rebuild *r, const struct cell *cell)
     add_back(r, p);
 }
 
-/* How far a wall at `p` has to go so that nothing gets in behind it: what lies behind `other` is solid too. */
+/* How far a wall at `p` has to go so that no ray gets in behind it. It ends at `other`, because what lies behind that
+ * is solid too. */
 static struct place wall_foot(const struct rebuild *r, struct place p, const struct place *other)
 {
     if (r->desc->kind == AOB_BOUND_SLAB)
@@ -226,7 +227,7 @@ static struct place wall_foot(const struct rebuild *r, struct place p, const str
     return p;
 }
 
-/* Of corner k, along the cut of a side towards `other`. */
+/* Adds the wall of corner k along the cut of its side towards `other`. */
 static void add_wall(const struct rebuild *r, const struct cell *cell, int k, int other, struct place side,
                      struct place other_side)
 {
@@ -277,7 +278,7 @@ static void add_cell(const struct rebuild *r, int x, int y)
         add_cut(r, &cell);
 }
 
-/* Sky gets a vertex inside the bounds, so that the others keep their numbers. */
+/* A sky pixel gets a vertex inside the bounds, so that the other pixels keep their numbers. */
 static void add_pixels(const struct rebuild *r)
 {
     size_t width = (size_t)r->hits->width, pixels = width * (size_t)r->hits->height;

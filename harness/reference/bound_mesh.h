@@ -3,9 +3,9 @@
 #define AOB_REFERENCE_BOUND_MESH_H
 #include "bound.h"
 
-/* World space. Vertex i and triangle i, of no area, are the point of pixel i, so that a pixel is named as a
- * hit is: primitive i, u = v = 0. All kinds have the same bounds, so that a tracer rounds them alike. False, and
- * an empty mesh, if no pixel shows a surface. */
+/* Builds the mesh in world space. Vertex i and triangle i, which has no area, are the point of pixel i, so a pixel is
+ * named as a hit is: primitive i, u = v = 0. All kinds have the same bounds, so a tracer rounds them alike. False,
+ * with an empty mesh, if no pixel shows a surface. */
 bool aob_bound_mesh(const struct aob_camera *camera, const struct aob_projection *projection,
                     const struct aob_hits *hits, const struct aob_bound_desc *desc, struct aob_mesh *mesh);
 #endif

@@ -6,7 +6,7 @@
 
 enum { LANES = AOB_PACKET };
 
-/* A primary ray: local space, the distance along it being depth. */
+/* A primary ray in local space. The distance along it is the depth. */
 struct primary {
     struct aob_vec3 origin, direction;
     double entry; /* where it enters the mesh's box; < 0: it misses it */
@@ -68,8 +68,8 @@ static void set_lane(const struct cast *cast, const struct primary *ray, struct 
     valid[k] = ray->entry >= 0 ? -1 : 0;
 }
 
-/* Where the ray meets the triangle's plane, in double precision, kept within the triangle: Embree's floats
- * decide only which triangle it is. */
+/* Finds in double precision where the ray meets the triangle's plane, and keeps it within the triangle. Embree's
+ * floats decide only which triangle it is. */
 static void refine(const struct primary *ray, const struct aob_vec3 corner[3], struct aob_vec3 normal,
                    double *u, double *v)
 {
@@ -116,7 +116,7 @@ static struct aob_vec3 shading_normal(const struct aob_tracer *tracer, uint32_t 
     return aob_vec_dot(n, geometric) < 0 ? aob_vec_scale(n, -1) : n;
 }
 
-/* `point`: local; NULL: the sky in the ray's direction. */
+/* `point` is in local space; NULL means the sky in the ray's direction. */
 static void store_velocity(const struct cast *cast, const struct primary *ray, const struct aob_vec3 *point,
                            size_t pixel)
 {

@@ -1,6 +1,6 @@
-/* The mesh as Embree holds it, and as double precision knows it: what the files of the tracer share.
- * Two spaces: *local* is scene units less the box's centre (double); *unit* is local * to_unit (float,
- * Embree's), the longest side of the box being 1. */
+/* The mesh as Embree holds it, and in double precision. The files of the tracer share it. Two spaces: *local* is
+ * scene units less the box's centre (double); *unit* is local * to_unit (float, Embree's), the longest side of the
+ * box being 1. */
 #ifndef AOB_REFERENCE_EMBREE_MESH_H
 #define AOB_REFERENCE_EMBREE_MESH_H
 #include <embree3/rtcore.h>
@@ -20,11 +20,12 @@ struct aob_tracer {
     double to_unit;
 };
 
-/* Embree wants denormals flushed; restore with aob_float_mode_end. One pair a thread. */
+/* Embree wants denormals flushed. aob_float_mode_end restores the mode; each thread needs its own pair of calls. */
 unsigned aob_float_mode_begin(void);
 void aob_float_mode_end(unsigned mode);
 
-/* Corners of a triangle, local space, and its normal (counter-clockwise), not normalised. */
+/* Gives the corners of a triangle in local space, and returns its normal (counter-clockwise), which is not
+ * normalised. */
 struct aob_vec3 aob_tracer_corners(const struct aob_tracer *tracer, uint32_t triangle,
                                    struct aob_vec3 corner[3]);
 #endif

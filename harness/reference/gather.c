@@ -2,18 +2,18 @@
 #include <float.h>
 #include <string.h>
 
-/* How far rays start above their surface, unit space: twice what the rounding of the start (half an ulp of at
+/* Rays start so far above their surface, in unit space. It is twice what the rounding of the start (half an ulp of at
  * most 0.5) and of a curved surface's corners asks for. */
 #define LIFT FLT_EPSILON
 
-/* Rays start so high by a step towards the camera. It sees the point, so this is in front of every surface that
- * meets there, where a step along the normal may lead behind the other side of a crease. At most 1024 times
- * the lift; the rest along the normal. */
+/* The start is raised by moving it towards the camera. The camera sees the point, so it stays in front of every
+ * surface meeting there; a step along the normal may lead behind the other side of a crease. The step is at most 1024
+ * times the lift, and the rest goes along the normal. */
 static const double least_cosine = 1 / 1024.0;
 
-/* Embree's triangle test errs by an ulp of the distance to the triangle's corners, so a triangle as large as
- * the scene can seem to lie above a start on its own plane. Such a false hit is nearer than error / least
- * cosine; hits nearer than this are looked at again in double precision. */
+/* Embree's triangle test errs by an ulp of the distance to the triangle's corners, so a triangle as large as the
+ * scene can seem to lie above a start on its own plane. Such a false hit is nearer than error / least cosine; hits
+ * nearer than this are checked again in double precision. */
 static const float near_hit = 1 / 1024.f;
 
 /* Duff et al. 2017, "Building an Orthonormal Basis, Revisited". */
@@ -27,7 +27,7 @@ static void build_basis(struct aob_vec3 n, struct aob_basis *basis)
     };
 }
 
-/* Towards the camera, from a point in local space. */
+/* The direction towards the camera from a point in local space. */
 static struct aob_vec3 sight(const struct aob_tracer *tracer, const struct aob_camera *camera,
                              const struct aob_frame_axes *axes, struct aob_vec3 local)
 {
@@ -67,7 +67,7 @@ void aob_surface_at(const struct aob_tracer *tracer, const struct aob_camera *ca
 
 uint64_t aob_gather_seed(const struct aob_hits *hits, size_t pixel, int half, uint32_t seed)
 {
-    /* Counted from the middle, so that neither a guard band nor a part changes a pixel's rays. */
+    /* Places count from the middle, so that neither a guard band nor a part changes a pixel's rays. */
     size_t width = (size_t)hits->width;
     uint32_t across = (uint32_t)(pixel % width) - (uint32_t)(hits->width / 2);
     uint32_t down = (uint32_t)(pixel / width) - (uint32_t)(hits->height / 2);
@@ -75,7 +75,7 @@ uint64_t aob_gather_seed(const struct aob_hits *hits, size_t pixel, int half, ui
     return aob_sampler_mix(place * 2 + (uint64_t)half, seed);
 }
 
-/* A ray that leaves the plane of the triangle that it is said to hit. */
+/* Whether a ray leaves the plane of the triangle that it is said to hit. */
 static bool is_false_hit(const struct aob_tracer *tracer, const struct RTCRay *ray, unsigned primitive)
 {
     struct aob_vec3 corner[3];
@@ -86,7 +86,7 @@ static bool is_false_hit(const struct aob_tracer *tracer, const struct RTCRay *r
     return height * climb >= 0;
 }
 
-/* Puts the first true hit of one ray of a packet, from its near hit on, in that one's place; `reach` if none. */
+/* Replaces the near hit of one ray of a packet by the ray's first true hit, or by `reach` if it has none. */
 static void find_true_hit(const struct aob_tracer *tracer, struct RTCIntersectContext *context,
                           struct RTCRayHit16 *packet, int k, float near, float reach)
 {

@@ -5,7 +5,7 @@
 #include "embree_mesh.h"
 #include "sampler.h"
 
-/* Unit space: the lifted start, and the frame about the geometric normal. */
+/* In unit space: the raised start of the rays, and the frame about the geometric normal. */
 struct aob_surface {
     float origin[3];
     struct aob_basis basis;
@@ -18,9 +18,9 @@ void aob_surface_at(const struct aob_tracer *tracer, const struct aob_camera *ca
 /* The scramble of one half (0 or 1) of a pixel's directions; `seed` is the trace's. */
 uint64_t aob_gather_seed(const struct aob_hits *hits, size_t pixel, int half, uint32_t seed);
 
-/* Closest hits of all directions from `origin` within `reach` (unit space): distance[i] < reach of a hit, and
- * `reach` itself of a miss. primitive[i]: Embree's number of what is hit, AOB_NO_PRIMITIVE of a miss; NULL if nobody
- * asks. `count` directions; the arrays are padded as the sampler's. */
+/* Finds the closest hits of `count` directions from `origin` within `reach` (unit space). distance[i] is less than
+ * `reach` for a hit, and `reach` itself for a miss. primitive[i] is Embree's number of what is hit, or
+ * AOB_NO_PRIMITIVE for a miss; `primitive` may be NULL. The arrays are padded like the sampler's. */
 void aob_gather_distances(const struct aob_tracer *tracer, const float origin[3],
                           const struct aob_directions *directions, size_t count, float reach, float *distance,
                           uint32_t *primitive);

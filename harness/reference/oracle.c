@@ -1,7 +1,7 @@
 #include "oracle.h"
 #include <math.h>
 
-/* Of the unit disc, beyond a chord at distance t from its centre. */
+/* The area of the unit disc beyond a chord at distance t from its centre. */
 static double segment(double t)
 {
     return t < 1 ? acos(t) - t * sqrt(1 - t * t) : 0;

@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "oracle.h"
 
-/* Points are rebuilt from 32-bit depths. */
+/* Points are rebuilt from 32-bit depths, so they lie on a surface only within this slack. */
 static const double slack = 1e-4;
 
 static bool on_floor(struct aob_vec3 p, struct aob_vec3 n)
@@ -19,14 +19,15 @@ static double always_open(struct aob_vec3 p, struct aob_vec3 n, double r)
     return 1;
 }
 
-/* Planes of 40 m: beyond r there is nothing to miss. */
+/* The planes measure 40 m, so there is nothing to miss beyond r. */
 static double corner(struct aob_vec3 p, struct aob_vec3 n, double r)
 {
     (void)n;
     return fabs(p.x) + r <= 20 ? aob_oracle_corner(fmax(p.y, p.z), r) : NAN;
 }
 
-/* Of what a wall of height h hides, the part farther than L to the side is less than d h^2/(6 L^3) of the disc. */
+/* The part of what a wall of height h hides that lies farther than L to the side is less than d h^2/(6 L^3) of the
+ * disc. */
 static double wall(struct aob_vec3 p, struct aob_vec3 n, double r)
 {
     return on_floor(p, n) && fabs(p.x) + fmin(r, 10) <= 20 ? aob_oracle_wall(p.z, 0.25, r) : NAN;

@@ -7,8 +7,9 @@ struct aob_oracle {
     const char *name;  /* "O2" */
     const char *scene; /* as it is listed */
     const char *claim; /* what it says, in a phrase with the formula */
-    /* At the surface point p with unit normal n (towards who sees it), rays of length r: the truth, or NAN where no closed
-     * form holds: surfaces that the form is not about, points from which the finite scene's end is within r. */
+    /* The truth at the surface point p with unit normal n (towards the viewer) for rays of length r. NAN where no
+     * closed form holds: on surfaces that the form is not about, and at points from which the finite scene's end is
+     * within r. */
     double (*visibility)(struct aob_vec3 p, struct aob_vec3 n, double r);
 };
 

@@ -21,7 +21,7 @@ static uint32_t sobol_second(uint32_t index)
     return x;
 }
 
-/* The upper 16 bits of x to the even places of a 32-bit number. */
+/* Spreads the upper 16 bits of x over the even places of a 32-bit number. */
 static uint32_t spread(uint32_t x)
 {
     x >>= 16;
@@ -92,13 +92,13 @@ static inline uint32_t scrambled(uint32_t x, uint32_t seed)
     return (x >> 1 & 0x55555555) | (x & 0x55555555) << 1;
 }
 
-/* Bits to a float and back through a union: the vectoriser sees through it, unlike a call. */
+/* Bits become a float and back through a union, because the vectoriser sees through it, unlike a call. */
 union word {
     uint32_t bits;
     float number;
 };
 
-/* Of positive floats, the bits have the order of the numbers; a float comparison would not be vectorised. */
+/* The bits of positive floats have the order of the numbers. A float comparison would not be vectorised. */
 static inline float at_least(float x, float least)
 {
     union word a = {.number = x}, b = {.number = least};
@@ -106,7 +106,7 @@ static inline float at_least(float x, float least)
     return a.number;
 }
 
-/* In (0, 1), exact in 24 bits. */
+/* Returns a number in (0, 1), exact in 24 bits. */
 static inline float unit_float(uint32_t x)
 {
     return ((float)(int)(x >> 9) + 0.5f) * (1 / 8388608.f);
@@ -116,8 +116,8 @@ struct pair {
     float cosine, sine;
 };
 
-/* Of an angle given in 2^-32 turns (less an eighth of a turn, which is all the same to a scrambled azimuth):
- * Taylor's series within +-pi/4, then the quadrant. Error < 3e-8. */
+/* Cosine and sine of an angle in 2^-32 turns, less an eighth of a turn, which makes no difference to a scrambled
+ * azimuth. Taylor's series serves within +-pi/4; then the quadrant is chosen. The error is below 3e-8. */
 static inline struct pair turn(uint32_t angle)
 {
     uint32_t quadrant = angle >> 30;
@@ -132,7 +132,7 @@ static inline struct pair turn(uint32_t angle)
     return (struct pair){c.number, s.number};
 }
 
-/* Of 0 < x < 4, to float rounding: Newton's steps on 1/sqrt(x). sqrtf may set errno and so is never
+/* The root of 0 < x < 4 to float rounding, by Newton's steps on 1/sqrt(x). sqrtf may set errno and so is never
  * vectorised. */
 static inline float root(float x)
 {
@@ -145,7 +145,7 @@ static inline float root(float x)
     return x * r;
 }
 
-/* No clone with fused multiply-adds: the same numbers come out on every machine. */
+/* There is no clone with fused multiply-adds, so that the same numbers come out on every machine. */
 __attribute__((target_clones("avx2", "default"))) void
 aob_sampler_directions(const struct aob_sampler *sampler, const struct aob_basis *basis, uint64_t seed,
                        const struct aob_directions *directions)

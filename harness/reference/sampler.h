@@ -19,8 +19,8 @@ struct aob_sampler {
     uint32_t *azimuth, *height; /* padded: the unscrambled coordinates, bits reversed, in tracing order */
 };
 
-/* `mixture`: half cosine and half uniform over the hemisphere; serves both weightings with weights of at
- * most 2. */
+/* A `mixture` is half cosine and half uniform over the hemisphere. It serves both weightings with weights of at most
+ * 2. */
 void aob_sampler_init(struct aob_sampler *sampler, size_t count, bool mixture);
 void aob_sampler_finish(struct aob_sampler *sampler);
 

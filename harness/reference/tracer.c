@@ -66,7 +66,7 @@ static struct aob_vec3 unit_point(const struct aob_tracer *tracer, uint32_t vert
     return aob_vec(p[0], p[1], p[2]);
 }
 
-/* Whether Embree's floats left it an area and double precision a normal. */
+/* Whether the triangle still has an area in Embree's floats and a normal in double precision. */
 static bool has_area(const struct aob_tracer *tracer, uint32_t triangle)
 {
     const uint32_t *t = tracer->triangles[triangle];

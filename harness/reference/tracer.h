@@ -1,7 +1,7 @@
-/* The ray tracer: a mesh in Embree, primary hits, and visibility of many definitions from one set of rays.
- * Units: everything given and returned is in scene units; the tracer recentres and rescales inside (the
- * mesh's box to unit size, in double precision) so that a scene's place and scale do not show. Threads: a
- * tracer is used by one thread at a time; its calls use all cores (OpenMP). */
+/* The ray tracer: a mesh in Embree, primary hits, and visibility of many definitions from one set of rays. Everything
+ * given and returned is in scene units. The tracer recentres and rescales inside (the mesh's box to unit size, in
+ * double precision), so that a scene's place and scale do not show. A tracer is used by one thread at a time; its
+ * calls use all cores (OpenMP). */
 #ifndef AOB_REFERENCE_TRACER_H
 #define AOB_REFERENCE_TRACER_H
 #include <stdbool.h>
@@ -13,8 +13,8 @@
 
 struct aob_tracer;
 
-/* Keeps its own copy of what it needs. Triangles without an area are skipped; the others keep their numbers.
- * NULL after an error line: a mesh that aob_mesh_check refuses, of zero extent, or without any area. */
+/* Keeps its own copy of what it needs. Triangles without an area are skipped; the others keep their numbers. NULL
+ * after an error line if aob_mesh_check refuses the mesh, or if it has no extent or no area. */
 struct aob_tracer *aob_tracer_create(const struct aob_mesh *mesh, struct aob_error *error);
 void aob_tracer_destroy(struct aob_tracer *tracer);
 
@@ -29,10 +29,10 @@ struct aob_hits {
     float (*normal)[3];  /* geometric, view space, unit, turned to the camera; 0 where sky */
     float (*shading)[3]; /* shading normal, on the geometric one's side; the geometric one where the mesh has
                             none */
-    /* Of a camera that moves, else NULL: pixels right and down that the point in the pixel's centre has moved over the
-     * image since the previous frame: its place now less its place then. The sky lies infinitely far: it moves with the
-     * camera's rotation only, and not at all in an orthographic view. AOB_NO_VELOCITY twice where it was behind the
-     * previous camera: there is no place then, and now less that lies outside of every image. */
+    /* NULL unless the camera moves. How many pixels, right and down, the point in the pixel's centre has moved over
+     * the image since the previous frame: its place now less its place then. The sky lies infinitely far: it moves
+     * with the camera's rotation only, and not at all in an orthographic view. If the point was behind the previous
+     * camera, both components are AOB_NO_VELOCITY, a displacement larger than any image. */
     float (*velocity)[2];
 };
 #define AOB_NO_VELOCITY 1e9f
@@ -70,24 +70,23 @@ struct aob_visibility { /* width * height floats each, scene part only; sky pixe
                            is below 1 (2/3 on an open plane, cosine-weighted). Sky pixels are 0. NULL unless the term
                            asks for it */
 };
-/* Fills result[term_count] (its arrays are allocated here; aob_visibility_finish frees). False and one line
- * for bad spp, part, radius or falloff, and where terms differ in of_triangle, whose rays have no end; nothing is
- * allocated then. `camera` is the one that cast the hits.
- * One closest-hit trace, to the largest radius, serves all terms (design.md, References 1): directions about
- * hits->normal, Owen-scrambled Sobol, each pixel and half scrambled by its own hash of place and
- * seed; the same result for any number of threads. Directions are cosine-distributed if all terms are. If any
- * is `uniform`, all are drawn from the density (cos + 1/2) / (2 pi), half of each kind, and weighted: cos /
- * (cos + 1/2) or 1 / (cos + 1/2), over the sum of the weights, which is the balance heuristic (Veach
- * 1997, 9.2) in one stratified set. So a cosine term traced beside a uniform one has another (equally good)
- * noise than alone: a cache key has to say which it was. Rays start at the barycentric hit point, moved
- * towards the camera until 2^-23 of the mesh's longest side above the surface (Waechter and Binder's offset,
- * Ray Tracing Gems ch. 6, is up to 128 times that, along the normal); hits so near that rounding could have made them are checked again in double
- * precision, so that a plane and a convex solid are open exactly. */
+/* Fills result[term_count] (its arrays are allocated here; aob_visibility_finish frees). False after one line if spp,
+ * part, radius or falloff is bad, or if terms differ in of_triangle, whose rays have no end; nothing is allocated
+ * then. `camera` is the one that cast the hits. One closest-hit trace, to the largest radius, serves all terms
+ * (design.md, References 1): directions about hits->normal, Owen-scrambled Sobol, each pixel and half scrambled by
+ * its own hash of place and seed; the same result for any number of threads. Directions are cosine-distributed if all
+ * terms are. If any is `uniform`, all are drawn from the density (cos + 1/2) / (2 pi), half of each kind. Their
+ * weights are cos / (cos + 1/2) or 1 / (cos + 1/2), over the sum of the weights, which is the balance heuristic
+ * (Veach 1997, 9.2) in one stratified set. A cosine term that is traced beside a uniform one therefore has another
+ * (equally good) noise than alone, and a cache key has to say which it was. Rays start at the barycentric hit point,
+ * moved towards the camera until it is 2^-23 of the mesh's longest side above the surface. (Waechter and Binder's
+ * offset, Ray Tracing Gems ch. 6, is up to 128 times that, along the normal.) Hits so near that rounding could have
+ * made them are checked again in double precision, so that a plane and a convex solid are open exactly. */
 bool aob_tracer_visibility(const struct aob_tracer *tracer, const struct aob_camera *camera,
                            const struct aob_hits *hits, const struct aob_visibility_desc *desc,
                            struct aob_visibility *result, struct aob_error *error);
 void aob_visibility_finish(struct aob_visibility *visibility);
 
-/* Raised when any traced value could change; part of cache keys. */
+/* The version is raised when any traced value could change. It is part of cache keys. */
 extern const char aob_tracer_version[];
 #endif

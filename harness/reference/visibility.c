@@ -80,8 +80,8 @@ static double falloff_at(const struct term *term, float distance)
     return term->falloff[i] * (1 - part) + term->falloff[i + 1] * part;
 }
 
-/* Weights for the mixture's density (c + 1/2) / (2 pi), divided by their own mean so that a closed point is
- * exactly closed. */
+/* The weights are for the mixture's density (c + 1/2) / (2 pi). They are divided by their own mean, so that a closed
+ * point is exactly closed. */
 static double weighted_occlusion(const struct job *job, const struct term *term,
                                  const struct scratch *scratch)
 {
@@ -142,7 +142,8 @@ static void add_bent(const struct job *job, size_t k, size_t out, const struct s
     bent[2] += (float)aob_vec_dot(half, job->axes.back);
 }
 
-/* In place of the distances along the rays. Neighbouring rays often meet one triangle. */
+/* Replaces the distances along the rays. Neighbouring rays often meet the same triangle, so its distance is kept from
+ * one ray to the next. */
 static void measure_triangles(const struct job *job, const struct aob_surface *surface,
                               const struct scratch *scratch)
 {

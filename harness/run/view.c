@@ -125,7 +125,7 @@ static char *want_truth(struct aob_measurement *m, const struct aob_case *c, con
 }
 
 /* What a case claims to compute, traced freely, or within the screen-space bound. A technique that draws the scene's
- * triangles is not bound to the screen: it knows all that its definition asks for. NULL: it claims nothing. */
+ * triangles is not limited to the depth buffer, so its bound is the scene itself. NULL: it claims nothing. */
 static char *want_claim(struct aob_measurement *m, size_t index, bool bound, struct missing *missing)
 {
     const struct aob_state *state = &m->states[index];

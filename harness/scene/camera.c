@@ -41,7 +41,7 @@ struct aob_frame_axes aob_camera_axes(const struct aob_camera *camera)
     struct aob_frame_axes axes;
     axes.back = aob_vec_normalize(aob_vec_sub(camera->eye, camera->target));
     struct aob_vec3 right = aob_vec_cross(aob_vec(0, 1, 0), axes.back);
-    /* Looking along the vertical, world up is no guide: -Z is then the top of the picture seen from above. */
+    /* World up is no guide for a look along the vertical: -Z is then the top of the picture as seen from above. */
     if (aob_vec_length(right) < 1e-9)
         right = aob_vec_cross(aob_vec(0, 0, axes.back.y > 0 ? -1 : 1), axes.back);
     axes.right = aob_vec_normalize(right);

@@ -43,7 +43,7 @@ static struct aob_vec3 from_assimp(struct aiVector3D v)
     return aob_vec(v.x, v.y, v.z);
 }
 
-/* A normal that the file left zero or not a number: up is as good as any, and the mesh stays usable. */
+/* If the file has a normal of zero or NAN, up is as good as any other, and the mesh stays usable. */
 static struct aob_vec3 unit_normal(struct aiVector3D v)
 {
     struct aob_vec3 n = aob_vec_normalize(from_assimp(v));
@@ -88,8 +88,8 @@ static void gather(struct aob_mesh *mesh, const struct aiScene *scene)
         append_part(mesh, scene, scene->mMeshes[i]);
 }
 
-/* Of strips that assimp does not understand one triangle is left, without a word: what is left is held against the
- * size of the file. Formats that carry pictures or animations along say nothing by their size. */
+/* If assimp does not understand a triangle strip, it silently keeps one triangle. So we compare the triangle count
+ * with the file size. Formats that carry pictures or animations along say nothing by their size. */
 static size_t telling_size(const char *path)
 {
     static const char *const plain[] = {".obj", ".ply", ".stl", ".off", ".3ds"};

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* NAN stays, so that the mesh is refused by its check. */
+/* NAN stays, so that aob_mesh_check refuses the mesh. */
 static float clamped(double value)
 {
     return (float)(value < 0 ? 0 : value > 1 ? 1 : value);
@@ -35,8 +35,8 @@ static void read_material(const struct aiMaterial *material, struct aob_material
     read_number(material, "$mat.metallicFactor", &into->metalness);
 }
 
-/* Where a file says nothing, assimp makes one up: for most formats grey with a name of its own, for PLY a nameless white
- * one, for glTF a nameless one of glTF's defaults (white, all metal, rough). */
+/* If a file has no material, assimp makes one up: a grey one with a name of its own for most formats, a nameless
+ * white one for PLY, and a nameless one of glTF's defaults (white, all metal, rough) for glTF. */
 static bool is_made_up(const struct aiMaterial *material)
 {
     struct aiString name = {.data = ""};

@@ -4,7 +4,8 @@
 #include <assimp/scene.h>
 #include "material.h"
 
-/* `material` may be NULL, and `face`: then without vertex colours. Numbers are clamped; one that is none stays NAN. */
+/* `material` may be NULL. `face` may be NULL too; vertex colours then do not count. Numbers are clamped; one that is
+ * NAN stays so. */
 struct aob_material aob_import_material(const struct aiMaterial *material, const struct aiMesh *mesh,
                                         const struct aiFace *face);
 #endif

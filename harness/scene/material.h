@@ -8,8 +8,8 @@ struct aob_material {
     float roughness, metalness; /* metalness 1: no diffuse reflection */
 };
 
-/* Where nothing is said: base colour 0.8 (a light wall or plaster, so that bounces show without being endless),
- * roughness 1 and metalness 0 (nothing shines that was not said to). */
+/* The material where a scene names none: base colour 0.8 (a light wall or plaster, so that bounces show without being
+ * endless), roughness 1 and metalness 0 (nothing shines unless the scene says so). */
 extern const struct aob_material aob_material_default;
 
 bool aob_material_equal(const struct aob_material *a, const struct aob_material *b);

@@ -6,8 +6,8 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-/* A flat file: this header, positions, normals if any, triangles, materials and their indices if any. Only this machine reads it, so its own
- * number formats serve. */
+/* A flat file holds this header, positions, normals if any, triangles, and materials and their indices if any. Only
+ * this machine reads it, so its own number formats serve. */
 struct flat_header {
     char magic[8];
     uint64_t vertex_count, triangle_count, has_normals, source_bytes, material_count;
@@ -142,7 +142,7 @@ static bool header_fits(const struct flat_header *header, size_t size)
                        header->material_count * sizeof(struct aob_material);
 }
 
-/* The next `count` elements of the file, in memory of their own. */
+/* Reads the next `count` elements of the file into memory of their own. */
 static void *take(const char **at, size_t count, size_t size)
 {
     void *part = aob_alloc(count, size);

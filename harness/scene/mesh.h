@@ -22,7 +22,7 @@ struct aob_mesh {
 
 void aob_mesh_finish(struct aob_mesh *mesh);
 
-/* Building: shapes are added with faces of their own vertices. All lengths in scene units. */
+/* These build a mesh. Each shape is added with vertices of its own, and all lengths are in scene units. */
 uint32_t aob_mesh_add_vertex(struct aob_mesh *mesh, struct aob_vec3 position);
 void aob_mesh_add_triangle(struct aob_mesh *mesh, uint32_t a, uint32_t b, uint32_t c);
 void aob_mesh_add_quad(struct aob_mesh *mesh, struct aob_vec3 corner, struct aob_vec3 edge_u,
@@ -34,45 +34,47 @@ void aob_mesh_add_sphere(struct aob_mesh *mesh, struct aob_vec3 centre, double r
 void aob_mesh_add_disc(struct aob_mesh *mesh, struct aob_vec3 centre, struct aob_vec3 normal, double radius,
                        int segments);
 
-/* Triangles added from here on are of this material; before the first call they are of the default one. */
+/* Gives this material to the triangles that are added from here on. Before the first call they have the default one. */
 void aob_mesh_paint(struct aob_mesh *mesh, struct aob_material material);
 
-/* What a triangle is made of, and the place of that in the table (0 without one). */
+/* The material of a triangle, and its place in the table (0 without a table). */
 const struct aob_material *aob_mesh_material(const struct aob_mesh *mesh, uint32_t triangle);
 uint32_t aob_mesh_material_index(const struct aob_mesh *mesh, uint32_t triangle);
 
-/* Bounds of all vertices; an empty mesh gives zeros. */
+/* The bounds of all vertices; an empty mesh has zeros. */
 void aob_mesh_bounds(const struct aob_mesh *mesh, struct aob_vec3 *low, struct aob_vec3 *high);
 
-/* Every index in range, every vertex finite, materials within 0..1, at least one triangle; else one line that begins
- * with `name`. */
+/* Checks that every index is in range, every vertex finite, every material within 0..1, and that there is a triangle.
+ * False after one line that begins with `name`. */
 bool aob_mesh_check(const struct aob_mesh *mesh, const char *name, struct aob_error *error);
 
-/* Of vertices and triangles, and of materials if there are any (a cached G-buffer holds their colour): the part of a
- * cache key that says which geometry. */
+/* The digest of vertices and triangles, and of materials if there are any (a cached G-buffer holds their colour). It
+ * is the part of a cache key that says which geometry. */
 void aob_mesh_digest(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE]);
 
-/* The flat file in which a loaded mesh passes from the loader's process to the others, and its reader. The
- * file is written whole or not at all; a truncated or foreign file is refused. */
+/* Writes and reads the flat file in which a loaded mesh passes from the loader's process to the others. The file is
+ * written whole or not at all; a truncated or foreign file is refused. */
 bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_error *error);
 bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error *error);
 
-/* Any mesh file by assimp (OBJ, PLY, glTF, 3DS, ...): triangulated, node transforms applied, shading normals
- * kept or made (60 degrees, not across materials). Materials: glTF's factors, with glTF's own defaults for what a material leaves out (a nameless one that leaves out all counts as
- * none); OBJ's Kd (0.6 if left out), Pr
- * and Pm; of other formats the diffuse colour. Textures are not read. Vertex colours, as PLY has them, are averaged over
- * each triangle and multiply the base colour (they are it, where there is no material). Numbers are taken as linear and
- * clamped to 0..1; what is missing is as in aob_material_default. Runs hostile parsers over hostile bytes: only ever call it in a child process
- * with limits. */
+/* Reads any mesh file that assimp knows (OBJ, PLY, glTF, 3DS, ...). It triangulates, applies node transforms, and
+ * keeps shading normals or makes them (60 degrees, not across materials). Materials are glTF's factors, with glTF's
+ * own defaults for what a material leaves out (a nameless one that leaves out all counts as none); OBJ's Kd (0.6 if
+ * left out), Pr and Pm; and the diffuse colour of other formats. Textures are not read. Vertex colours, as PLY has
+ * them, are averaged over each triangle and multiply the base colour; without a material they are the base colour.
+ * Numbers are taken as linear and clamped to 0..1; what is missing is as in aob_material_default. It runs hostile
+ * parsers over hostile bytes: only ever call it in a child process with limits. */
 bool aob_mesh_import(struct aob_mesh *mesh, const char *path, struct aob_error *error);
 
-/* What makes a loaded mesh suspicious, a line each that begins with `name`: more than 400 bytes of the file a triangle
- * (strips that were not understood); a centre 5000 longest sides or more from the origin (32-bit floats have lost its
- * detail, a side has 3,400 steps at most; the line says how large one is). Returns how many lines were written. */
+/* Writes a line, which begins with `name`, for each thing that makes a loaded mesh suspicious, and returns how many
+ * it wrote. One is more than 400 bytes of the file for each triangle: assimp did not understand its strips. The other
+ * is a centre 5000 longest sides or more from the origin: 32-bit floats have lost detail, since a side has 3,400
+ * steps at most; the line says how large a step is. */
 enum { AOB_MESH_WARNINGS = 2 };
 size_t aob_mesh_suspect(const struct aob_mesh *mesh, const char *name,
                         struct aob_error warnings[AOB_MESH_WARNINGS]);
 
-/* Raised when the importer would make other geometry or materials of the same file; part of cache keys. */
+/* The version is raised when the importer would make other geometry or materials of the same file. It is part of
+ * cache keys. */
 extern const char aob_mesh_importer_version[];
 #endif

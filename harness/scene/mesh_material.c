@@ -1,7 +1,8 @@
 #include "base/memory.h"
 #include "mesh.h"
 
-/* Where a scene comes back to a material it shares the entry; a mesh with a colour a triangle is not searched through. */
+/* A scene that comes back to one of the last materials shares its entry. The search goes no farther back, so that a
+ * mesh with a colour for each triangle does not search through all of them. */
 enum { LOOK_BACK = 8 };
 
 static void start_table(struct aob_mesh *mesh)

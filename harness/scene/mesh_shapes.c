@@ -52,7 +52,7 @@ void aob_mesh_add_box(struct aob_mesh *mesh, struct aob_vec3 low, struct aob_vec
     }
 }
 
-/* The vertex of ring 0..rings (from the top pole) and segment; a pole is one vertex. */
+/* Returns the vertex of a ring (0 is the top pole) and segment. Each pole is one vertex. */
 static uint32_t sphere_vertex(uint32_t first, int ring, int segment, int rings, int segments)
 {
     if (ring == 0)

@@ -10,7 +10,7 @@
 enum { HEAD = 65536, PLY_LIMIT_BITS = 32 };
 static const char header_end[] = "\nend_header\n";
 
-/* Where the data of a binary file begin, if they begin with a line end; else 0. */
+/* Returns where the data of a binary file begin if they begin with a line end; else 0. */
 static size_t find_data(const char *bytes, size_t size)
 {
     const char *end = memmem(bytes, size < HEAD ? size : HEAD, header_end, sizeof header_end - 1);
@@ -20,7 +20,7 @@ static size_t find_data(const char *bytes, size_t size)
     return memmem(bytes, head, "\nformat binary_", 15) && data < size && bytes[data] == '\n' ? data : 0;
 }
 
-/* The start of the file decides, so that only a file at fault is held in memory. */
+/* The start of the file decides, so that only a file at fault is read into memory. */
 static bool needs_pad(const char *path)
 {
     FILE *in = fopen(path, "rb");

@@ -1,4 +1,4 @@
-/* The scenes: procedural ones with fixed, published geometry, packaged meshes, and any mesh file. */
+/* The scenes are procedural ones with fixed, published geometry, packaged meshes, and any mesh file. */
 #ifndef AOB_SCENE_SCENE_H
 #define AOB_SCENE_SCENE_H
 #include <stdbool.h>
@@ -29,6 +29,7 @@ const struct aob_scene_info *aob_scene_find(const char *name); /* NULL if unknow
 const struct aob_view *aob_scene_view(const struct aob_scene_info *scene,
                                       const char *name); /* NULL name: the first; NULL if unknown */
 
-/* A camera that frames a mesh without views: from the front, above and a little to the right, 60 degrees. */
+/* Returns a camera that frames a mesh without views, from the front, above and a little to the right, with 60
+ * degrees. */
 struct aob_camera aob_scene_framing(struct aob_vec3 low, struct aob_vec3 high);
 #endif

@@ -30,7 +30,7 @@ static int is_mesh(const struct dirent *entry)
     return false;
 }
 
-/* By bytes: the order must not depend on the user's locale. */
+/* Compares bytes, because the order must not depend on the user's locale. */
 static int compare_entries(const struct dirent **a, const struct dirent **b)
 {
     return strcmp((*a)->d_name, (*b)->d_name);

@@ -10,13 +10,13 @@ struct aob_scene_file {
     char *name, *path; /* "hall", "/home/me/scenes/hall.ply" */
 };
 struct aob_scene_folder {
-    struct aob_scene_file *files; /* sorted by file name, so that of hall.obj and hall.ply the first stands */
+    struct aob_scene_file *files; /* sorted by file name: hall.obj comes before hall.ply, and has the name */
     size_t count, capacity;
 };
 
-/* The files in $AOBUDGET_SCENES that end like a mesh (.3ds .dae .fbx .glb .gltf .obj .off .ply .stl, in either case)
- * and whose name neither a listed scene nor an earlier file has. Empty if the variable is unset or empty; false
- * and a line if it names no readable folder. */
+/* Finds the files in $AOBUDGET_SCENES that end like a mesh (.3ds .dae .fbx .glb .gltf .obj .off .ply .stl, in either
+ * case) and whose name neither a listed scene nor an earlier file has. There are none if the variable is unset or
+ * empty. False after a line if it names no readable folder. */
 bool aob_scene_folder_read(struct aob_scene_folder *folder, struct aob_error *error);
 void aob_scene_folder_finish(struct aob_scene_folder *folder);
 

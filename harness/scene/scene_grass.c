@@ -2,8 +2,8 @@
 #include <stdint.h>
 #include "base/memory.h"
 
-/* A clump's random numbers are its own number, hashed again and again. The hash: Jarzynski and Olano, Hash Functions
- * for GPU Rendering, JCGT 2020 ("pcg"). */
+/* A clump's random numbers are its own number, hashed again and again, so the geometry is fixed. The hash is "pcg" of
+ * Jarzynski and Olano, Hash Functions for GPU Rendering, JCGT 2020. */
 static uint32_t pcg(uint32_t v)
 {
     uint32_t state = v * 747796405u + 2891336453u;
@@ -61,7 +61,7 @@ struct blade {
     struct aob_vec3 lean; /* level: how far the tip hangs over */
 };
 
-/* Three triangles without thickness: an upright foot, and a tip that bends over by the lean. */
+/* A blade is three triangles without thickness: an upright foot, and a tip that bends over by the lean. */
 static void add_blade(struct aob_mesh *mesh, const struct blade *blade)
 {
     struct aob_vec3 over = aob_vec_normalize(blade->lean);

@@ -19,7 +19,7 @@ static struct aob_vec3 polar(const struct gear *gear, double radius, double turn
     return aob_vec(gear->x + radius * cos(turn), gear->y + radius * sin(turn), gear->z);
 }
 
-/* Root, pitch and tip of both flanks; half a pitch less some play is thick at the pitch circle. */
+/* Adds root, pitch and tip of both flanks. A tooth is half a pitch thick at the pitch circle, less some play. */
 static void tooth_rim(const struct gear *gear, double inner_radius, struct aob_vec3 *outer,
                       struct aob_vec3 *inner)
 {

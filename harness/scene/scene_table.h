@@ -1,4 +1,4 @@
-/* What the files of the scenes share: each large procedural scene has a file of its own, scene.c the table. */
+/* The files of the scenes share this: each large procedural scene has a file of its own, and scene.c has the table. */
 #ifndef AOB_SCENE_SCENE_TABLE_H
 #define AOB_SCENE_SCENE_TABLE_H
 #include "scene.h"

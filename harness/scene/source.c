@@ -8,7 +8,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-/* A file that lies beside the mesh; one that is missing is the importer's to complain of. */
+/* Digests a file that lies beside the mesh. If it is missing, the importer complains of it. */
 static void add_neighbour(const char *file, const char *name, struct aob_text *text)
 {
     const char *slash = strrchr(file, '/');
@@ -20,7 +20,7 @@ static void add_neighbour(const char *file, const char *name, struct aob_text *t
     aob_text_finish(&path);
 }
 
-/* The materials of an OBJ: lines `mtllib NAME`. */
+/* Digests the material libraries of an OBJ, which are named by lines `mtllib NAME`. */
 static void add_libraries(const char *file, struct aob_text *text)
 {
     FILE *in = fopen(file, "r");

@@ -21,7 +21,8 @@ bool aob_bent_judge(const struct aob_score_desc *desc, const float (*image)[3], 
     return true;
 }
 
-/* The angle by the length of the difference of the unit vectors: exact for small angles, where the cosine is not. */
+/* The angle comes from the length of the unit vectors' difference, which is exact for small angles, where the cosine
+ * is not. */
 static double degrees_between(const float a[3], const float b[3])
 {
     double la = length_of(a), lb = length_of(b), square = 0;

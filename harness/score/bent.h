@@ -1,5 +1,5 @@
-/* Error of bent normals against the traced mean of the open directions, as angles: a bent normal is used by its direction,
- * and techniques give it with lengths of their own. */
+/* The error of bent normals against the traced mean of the open directions. It is an angle, because a bent normal is
+ * used by its direction, and techniques give it lengths of their own. */
 #ifndef AOB_SCORE_BENT_H
 #define AOB_SCORE_BENT_H
 #include "score.h"
@@ -11,8 +11,8 @@
 /* False with a line if a vector over a surface is not finite or longer than 1 (within 1 %). */
 bool aob_bent_judge(const struct aob_score_desc *desc, const float (*image)[3], struct aob_error *error);
 
-/* Sets bent_mean, bent_p95 and bent_pixels; desc says where the sky is. An image that says 0, closed, where the truth is
- * open is off by a right angle. NAN where no pixel counts. */
+/* Sets bent_mean, bent_p95 and bent_pixels; desc says where the sky is. An image that is 0 (closed) where the truth
+ * is open is off by a right angle. The angles are NAN if no pixel counts. */
 void aob_bent_score(const struct aob_score_desc *desc, const float (*image)[3], const float (*truth)[3],
                     struct aob_metrics *metrics);
 #endif

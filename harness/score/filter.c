@@ -59,7 +59,8 @@ static void sum_across(const double *from, const struct aob_kernel *kernel, int 
     memcpy(into, sum, (size_t)count * sizeof *sum);
 }
 
-/* Down comes first: what repeats beyond an edge is the same before and after it, and no plane is kept between. */
+/* Down comes first. What repeats beyond an edge is the same before and after it, so no plane is kept between the two.
+ */
 void aob_filter_down(const struct aob_planes *planes, const struct aob_kernel *kernel, int y, double *column)
 {
     size_t rows[2 * AOB_KERNEL_RADIUS_MAX + 1];

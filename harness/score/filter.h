@@ -1,5 +1,5 @@
-/* Separable filters of an image, one row at a time; beyond its edges an image repeats its outermost pixels.
- * Sums are doubles, in a fixed order. */
+/* Separable filters of an image, one row at a time. An image repeats its outermost pixels beyond its edges. Sums are
+ * doubles, in a fixed order. */
 #ifndef AOB_SCORE_FILTER_H
 #define AOB_SCORE_FILTER_H
 #include "score.h"
@@ -12,7 +12,7 @@ struct aob_kernel { /* weight[radius + i] is that of the pixel i to the right, o
 /* A Gaussian whose weights add up to 1; sigma in pixels. */
 struct aob_kernel aob_kernel_gauss(int radius, double sigma);
 
-/* A copy of the image with 1 in the sky of desc, whatever the image holds there; free() it. */
+/* Returns a copy of the image with 1 in the sky of desc, whatever the image holds there; free() it. */
 double *aob_filter_plane(const struct aob_score_desc *desc, const float *image);
 
 /* One plane, or the product of two. */
@@ -20,10 +20,10 @@ struct aob_planes {
     const double *a, *b; /* b NULL: a alone */
     int width, height;
 };
-/* Row y, filtered down, into a column sum for each pixel: `column` holds width + 2 * AOB_KERNEL_RADIUS_MAX doubles,
- * pixel 0 is the one at AOB_KERNEL_RADIUS_MAX, and what is beyond the edges is filled in. */
+/* Filters row y down, into a column sum for each pixel. `column` holds width + 2 * AOB_KERNEL_RADIUS_MAX doubles;
+ * pixel 0 is the one at AOB_KERNEL_RADIUS_MAX, and the function fills in what is beyond the edges. */
 void aob_filter_down(const struct aob_planes *planes, const struct aob_kernel *kernel, int y, double *column);
 
-/* The same row, then filtered across; `row` holds width doubles. */
+/* Then filters the same row across; `row` holds width doubles. */
 void aob_filter_across(const double *column, const struct aob_kernel *kernel, int width, double *row);
 #endif

@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "filter.h"
 
-/* Cube root, with a straight line near black: CIE L*a*b*. */
+/* The curve of CIE L*a*b* is a cube root with a straight line near black. */
 static double lab_curve(double t)
 {
     const double delta = 6.0 / 29;
@@ -84,11 +84,11 @@ static struct kernels make_kernels(void)
     return k;
 }
 
-/* One row of what is compared of an image. */
+/* What is compared of one row of an image. */
 struct row {
     double *seen, *edge, *point;
 };
-/* Room for the filters. */
+/* Memory that the filters use. */
 struct scratch {
     double *column, *down;
 };

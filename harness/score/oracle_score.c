@@ -8,7 +8,7 @@ static struct aob_vec3 to_world(const struct aob_frame_axes *axes, const float n
                        aob_vec_scale(axes->back, n[2]));
 }
 
-/* NAN in the sky too. x, y: of the whole G-buffer. */
+/* Returns NAN in the sky too. x and y are places in the whole G-buffer. */
 static double closed_form(const struct aob_oracle_desc *desc, const struct aob_frame_axes *axes, int x, int y)
 {
     const struct aob_gbuffer *g = desc->gbuffer;

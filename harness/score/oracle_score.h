@@ -1,4 +1,4 @@
-/* Error of an image of visibility against a closed form, where the scene has one. */
+/* The error of an image of visibility against a closed form, for scenes that have one. */
 #ifndef AOB_SCORE_ORACLE_SCORE_H
 #define AOB_SCORE_ORACLE_SCORE_H
 #include "gbuffer/gbuffer.h"
@@ -11,12 +11,12 @@ struct aob_oracle_desc {
     double radius;                     /* scene units; INFINITY allowed */
 };
 struct aob_oracle_score {
-    double rmse, bias;          /* over the pixels whose point has a closed form; NAN without one */
+    double rmse, bias;          /* over the pixels whose point has a closed form; NAN if there is none */
     double band_rmse;           /* of these, where the closed form is below AOB_BAND_LIMIT */
     size_t pixels, band_pixels; /* how many */
 };
 
-/* `image`: the view's pixels, the G-buffer's without its guard band, row 0 at the top. Sky and values that are not finite
- * do not count. */
+/* `image` has the view's pixels, which are the G-buffer's without its guard band, row 0 at the top. Sky and values
+ * that are not finite do not count. */
 void aob_oracle_score(const struct aob_oracle_desc *desc, const float *image, struct aob_oracle_score *score);
 #endif

@@ -1,5 +1,5 @@
-/* Error of an image of visibility against a reference. All images are width x height floats, row 0 at the
- * top; sky pixels are in no score. */
+/* The error of an image of visibility against a reference. All images are width x height floats, row 0 at the top. No
+ * score counts sky pixels. */
 #ifndef AOB_SCORE_SCORE_H
 #define AOB_SCORE_SCORE_H
 #include <stddef.h>
@@ -18,17 +18,17 @@ struct aob_score_desc {
 };
 #define AOB_BAND_LIMIT 0.995
 
-/* Whether pixel i, counted from the top left, is sky; a depth that is NaN is. */
+/* Whether pixel i, counted from the top left, is sky. A depth that is NaN counts as sky. */
 bool aob_score_is_sky(const struct aob_score_desc *desc, size_t i);
 
 /* False with a line if the image holds a value, over a surface, that is not finite or lies outside [0, 1]. */
 bool aob_score_judge(const struct aob_score_desc *desc, struct aob_error *error);
 
-/* The metrics that are sums over pixels; those of flip.h, ssim.h and split.h are NAN, and so is one without a pixel in
- * its class. */
+/* Sets the metrics that are sums over pixels. Those of flip.h, ssim.h and split.h are NAN, and so is one whose class
+ * has no pixel. */
 void aob_score(const struct aob_score_desc *desc, struct aob_metrics *metrics);
 
-/* A technique that draws nothing: its image has one value over pixels whose truth spans more than 0.05. Then false, with
- * a line that gives the value. */
+/* Finds a technique that draws nothing: its image has one value over pixels whose truth spans more than 0.05. Then it
+ * returns false, with a line that gives the value. */
 bool aob_score_judge_drawn(const struct aob_score_desc *desc, struct aob_error *error);
 #endif

@@ -6,8 +6,8 @@
 #define AOB_SCORE_SPLIT_H
 #include "score.h"
 
-/* Sets these metrics, over the non-sky pixels of desc; NAN where there is none. `definition` and `screen` are width x
- * height floats. The mean products are not centred. */
+/* Sets these metrics over the pixels of desc that are not sky; they are NAN if there is none. `definition` and
+ * `screen` are width x height floats. The mean products are not centred. */
 void aob_split(const struct aob_score_desc *desc, const float *definition, const float *screen,
                struct aob_metrics *metrics);
 #endif

@@ -6,8 +6,8 @@
 #define AOB_SCORE_SSIM_H
 #include "score.h"
 
-/* Of desc's image and truth; -1..1, and 1 only if they are equal. Mean over the pixels that are no sky and whose
- * window lies inside the image; NAN without one. In a window the sky is 1 in both images, whatever they hold there.
- * All other pixels are 0..1, as aob_score has judged them. */
+/* Compares desc's image and truth. The result is -1..1, and 1 only if they are equal: the mean over the pixels that
+ * are not sky and whose window lies inside the image, or NAN if there is none. The sky in a window is 1 in both
+ * images, whatever they hold there. All other pixels are 0..1, as aob_score_judge has found. */
 double aob_ssim(const struct aob_score_desc *desc);
 #endif

@@ -23,7 +23,8 @@ struct aob_image {
     size_t attribute_count, attribute_capacity;
 };
 
-/* A new zeroed channel, or NULL-safe lookup: aob_image_channel returns NULL if there is none of that name. */
+/* aob_image_add returns a new zeroed channel. aob_image_channel returns the channel of that name, or NULL if there is
+ * none. */
 float *aob_image_add(struct aob_image *image, const char *name);
 float *aob_image_channel(const struct aob_image *image, const char *name);
 void aob_image_set_number(struct aob_image *image, const char *name, double value);
@@ -31,18 +32,19 @@ void aob_image_set_vec3(struct aob_image *image, const char *name, const double 
 void aob_image_set_text(struct aob_image *image, const char *name, const char *text);
 void aob_image_finish(struct aob_image *image);
 
-/* Whole or not at all: written beside and renamed. */
+/* Writes the file whole or not at all: it is written beside its place and renamed. */
 bool aob_image_write(const struct aob_image *image, const char *path, struct aob_error *error);
 
-/* All channels as float (half and uint are converted), scan-line or tiled (first level); refuses more than
- * 2^28 pixels x channels, deep or damaged files, with one line. Attributes of one or three numbers and
- * strings are read. Of a file with several parts the first is read. */
+/* Reads all channels as float (half and uint are converted) of a scan-line or tiled file (its first level), and
+ * attributes of one or three numbers and strings. It refuses more than 2^28 pixels x channels, and deep or damaged
+ * files, with one line. If a file has several parts, it reads the first. */
 bool aob_image_read(struct aob_image *image, const char *path, struct aob_error *error);
 
-/* Some channels of another program's file, of any of its parts. `choose` marks what it wants among all names, or fails
- * with a line; in a file with several parts a name is PART.CHANNEL unless it begins with its part's already. The image
- * is the display window of the first part, NAN where a channel has no pixels; attributes are the first part's. Refuses
- * what aob_image_read refuses of the chosen channels, pixels that are not square, and sizes beyond these. */
+/* Reads some channels of another program's file, from any of its parts. `choose` marks what it wants among all names,
+ * or fails with a line. A name in a file with several parts is PART.CHANNEL, unless it begins with its part's name
+ * already. The image is the display window of the first part, and NAN where a channel has no pixels; attributes are
+ * the first part's. It refuses what aob_image_read refuses of the chosen channels, pixels that are not square, and
+ * sizes beyond these. */
 enum { AOB_LAYERS_MAX_SIDE = 16384, AOB_LAYERS_MAX_PIXELS = 40000000 };
 typedef bool aob_image_choose(void *user, const char *const *names, size_t count, bool *wanted,
                               struct aob_error *error);

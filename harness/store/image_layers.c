@@ -40,7 +40,7 @@ static bool list_layers(struct aob_image_reader *r, int parts, struct layers *la
     return true;
 }
 
-/* What is shown, which may be more or less than what there are pixels of. */
+/* The display window may be larger or smaller than the part that has pixels. */
 static bool read_display(struct aob_image_reader *r, exr_attr_box2i_t *display)
 {
     float aspect = 1;
@@ -74,7 +74,7 @@ static void place(const struct aob_image *part, const float *from, const struct 
         }
 }
 
-/* `first`: the part's first channel among the layers. */
+/* `first` is the part's first channel among the layers. */
 static bool read_layers_of_part(struct aob_image_reader *r, const struct layers *layers, size_t first,
                                 size_t count, const exr_attr_box2i_t *display)
 {

@@ -99,7 +99,7 @@ static void add_attribute(struct aob_image *image, const exr_attribute_t *a)
     }
 }
 
-/* Attributes that the file format itself needs: the writer makes them anew. */
+/* The file format itself needs these attributes, and the writer makes them anew. */
 static bool is_structural(const char *name)
 {
     static const char *const names[] = {"pixelAspectRatio", "screenWindowWidth",  "name", "type", "version",
@@ -133,7 +133,7 @@ static bool chunk_fits(const struct aob_image_reader *r, const exr_chunk_info_t 
            (int64_t)x + chunk->width <= r->image->width && (int64_t)y + chunk->height <= r->image->height;
 }
 
-/* Half becomes float in the library; whole numbers it hands over only as they are. */
+/* The library turns half into float, but it hands whole numbers over as they are. */
 static void point_channels_at(struct aob_image_reader *r, int x, int y)
 {
     size_t width = (size_t)r->image->width;
@@ -166,7 +166,7 @@ static void convert_whole_numbers(struct aob_image_reader *r, const exr_chunk_in
     }
 }
 
-/* x, y: where the chunk belongs in the image. */
+/* x and y say where the chunk belongs in the image. */
 static bool read_chunk(struct aob_image_reader *r, const exr_chunk_info_t *chunk, int x, int y)
 {
     if (!chunk_fits(r, chunk, x, y))

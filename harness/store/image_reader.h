@@ -1,4 +1,4 @@
-/* For image_read.c and image_layers.c: an OpenEXR file while it is read. */
+/* An OpenEXR file while it is read, for image_read.c and image_layers.c. */
 #ifndef AOB_STORE_IMAGE_READER_H
 #define AOB_STORE_IMAGE_READER_H
 #include <OpenEXR/openexr.h>
@@ -21,10 +21,11 @@ struct aob_image_reader {
 bool aob_image_reader_open(
     struct aob_image_reader *r); /* `path` and `error` set; close by exr_finish(&r->file) */
 
-/* False with a line "PATH: cannot read the WHAT: ..." unless rc is success. */
+/* False after a line "PATH: cannot read the WHAT: ..." unless rc is success. */
 bool aob_image_reader_check(struct aob_image_reader *r, exr_result_t rc, const char *what);
 
-/* Of part `part` into `image`, which takes its size from it: the wanted channels in the file's order, attributes. */
+/* Reads the wanted channels of part `part`, in the file's order, and its attributes into `image`, which takes its
+ * size from the part. */
 bool aob_image_reader_part(struct aob_image_reader *r);
 bool aob_image_reader_attributes(struct aob_image_reader *r);
 #endif

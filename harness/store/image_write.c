@@ -17,7 +17,7 @@ struct writer {
     bool encoding; /* the pipeline is initialised */
 };
 
-/* OpenEXRCore prints to standard error unless it is given somewhere else to talk to. */
+/* OpenEXRCore prints to standard error unless it has a handler, and an error must be one line of ours. */
 static void ignore_message(exr_const_context_t context, exr_result_t code, const char *message)
 {
     (void)context;
@@ -113,7 +113,7 @@ static exr_result_t write_file(const struct aob_image *image, const char *path)
     struct writer w = {.image = image};
     exr_context_initializer_t init = EXR_DEFAULT_CONTEXT_INITIALIZER;
     init.error_handler_fn = ignore_message;
-    init.zip_level = 1; /* as small as 9 on such data, in two thirds of the time */
+    init.zip_level = 1; /* level 1 gives files as small as level 9 on such data, in two thirds of the time */
     exr_result_t rc = exr_start_write(&w.file, path, EXR_WRITE_FILE_DIRECTLY, &init);
     if (rc != EXR_ERR_SUCCESS)
         return rc;

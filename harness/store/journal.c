@@ -9,6 +9,8 @@
 #include "base/json.h"
 #include "base/memory.h"
 
+/* A case that was tried again has several lines. The last one counts, in the place of the first, so that the order
+ * stays. */
 static void keep_last(json_t *records, json_t *by_key, json_t *record)
 {
     const char *key = json_string_value(json_object_get(record, "key"));
@@ -45,7 +47,7 @@ json_t *aob_journal_read(const char *path, struct aob_error *error)
     return records;
 }
 
-/* Behind the last newline: what a killed run left of its last line. */
+/* Cuts what a killed run left of its last line, which lies behind the last newline. */
 static bool cut_torn_line(int file)
 {
     off_t size = lseek(file, 0, SEEK_END);

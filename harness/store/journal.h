@@ -6,15 +6,15 @@
 #include <stdbool.h>
 #include "base/error.h"
 
-/* Every whole line that is an object with a "key"; of lines with one key the last stands. A missing file is
- * an empty journal. NULL after an error line; json_decref the array. */
+/* Reads every whole line that is an object with a "key". If several lines have one key, the last stands. A missing
+ * file is an empty journal. NULL after an error line; json_decref the array. */
 json_t *aob_journal_read(const char *path, struct aob_error *error);
 
 struct aob_journal {
-    int file; /* locked: one run a folder */
+    int file; /* locked, so that one run has the folder */
     char *path;
 };
-/* Opens or creates for appending; refused with one line while another process has it open. */
+/* Opens or creates a journal for appending. It is refused with one line while another process has it open. */
 bool aob_journal_open(struct aob_journal *journal, const char *path, struct aob_error *error);
 bool aob_journal_append(struct aob_journal *journal, const json_t *record, struct aob_error *error);
 void aob_journal_close(struct aob_journal *journal);

@@ -18,8 +18,8 @@ static bool same_device(const json_t *a, const json_t *b)
     return same_text(a, b, "device") && same_text(a, b, "driver");
 }
 
-/* A backend that could not be opened, then or now, has measured nothing that could be mixed. What it was then stays
- * known for the next time. */
+/* A backend that could not be opened, then or now, has measured nothing that could be mixed. The device that it had
+ * then stays known for the next time. */
 static bool judge_devices(const struct aob_run_folder *folder, const json_t *earlier, json_t *info,
                           struct aob_error *error)
 {
@@ -65,7 +65,7 @@ static bool judge_earlier_run(const struct aob_run_folder *folder, json_t *info,
     return ok;
 }
 
-/* Names are ours: 32 hexadecimal digits and .exr. */
+/* Removes only names that a run writes: 32 hexadecimal digits and .exr. A user's own files stay. */
 static void discard_images(const char *images)
 {
     DIR *directory = opendir(images);

@@ -80,7 +80,7 @@ static bool load_traced(const char *path, const struct aob_block *block, bool be
                     block->job.view.height);
 }
 
-/* A claim is looked at by its visibility only. */
+/* Only the visibility of a claim is compared. */
 static bool load_claim(const char *path, const struct aob_block *block, float **ao, struct aob_error *error)
 {
     struct traced traced = {0};
@@ -91,7 +91,7 @@ static bool load_claim(const char *path, const struct aob_block *block, float **
     return ok;
 }
 
-/* All are tried, so that one run removes all that are damaged. */
+/* All files are tried, so that one run removes all damaged ones. */
 static bool load_claims(const struct aob_block *block, const struct aob_block_case *c,
                         struct aob_case_image *image, struct aob_error *error)
 {
@@ -113,8 +113,8 @@ static void map_claims(const struct aob_technique *technique, const struct aob_b
     }
 }
 
-/* What `truth` itself is off tells what a difference can mean. NULL where no pixel has a closed form; the closed forms
- * are cosine-weighted. */
+/* The truth's own error shows how small a difference is still meaningful. NULL where no pixel has a closed form; the
+ * closed forms are cosine-weighted. */
 static json_t *oracle_to_json(const struct aob_block *block, const struct aob_block_target *target,
                               const float *ao, const float *truth)
 {
@@ -273,7 +273,7 @@ bool aob_block_score(struct aob_block *block, size_t f, json_t *answer, struct a
     bool drawn = draw(block, f, &image, error);
     aob_case_image_crop(block, block->gbuffer.depth, 1, image.depth);
     bool ok = drawn && judge_and_score(block, f, &image, answer, error);
-    /* What is refused is worth a look too. */
+    /* An image that is refused is stored too, because one may want to look at it. */
     if (drawn && c->image && !aob_case_image_write(block, c, &image, ok ? error : NULL))
         ok = false;
     block->shares.images += (double)(aob_clock_wall_ns() - start) * 1e-9;

@@ -174,8 +174,9 @@ struct aob_pass {
     const char *vertex; /* one of the module's texts, for the vertex stage */
     uint32_t
         per_triangle; /* vertices of each scene triangle, three a drawn one: 3, 6, ... AOB_MAX_VERTICES */
-    float reach;      /* scene units, above 0: the drawn ones cover no pixel but of the box of the scene's
-                               triangle made larger by this on each side; what a frame will cost is judged by it */
+    /* The drawn triangles must stay within the scene triangle's bounding box, enlarged by `reach` on each side (scene
+     * units, above 0). The cost estimate relies on it. */
+    float reach;
     struct aob_define
         defines[AOB_MAX_DEFINE]; /* compile-time constants; ended by a NULL name, like the next two */
     struct aob_bind in[AOB_MAX_IN];
