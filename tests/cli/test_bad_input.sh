@@ -50,6 +50,8 @@ config '{name: gtao, params: {radius: 0.5x}}'
 expect 2 "config.yaml:5:44: gtao: radius: '0.5x' is not a number" "$program" run config.yaml
 expect 2 "config.yaml:5:44" "$program" plan config.yaml
 config '{name: gtao, params: {blur: 4}}'
+expect 2 "config.yaml:5:42: gtao: blur: 4: must be odd, or 0" "$program" run config.yaml --quiet
+config '{name: crytek_ssao, params: {samples: 9}}'
 expect 2 "nothing could run" "$program" run config.yaml --quiet
 config '{name: none}'
 expect 2 "cannot create the folder" "$program" run config.yaml --out /proc/nowhere
@@ -78,7 +80,7 @@ for mesh in broken.obj broken.ply; do
 done
 
 # Modules.
-expect 2 "interface 99.0" "$program" list techniques --module "$modules/old_abi.so"
+expect 2 "made for module interface 3, this program has 4" "$program" list techniques --module "$modules/old_abi.so"
 expect 2 "cannot load" "$program" list techniques --module config.yaml
 expect 2 "is it a file" "$program" list techniques --module "$folder"
 expect 2 "cannot open" "$program" list techniques --module nowhere.so
