@@ -144,9 +144,9 @@ static void test_culling_changes_nothing(void **state)
         char params[80];
         float most = 0;
         scene_rig(&rig, rows[r].scene, rows[r].fov_deg, rows[r].ortho_height, WIDE, HIGH, rows[r].guard);
-        snprintf(params, sizeof params, "%s cull=0", rows[r].params);
+        snprintf(params, sizeof params, "%s cull=off", rows[r].params);
         aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_SAMPLED, all);
-        snprintf(params, sizeof params, "%s cull=1", rows[r].params);
+        snprintf(params, sizeof params, "%s cull=on", rows[r].params);
         aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_STORAGE, some);
         for (int i = 0; i < WIDE * HIGH; i++)
             most = fmaxf(most, fabsf(all[i] - some[i]));
