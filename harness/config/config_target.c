@@ -8,6 +8,9 @@
 /* A radius is rounded to a float, as a technique's parameter is: so 0.3 here is the 0.3 of the technique. */
 static bool add_target(struct aob_config *config, double radius, bool uniform, struct aob_error *error)
 {
+    if (isfinite(radius) && isinf((float)radius))
+        return aob_fail(error, "the radius %g is beyond the largest float: give inf, or a smaller one",
+                        radius);
     radius = (double)(float)radius;
     for (size_t i = 0; i < config->target_count; i++)
         if (config->targets[i].radius == radius && config->targets[i].uniform == uniform)

@@ -40,6 +40,14 @@ static bool judge_count(const struct aob_config *config, struct aob_error *error
     return aob_config_fail_at(config, 0, 0, error);
 }
 
+/* What cannot be is most often an option's value. */
+static bool fail_at_options(const struct aob_config *config, struct aob_error *error)
+{
+    bool any = config->option_count > 0;
+    return aob_config_fail_at(config, any ? config->options[0].line : 0, any ? config->options[0].column : 0,
+                              error);
+}
+
 static bool add_cases(struct aob_plan *plan, struct aob_case *base, struct aob_plan_axes *params,
                       struct aob_plan_axes *options, struct aob_error *error)
 {
@@ -51,7 +59,7 @@ static bool add_cases(struct aob_plan *plan, struct aob_case *base, struct aob_p
         do {
             aob_plan_axes_apply(options, base->options);
             if (!aob_case_judge(base, error))
-                return aob_config_fail_at(plan->config, 0, 0, error);
+                return fail_at_options(plan->config, error);
             struct aob_case *copy = AOB_PUSH(plan->cases, plan->case_count, plan->case_capacity);
             *copy = *base;
             copy->params = AOB_NEW_ARRAY(double, AOB_MAX_PARAM);

@@ -16,7 +16,8 @@ struct aob_plan_scene {                /* one view of one scene */
     char *file;                        /* mesh file to load, or NULL for a procedural scene */
     const char *gbuffer;               /* of a capture: its G-buffer in the cache, of this size; else NULL */
     int width, height;
-    char *view; /* "front", "camera", "capture" or "framed" (from the mesh's box, once it is loaded) */
+    char *
+        view; /* "front", "camera", "camera-2", "capture" or "framed" (from the mesh's box, once it is loaded) */
     struct aob_camera camera; /* unset while framed */
     bool framed;
     bool loaded; /* by this run: its warnings are printed, its framing is known */

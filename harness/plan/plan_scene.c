@@ -134,6 +134,29 @@ static bool choose_scene(struct aob_plan *plan, size_t index, struct aob_table *
            choose_camera(scene, choice, error);
 }
 
+/* Views that the config gives by numbers have no names of their own: the second camera on a scene is `camera-2`. So what
+ * people, charts and filters call by a name is one view. */
+static void name_views(struct aob_plan *plan)
+{
+    struct aob_table seen = {0};
+    size_t *counts = AOB_NEW_ARRAY(size_t, plan->scene_count + 1);
+    for (size_t i = 0; i < plan->scene_count; i++) {
+        struct aob_plan_scene *scene = &plan->scenes[i];
+        struct aob_text name = {0};
+        aob_text_add(&name, "%s %s", scene->name, scene->view);
+        size_t *count = &counts[aob_table_put(&seen, name.data, i)];
+        aob_text_finish(&name);
+        bool listed = scene->info && aob_scene_view(scene->info, scene->view);
+        if (listed || ++*count == 1)
+            continue;
+        aob_text_add(&name, "%s-%zu", scene->view, *count);
+        free(scene->view);
+        scene->view = name.data;
+    }
+    free(counts);
+    aob_table_finish(&seen);
+}
+
 bool aob_plan_choose_scenes(struct aob_plan *plan, struct aob_error *error)
 {
     const struct aob_config *config = plan->config;
@@ -145,6 +168,8 @@ bool aob_plan_choose_scenes(struct aob_plan *plan, struct aob_error *error)
         ok = choose_scene(plan, i, &seen, error) ||
              aob_config_fail_at(config, config->scenes[i].line, config->scenes[i].column, error);
     aob_table_finish(&seen);
+    if (ok)
+        name_views(plan);
     return ok;
 }
 

@@ -13,8 +13,8 @@ struct block {
     struct aob_measurement *m;
     const size_t *indices;
     size_t count;
-    char *truths
-        [AOB_CONFIG_MAX_TARGETS]; /* "truths/HASH.exr" below the run's folder; NULL where none is kept */
+    const struct aob_view_files *files;
+    char *truths[AOB_CONFIG_MAX_TARGETS]; /* "truths/HASH.exr" below the run's folder; NULL: it is not kept */
     bool answered[AOB_BLOCK_MAX];
 };
 
@@ -49,11 +49,26 @@ static bool has_image(const struct block *block, const char *name)
     return exists;
 }
 
+/* The truths of the targets go into the run's folder once, whatever the number of cases: images hold that of one target
+ * only. They are copied when the worker has read them, so that a damaged one is never kept. */
+static void keep_truths(struct block *block)
+{
+    for (size_t t = 0; t < AOB_COUNT(block->truths) && block->truths[t]; t++) {
+        struct aob_error error = {{0}};
+        char *path = aob_path_join(block->m->folder, block->truths[t]);
+        if (!aob_file_exists(path) && !aob_file_copy(block->files->truth[t], path, &error))
+            aob_warn("%s", error.text);
+        free(path);
+    }
+}
+
 static void finish_case(struct block *block, size_t i, const char *status, const char *reason,
                         const json_t *answer)
 {
     size_t index = block->indices[i];
     char name[AOB_KEY_SIZE + 16];
+    if (json_object_get(answer, "errors"))
+        keep_truths(block);
     image_name(case_of(block, i), name);
     json_t *record =
         aob_record_create(&(struct aob_record_desc){.config = block->m->plan->config,
@@ -137,27 +152,29 @@ static json_t *make_job(const struct block *block, const struct aob_view_files *
     return object;
 }
 
-/* The truths of the targets go into the run's folder once, whatever the number of cases: images hold that of one target
- * only. They are named as in the cache, by what they depend on. */
-static bool keep_truths(struct block *block, const struct aob_view_files *files, struct aob_error *error)
+/* "truths/HASH.exr" below the run's folder for each target, named as in the cache by what it depends on. */
+static void name_truths(struct block *block, const struct aob_view_files *files)
 {
-    bool ok = true;
-    for (size_t t = 0; ok && t < files->target_count; t++) {
-        const char *dash = strrchr(files->truth[t], '-');
+    block->files = files;
+    for (size_t t = 0; t < files->target_count; t++) {
         struct aob_text name = {0};
-        aob_text_add(&name, "truths/%s", dash + 1);
-        char *path = aob_path_join(block->m->folder, name.data);
-        ok = aob_file_exists(path) || aob_file_copy(files->truth[t], path, error);
+        aob_text_add(&name, "truths/%s", strrchr(files->truth[t], '-') + 1);
         block->truths[t] = name.data;
-        free(path);
     }
-    return ok;
 }
 
 static void free_truths(struct block *block)
 {
     for (size_t t = 0; t < AOB_COUNT(block->truths); t++)
         free(block->truths[t]);
+}
+
+/* Ten times what timing may take, and about six times what a pixel's score against a target takes (0.3 us). */
+static double time_limit(const struct block *block, const struct aob_view_files *files)
+{
+    const struct aob_case *c = case_of(block, 0);
+    double scores = (double)c->width * c->height * (double)files->target_count;
+    return 120 + (double)block->count * (10 * block->m->plan->config->seconds + 2e-6 * scores);
 }
 
 static bool run_worker(struct block *block, const struct aob_view_files *files, struct aob_error *error)
@@ -176,8 +193,7 @@ static bool run_worker(struct block *block, const struct aob_view_files *files, 
         env[used++] = threads;
     struct aob_job_desc desc = {.job = make_job(block, files),
                                 .env = env,
-                                .timeout_s =
-                                    120 + 10 * block->m->plan->config->seconds * (double)block->count,
+                                .timeout_s = time_limit(block, files),
                                 .on_answer = take_answer,
                                 .user = block};
     return aob_dispatch_job(block->m->dispatch, &desc, error);
@@ -206,8 +222,9 @@ void aob_measurement_block(struct aob_measurement *m, const size_t *indices, siz
         fail_rest(&block, error.text);
         return;
     }
-    bool keeps = m->folder && m->plan->config->images;
-    bool ok = (!keeps || keep_truths(&block, &files, &error)) && run_worker(&block, &files, &error);
+    if (m->folder && m->plan->config->images)
+        name_truths(&block, &files);
+    bool ok = run_worker(&block, &files, &error);
     aob_view_files_finish(&files);
     if (!ok && count > 1)
         retry_alone(&block);

@@ -3,7 +3,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 
-/* Cases of one view together, else in the plan's order. */
+/* Cases of one view and guard band together, else in the plan's order. */
 static int by_view(const void *a, const void *b, void *user)
 {
     const struct aob_case *cases = user;
@@ -15,6 +15,9 @@ static int by_view(const void *a, const void *b, void *user)
         return p->width < q->width ? -1 : 1;
     if (p->height != q->height)
         return p->height < q->height ? -1 : 1;
+    int guard = aob_case_options(p).guard_band - aob_case_options(q).guard_band;
+    if (guard)
+        return guard;
     return (i > j) - (i < j);
 }
 
@@ -33,7 +36,8 @@ static void sort_by_view(struct aob_measurement *m)
 bool aob_measurement_init(struct aob_measurement *m, const struct aob_dispatch *dispatch,
                           struct aob_plan *plan, struct aob_error *error)
 {
-    *m = (struct aob_measurement){.dispatch = dispatch, .plan = plan, .cache = aob_path_cache_folder()};
+    *m = (struct aob_measurement){
+        .dispatch = dispatch, .plan = plan, .cache = aob_path_cache_folder(), .failed_views = json_object()};
     m->states = AOB_NEW_ARRAY(struct aob_state, plan->case_count);
     sort_by_view(m);
     if (aob_folder_create(m->cache, error))
@@ -50,6 +54,7 @@ void aob_measurement_finish(struct aob_measurement *m)
     free(m->states);
     free(m->by_view);
     free(m->place);
+    json_decref(m->failed_views);
     free(m->cache);
     *m = (struct aob_measurement){0};
 }

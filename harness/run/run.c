@@ -1,6 +1,7 @@
 #include "run.h"
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/json.h"
@@ -20,6 +21,7 @@ struct run {
     struct aob_run_folder folder;
     struct aob_progress progress;
     json_t *info;     /* what run.json says (info.h); at the end with the seconds */
+    size_t stored;    /* records of this time */
     size_t counts[4]; /* by status, in status_names' order, of the cases in this run's plan */
     struct aob_error store_error;
     int64_t start_ns;
@@ -74,6 +76,17 @@ static void count(struct run *run, const json_t *record)
         run->counts[i] += strcmp(status, status_names[i]) == 0;
 }
 
+/* Below the run's folder. */
+static bool has_file(const struct run *run, const json_t *name)
+{
+    if (!json_is_string(name))
+        return false;
+    char *path = aob_path_join(run->folder.path, json_string_value(name));
+    bool exists = aob_file_exists(path);
+    free(path);
+    return exists;
+}
+
 /* Cases with a verdict stay; failed and unsupported ones get another chance, and so does one that lacks what is wanted. */
 static bool is_finished(const struct run *run, const json_t *record)
 {
@@ -83,8 +96,12 @@ static bool is_finished(const struct run *run, const json_t *record)
     if (strcmp(status, "invalid") == 0)
         return true;
     const struct aob_config *config = &run->sweep.config;
-    return strcmp(status, "ok") == 0 && (!config->measure_time || json_object_get(record, "time")) &&
-           (!config->measure_error || json_object_get(record, "error"));
+    const json_t *error = json_object_get(record, "error");
+    if (strcmp(status, "ok") != 0 || (config->measure_time && !json_object_get(record, "time")) ||
+        (config->measure_error && !error))
+        return false;
+    return !config->images || (has_file(run, json_object_get(record, "image")) &&
+                               (!error || has_file(run, json_object_get(error, "truth"))));
 }
 
 static bool skip_finished(struct run *run, struct aob_error *error)
@@ -114,6 +131,7 @@ static void store_record(void *user, size_t index, json_t *record)
     struct aob_text done = {0};
     if (!*run->store_error.text)
         aob_journal_append(&run->folder.journal, record, &run->store_error);
+    run->stored++;
     count(run, record);
     aob_case_describe(&run->sweep.plan, &run->sweep.plan.cases[index], &done);
     aob_progress_step(&run->progress, done.data);
@@ -209,15 +227,27 @@ static json_t *shares_to_json(const struct run *run, double report_s)
                      s->warmup, "reference", s->reference, "images", s->images, "report", report_s);
 }
 
+/* A run that measured nothing has the page of the one that did, unless that was stopped before it drew one. */
+static bool page_stands(const struct run *run, const char *report)
+{
+    struct stat page_stat, journal_stat;
+    char *page = aob_path_join(report, "index.html");
+    bool stands = !run->stored && stat(page, &page_stat) == 0 &&
+                  stat(run->folder.journal_path, &journal_stat) == 0 &&
+                  page_stat.st_mtime >= journal_stat.st_mtime;
+    free(page);
+    return stands;
+}
+
 static bool write_report(struct run *run, struct aob_error *error)
 {
     int64_t start = aob_clock_wall_ns();
-    aob_progress_say(&run->progress, "drawing the page");
     char *report = aob_path_join(run->folder.path, "report");
-    bool ok = aob_page_write(&(struct aob_page_desc){.folders = (const char *const[]){run->folder.path, NULL},
-                                                     .out = report,
-                                                     .program = run->desc->dispatch.program},
-                             error);
+    const struct aob_page_desc page = {.folders = (const char *const[]){run->folder.path, NULL},
+                                       .out = report,
+                                       .program = run->desc->dispatch.program};
+    aob_progress_say(&run->progress, "drawing the page");
+    bool ok = page_stands(run, report) || aob_page_write(&page, error);
     aob_progress_finish(&run->progress);
     free(report);
     json_object_set_new(run->info, "seconds",

@@ -168,34 +168,40 @@ static bool trace_view(struct aob_measurement *m, const struct aob_case *c,
     return aob_dispatch_job(m->dispatch, &desc, error) || aob_fail_in(error, "scene '%s'", c->scene->name);
 }
 
+/* A view is what one job serves: the screen-space bound ends with the guard band. */
 static bool same_view(const struct aob_case *a, const struct aob_case *b)
 {
-    return a->scene == b->scene && a->width == b->width && a->height == b->height;
+    return a->scene == b->scene && a->width == b->width && a->height == b->height &&
+           aob_case_options(a).guard_band == aob_case_options(b).guard_band;
 }
 
-static void want_case(struct aob_measurement *m, size_t index, int guard, struct missing *missing)
-{
-    const struct aob_case *c = &m->plan->cases[index];
-    if (m->states[index].stage != AOB_PENDING)
-        return;
-    for (size_t t = 0; t < c->scene->target_count; t++)
-        free(want_truth(m, c, &c->scene->targets[t], gives_bent_normal(&m->states[index]), missing));
-    free(want_claim(m, index, false, missing));
-    if (aob_case_options(c).guard_band == guard)
-        free(want_claim(m, index, true, missing));
-}
-
-/* All terms of the view that the plan still needs are traced at once: one set of rays serves them all. The bound of
- * another guard band is rebuilt from another G-buffer than this job's. */
-static void want_whole_view(struct aob_measurement *m, size_t index, struct missing *missing)
+static size_t first_of_view(const struct aob_measurement *m, size_t index)
 {
     const struct aob_case *cases = m->plan->cases;
-    int guard = aob_case_options(&cases[index]).guard_band;
     size_t first = m->place[index];
     while (first > 0 && same_view(&cases[index], &cases[m->by_view[first - 1]]))
         first--;
-    for (size_t i = first; i < m->plan->case_count && same_view(&cases[index], &cases[m->by_view[i]]); i++)
-        want_case(m, m->by_view[i], guard, missing);
+    return first;
+}
+
+/* All terms of the view that the plan still needs are traced at once: one set of rays serves them all. */
+static void want_whole_view(struct aob_measurement *m, size_t index, struct missing *missing)
+{
+    const struct aob_case *cases = m->plan->cases, *c = &cases[index];
+    bool wanted[2] = {false, false}; /* truths without and with their mean open directions */
+    for (size_t i = first_of_view(m, index); i < m->plan->case_count; i++) {
+        size_t at = m->by_view[i];
+        if (!same_view(c, &cases[at]))
+            break;
+        if (m->states[at].stage != AOB_PENDING)
+            continue;
+        wanted[gives_bent_normal(&m->states[at])] = true;
+        free(want_claim(m, at, false, missing));
+        free(want_claim(m, at, true, missing));
+    }
+    for (int bent = 0; bent < 2; bent++)
+        for (size_t t = 0; wanted[bent] && t < c->scene->target_count; t++)
+            free(want_truth(m, c, &c->scene->targets[t], bent, missing));
 }
 
 static char *gbuffer_path(const struct aob_measurement *m, const struct aob_case *c)
@@ -226,12 +232,11 @@ static bool make_files(struct aob_measurement *m, const size_t *indices, struct 
     return trace_view(m, c, files, missing->terms, error);
 }
 
-bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t count,
-                      struct aob_view_files *files, struct aob_error *error)
+static bool prepare(struct aob_measurement *m, const size_t *indices, size_t count,
+                    struct aob_view_files *files, struct aob_error *error)
 {
     const struct aob_case *c = &m->plan->cases[indices[0]];
     struct aob_plan_scene *scene = &m->plan->scenes[c->scene - m->plan->scenes];
-    int64_t start = aob_clock_wall_ns();
     char *mesh = scene->file ? load_mesh(m, scene, error) : NULL;
     if (scene->file && !mesh)
         return false;
@@ -246,11 +251,27 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
     for (size_t i = 0; i < count; i++)
         files->bent = files->bent || gives_bent_normal(&m->states[indices[i]]);
     bool ok = make_files(m, indices, files, &missing, error);
-    m->shares.reference += (double)(aob_clock_wall_ns() - start) * 1e-9;
     json_decref(missing.terms);
     json_decref(missing.known);
     if (!ok)
         aob_view_files_finish(files);
+    return ok;
+}
+
+/* A view that failed once would fail again for each of its blocks, and may take minutes each time. */
+bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t count,
+                      struct aob_view_files *files, struct aob_error *error)
+{
+    int64_t start = aob_clock_wall_ns();
+    char view[24];
+    snprintf(view, sizeof view, "%zu", first_of_view(m, indices[0]));
+    const char *failed = json_string_value(json_object_get(m->failed_views, view));
+    if (failed)
+        return aob_fail(error, "%s", failed);
+    bool ok = prepare(m, indices, count, files, error);
+    if (!ok)
+        json_object_set_new(m->failed_views, view, json_string(error->text));
+    m->shares.reference += (double)(aob_clock_wall_ns() - start) * 1e-9;
     return ok;
 }
 

@@ -1,10 +1,12 @@
 #include "run_folder.h"
 #include <dirent.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/text.h"
 
 static bool same_text(const json_t *a, const json_t *b, const char *name)
 {
@@ -13,9 +15,34 @@ static bool same_text(const json_t *a, const json_t *b, const char *name)
     return ta && tb && strcmp(ta, tb) == 0;
 }
 
-static bool same_device(const json_t *a, const json_t *b)
+/* "llvmpipe, Mesa 22.3.6, AMD EPYC": all that its worker said of it. */
+static void add_device(struct aob_text *text, const json_t *device)
 {
-    return same_text(a, b, "device") && same_text(a, b, "driver");
+    json_t *member;
+    const char *name;
+    json_object_foreach((json_t *)(uintptr_t)device, name, member)
+    {
+        aob_text_add(text, "%s", text->size ? ", " : "");
+        if (json_is_integer(member))
+            aob_text_add(text, "%s %lld", name, (long long)json_integer_value(member));
+        else
+            aob_text_add(text, "%s", json_string_value(member) ? json_string_value(member) : "?");
+    }
+}
+
+static bool fail_other_device(const char *folder, const char *backend, const json_t *then, const json_t *now,
+                              struct aob_error *error)
+{
+    struct aob_text before = {0}, after = {0};
+    add_device(&before, then);
+    add_device(&after, now);
+    aob_fail(error,
+             "%s holds a run on another device (%s: %s; now it is %s): use --fresh to discard it, or another "
+             "--out",
+             folder, backend, before.data, after.data);
+    aob_text_finish(&before);
+    aob_text_finish(&after);
+    return false;
 }
 
 /* A backend that could not be opened, then or now, has measured nothing that could be mixed. The device that it had
@@ -28,15 +55,8 @@ static bool judge_devices(const struct aob_run_folder *folder, const json_t *ear
     json_object_foreach(devices, backend, now)
     {
         json_t *then = json_object_get(json_object_get(earlier, "devices"), backend);
-        if (json_is_object(then) && json_is_object(now) && !same_device(then, now))
-            return aob_fail(
-                error,
-                "%s holds a run on another device (%s: %s, %s; now it is %s, %s): use --fresh to discard it, "
-                "or another --out",
-                folder->path, backend, json_string_value(json_object_get(then, "device")),
-                json_string_value(json_object_get(then, "driver")),
-                json_string_value(json_object_get(now, "device")),
-                json_string_value(json_object_get(now, "driver")));
+        if (json_is_object(then) && json_is_object(now) && !json_equal(then, now))
+            return fail_other_device(folder->path, backend, then, now, error);
         if (json_is_object(then) && !json_is_object(now))
             json_object_set(devices, backend, then);
     }

@@ -96,7 +96,11 @@ static bool load_claims(const struct aob_block *block, const struct aob_block_ca
                         struct aob_case_image *image, struct aob_error *error)
 {
     bool ok = load_claim(c->definition, block, &image->definition, error);
-    return load_claim(c->screen, block, &image->screen, error) && ok;
+    if (!image->definition || !c->screen || strcmp(c->definition, c->screen) != 0)
+        return load_claim(c->screen, block, &image->screen, error) && ok;
+    image->screen = AOB_NEW_ARRAY(float, pixels_of(block)); /* nothing is missing: the two are one file */
+    memcpy(image->screen, image->definition, pixels_of(block) * sizeof(float));
+    return ok;
 }
 
 static void map_claims(const struct aob_technique *technique, const struct aob_block_case *c, size_t count,
@@ -231,26 +235,28 @@ static bool judge_values(const struct aob_block *block, const struct aob_case_im
            (!image->bent || aob_bent_judge(&desc, (const float(*)[3])image->bent, error));
 }
 
-/* True: the image is a visibility, and everything that it is to be compared with was there. */
+static bool refuse(json_t *answer)
+{
+    json_object_set_new(answer, "status", json_string("invalid"));
+    json_object_del(answer, "errors");
+    return false;
+}
+
+/* True: the image is a visibility, and everything that it is to be compared with was there. All files are tried, so that
+ * one run finds and removes all that are damaged. */
 static bool judge_and_score(const struct aob_block *block, size_t f, struct aob_case_image *image,
                             json_t *answer, struct aob_error *error)
 {
     const struct aob_block_case *c = &block->job.cases[block->case_of_frame[f]];
-    if (!load_claims(block, c, image, error))
-        return false;
+    if (!judge_values(block, image, error))
+        return refuse(answer);
+    bool claims = load_claims(block, c, image, error);
     map_claims(block->frames[f].graph.technique, c, pixels_of(block), image);
-    if (!judge_values(block, image, error)) {
-        json_object_set_new(answer, "status", json_string("invalid"));
-        return false;
-    }
-    if (!score_case(block, c, image, answer, error))
-        return false;
-    if (image->truth && !judge_drawn(block, c, image, error)) {
-        json_object_set_new(answer, "status", json_string("invalid"));
+    if (!score_case(block, c, image, answer, error) || !claims) {
         json_object_del(answer, "errors");
         return false;
     }
-    return true;
+    return !image->truth || judge_drawn(block, c, image, error) || refuse(answer);
 }
 
 static bool draw(struct aob_block *block, size_t f, struct aob_case_image *image, struct aob_error *error)

@@ -2,7 +2,7 @@
  * lines on standard output. Only here are modules loaded, drivers opened and files of strangers parsed, so a crash costs
  * this job. The messages are in job/, writer and reader of each in one file; two jobs are too small for one:
  *   describe {modules}  -> a technique a line (aob_technique_to_json)
- *   probe    {backend}  -> {device, driver, class}
+ *   probe    {backend}  -> {device, driver, class}, and {cpu, cores} where a processor is the device
  * A job that cannot be done says so in one line on standard error and exits with 2. */
 #ifndef AOB_WORKER_WORKER_H
 #define AOB_WORKER_WORKER_H

@@ -12,7 +12,9 @@ techniques:
     sweep:
       - {param: radius, from: 0.02, to: 2, step: 0.02}
       - {param: slices, from: 1, to: 10, step: 1}
-measure: {time: false, error: false, images: false}
+target: {radius: 1}
+measure: {time: false, images: false}
+reference: {spp: 2}
 EOF
   elapsed() { # COMMAND...: seconds of wall time
     local start=$(date +%s.%N)

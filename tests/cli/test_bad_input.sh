@@ -90,6 +90,10 @@ expect 2 "cannot open" "$program" list techniques --module nowhere.so
 config '{name: crash_build}, {name: none}'
 expect 3 "2 cases: 1 ok, 0 unsupported, 0 invalid, 1 failed" "$program" run config.yaml --out crash --module "$modules/crash_build.so"
 check "the crash is named" grep -q 'crash_build: laying out its passes: .*crashed' crash/journal.jsonl
+# What a worker does after its last answer is no case's fault. A heap that is read too far is the sanitizer's to find.
+config '{name: crash_exit}, {name: gtao, params: {slices: [1, 2, 3]}}'
+check "layout of a module that dies at its end" "$program" run config.yaml --out crash3 --quiet --module "$modules/crash_exit.so"
+check "costs no other case" test "$(grep -c '"technique":"gtao".*"status":"ok"' crash3/journal.jsonl)" -eq 3
 config '{name: crash_build}'
 expect 2 "nothing could run" "$program" run config.yaml --out crash2 --quiet --module "$modules/crash_build.so"
 

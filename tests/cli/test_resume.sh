@@ -42,8 +42,10 @@ check "the journal did not grow" cmp out/journal.jsonl whole.jsonl
 check "the device stands in run.json" test "$(jq -r '.devices.null.class' out/run.json)" = cpu
 cp out/run.json good.json
 jq '.devices.null.device = "another card"' good.json >out/run.json
-expect 2 "out holds a run on another device (null: another card, none; now it is none, none): use --fresh" \
+expect 2 "out holds a run on another device (null: another card, none, cpu, " \
   "$program" run config.yaml --out out --quiet
+jq '.devices.null.cores += 1' good.json >out/run.json
+expect 2 "out holds a run on another device (null: none, none, cpu, " "$program" run config.yaml --out out --quiet
 check "nothing was touched" cmp out/journal.jsonl whole.jsonl
 jq '.devices.null = null' good.json >out/run.json
 check "a backend that could not be opened then has measured nothing" "$program" run config.yaml --out out --quiet
@@ -61,6 +63,21 @@ sed 's/spp: 2/spp: 4/' config.yaml >question.yaml
 check "another question" "$program" run question.yaml --out question --quiet --filter slices=1
 check "is another key" test "$(identity key out | comm -12 - <(identity key question) | wc -l)" -eq 0
 check "and the same series" test "$(identity series out | comm -12 - <(identity series question) | wc -l)" -eq 6
+
+# What is wanted and lost is measured again; a page that stands is not drawn again, one that is older than the journal is.
+check "with images" "$program" run wish.yaml --out kept --quiet --filter slices=1
+stamp() { stat -c %Y.%y "kept/report/index.html"; }
+before=$(stamp)
+check "again" "$program" run wish.yaml --out kept --quiet --filter slices=1
+check "nothing is drawn again" test "$(stamp)" = "$before"
+touch -d '1 hour ago' kept/report/index.html
+check "a page before the journal's end" "$program" run wish.yaml --out kept --quiet --filter slices=1
+check "is drawn anew" test "$(stat -c %Y kept/report/index.html)" -gt "$(date -d '10 minutes ago' +%s)"
+lines=$(wc -l <kept/journal.jsonl)
+rm "kept/$(jq -rs '.[0].image' kept/journal.jsonl)" "kept/$(jq -rs '.[5].error.truth' kept/journal.jsonl)"
+check "with an image and a truth lost" "$program" run wish.yaml --out kept --quiet --filter slices=1
+check "their cases are measured again" test "$(wc -l <kept/journal.jsonl)" -gt "$lines"
+check "and all is there" test -z "$(jq -rs '.[] | .image, .errors[].truth' kept/journal.jsonl | sort -u | while read -r f; do [ -f "kept/$f" ] || echo "$f"; done)"
 echo "$kills kills"
 check "at least one kill hit a run" test "$kills" -ge 1
 finish

@@ -50,6 +50,43 @@ near "the same question has the same answer" \
   "$(jq 'select(.technique == "gtao" and .params.radius == 0.25) | .errors[] | select(.target.radius == 1) | .rmse' every/journal.jsonl)" \
   "$(value 0.25 .errors[0].rmse)"
 
+# Two cameras are two views by name, so that no chart joins them and a filter picks one.
+sed 's/^scenes.*/scenes: [{name: corner, eye: [0, 2, 4], target: [0, 0.8, 0]}, {name: corner, eye: [1, 2, 4], target: [0, 0.8, 0]}]/' \
+  two.yaml >cameras.yaml
+check "two cameras" "$program" run cameras.yaml --out cameras --quiet --filter radius=0.5
+check "have a name each" test "$(jq -r .view cameras/journal.jsonl | sort | tr '\n' ' ')" = "camera camera-2 "
+check "and a section each" test "$(grep -c '<section id=s[0-9]' cameras/report/index.html)" -eq 2
+check "one of them" "$program" run cameras.yaml --out second --quiet --filter "camera-2 gtao radius=0.5"
+check "by its name" test "$(wc -l <second/journal.jsonl)" -eq 1
+
+# A capture's truth is the screen-space bound's, and its errors are against it.
+"$program" shot --technique none --scene spheres --size 96x54 --backend gl-egl --reference-spp 0 --out F.exr --quiet
+cat >capture.yaml <<END
+name: capture
+scenes: [{capture: F.exr}]
+backends: [gl-egl]
+target: [{radius: 1}, {radius: inf, weighting: uniform}]
+techniques: [{name: gtao, params: {radius: 0.5, blur: 0}}]
+measure: {time: false}
+reference: {spp: 32}
+END
+check "a capture" "$program" run capture.yaml --out capture --quiet
+for t in 0 1; do
+  near "the capture against target $t" "$(jq ".errors[$t].rmse" capture/journal.jsonl)" \
+    "$("$AOBUDGET_BUILD/image_rmse" "capture/$(jq -r .image capture/journal.jsonl)" technique.AO \
+      "capture/$(jq -r ".errors[$t].truth" capture/journal.jsonl)" AO)"
+done
+
+# A damaged file of the cache is never kept as a truth.
+for file in "$AOBUDGET_CACHE"/visibility-*.exr; do head -c 200 "$file" >short && cp short "$file"; done
+expect 2 "nothing could run" "$program" run two.yaml --out damaged --quiet --filter radius=1
+check "nothing damaged is kept" test -z "$(ls damaged/truths)"
+check "after a damaged cache" "$program" run two.yaml --out damaged --quiet --filter radius=1
+near "the truth is whole" "$(jq -s '.[-1].errors[1].rmse' damaged/journal.jsonl)" \
+  "$("$AOBUDGET_BUILD/image_rmse" "damaged/$(jq -rs '.[-1].image' damaged/journal.jsonl)" technique.AO \
+    "damaged/$(jq -rs '.[-1].errors[1].truth' damaged/journal.jsonl)" AO)"
+expect 2 "the radius 1e+39 is beyond the largest float" "$program" shot --technique none --scene plane --backend null --target-radius 1e39
+
 # The old words are refused, with the new one named.
 sed 's/^target.*//; s/spp: 32/spp: 32, radius: 1/' two.yaml >old.yaml
 expect 2 "old.yaml:10:" "$program" plan old.yaml
