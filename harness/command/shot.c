@@ -173,7 +173,8 @@ static bool make_config(const struct options *o, struct aob_config *config, stru
     const char *wanted = o->size ? o->size : "480x270";
     if (!aob_parse_size(wanted, &size->width, &size->height))
         return aob_fail(error, "--size: '%s' is not WIDTHxHEIGHT with 1 .. 16384 pixels each", wanted);
-    struct aob_value *backend = AOB_PUSH(config->backends, config->backend_count, config->backend_capacity);
+    struct aob_backend_choice *backends = &config->backends;
+    struct aob_value *backend = AOB_PUSH(backends->names, backends->count, backends->capacity);
     backend->text = aob_strdup(o->backend ? o->backend : "vulkan");
     struct aob_technique_choice *technique =
         AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity);

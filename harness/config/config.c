@@ -133,6 +133,16 @@ static bool read_named_axis(struct aob_yaml *yaml, const char *key, yaml_node_t 
            (axis->count || aob_yaml_fail(yaml, node, "'%s' has no value", key));
 }
 
+static bool read_backend(struct aob_yaml *yaml, yaml_node_t *node, void *user)
+{
+    struct aob_backend_choice *choice = user;
+    const char *text;
+    if (!aob_yaml_text(yaml, node, &text))
+        return false;
+    *AOB_PUSH(choice->names, choice->count, choice->capacity) = aob_yaml_value(node, text);
+    return true;
+}
+
 static bool read_technique_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
 {
     struct aob_technique_choice *choice = user;
@@ -143,6 +153,9 @@ static bool read_technique_entry(struct aob_yaml *yaml, const char *key, yaml_no
         choice->name = aob_yaml_value(node, text);
         return true;
     }
+    if (strcmp(key, "backends") == 0)
+        return aob_yaml_sequence(yaml, node, read_backend, &choice->backends) &&
+               (choice->backends.count || aob_yaml_fail(yaml, node, "the list of backends is empty"));
     struct axes axes = {&choice->axes, &choice->axis_count, &choice->axis_capacity};
     if (strcmp(key, "params") == 0)
         return aob_yaml_mapping(yaml, node, NULL, read_named_axis, &axes);
@@ -151,7 +164,7 @@ static bool read_technique_entry(struct aob_yaml *yaml, const char *key, yaml_no
 
 static bool read_technique(struct aob_yaml *yaml, yaml_node_t *node, void *user)
 {
-    static const char *const keys[] = {"name", "params", "sweep", NULL};
+    static const char *const keys[] = {"name", "backends", "params", "sweep", NULL};
     struct aob_config *config = user;
     struct aob_technique_choice *choice =
         AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity);
@@ -168,16 +181,6 @@ static bool read_size(struct aob_yaml *yaml, yaml_node_t *node, void *user)
         return false;
     return aob_parse_size(text, &size->width, &size->height) ||
            aob_yaml_fail(yaml, node, "'%s' is not WIDTHxHEIGHT with 1 .. 16384 pixels each", text);
-}
-
-static bool read_backend(struct aob_yaml *yaml, yaml_node_t *node, void *user)
-{
-    struct aob_config *config = user;
-    const char *text;
-    if (!aob_yaml_text(yaml, node, &text))
-        return false;
-    *AOB_PUSH(config->backends, config->backend_count, config->backend_capacity) = aob_yaml_value(node, text);
-    return true;
 }
 
 static bool read_measure_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
@@ -239,7 +242,7 @@ static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_
     if (strcmp(key, "resolutions") == 0)
         return aob_yaml_sequence(yaml, node, read_size, config);
     if (strcmp(key, "backends") == 0)
-        return aob_yaml_sequence(yaml, node, read_backend, config);
+        return aob_yaml_sequence(yaml, node, read_backend, &config->backends);
     if (strcmp(key, "options") == 0)
         return aob_yaml_mapping(yaml, node, NULL, read_named_axis, &options);
     if (strcmp(key, "techniques") == 0)
@@ -254,15 +257,17 @@ static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_
 
 static bool judge_config(const struct aob_config *config, struct aob_error *error)
 {
-    bool sized = true; /* a capture has its own size */
+    bool sized = true, placed = true; /* a capture has its own size, a technique may have its own backends */
     for (size_t i = 0; i < config->scene_count; i++)
         sized = sized && config->scenes[i].capture;
-    const char *missing = !config->name                   ? "name"
-                          : !config->scene_count          ? "scenes"
-                          : !config->size_count && !sized ? "resolutions"
-                          : !config->backend_count        ? "backends"
-                          : !config->technique_count      ? "techniques"
-                                                          : NULL;
+    for (size_t i = 0; i < config->technique_count; i++)
+        placed = placed && config->techniques[i].backends.count;
+    const char *missing = !config->name                        ? "name"
+                          : !config->scene_count               ? "scenes"
+                          : !config->size_count && !sized      ? "resolutions"
+                          : !config->technique_count           ? "techniques"
+                          : !config->backends.count && !placed ? "backends"
+                                                               : NULL;
     return !missing || aob_fail(error, "%s: '%s' is missing or empty", config->path, missing);
 }
 

@@ -9,10 +9,11 @@
  *        previous: {eye: [0.1, 1, 4], target: [0, 1, 0]}}    # a frame earlier; default: a still camera
  *     - {capture: frame.exr, fov_deg: 60, depth: device_reversed, near: 0.1, far: inf}   # or name: capture:frame.exr
  *   resolutions: [480x270]
- *   backends: [vulkan, gl-egl]
+ *   backends: [vulkan, gl-egl]       # not needed if every technique has its own
  *   options: {guard_band: 64, fetch: [sampled, storage]}   # a list is an axis of the sweep
  *   techniques:
  *     - name: gtao
+ *       backends: [gl-osmesa]        # in place of the config's
  *       params: {blur: 0}            # fixed values
  *       sweep:                       # axes, expanded as a product
  *         - {param: radius, from: 0.25, to: 2, log2: 1}    # steps of a factor 2^1; or step: 0.25
@@ -67,9 +68,14 @@ struct aob_target { /* one question: which visibility is asked for */
 };
 enum { AOB_CONFIG_MAX_TARGETS = 64 }; /* each is a truth traced and a score of every case */
 #define AOB_TARGET_MIN_RADIUS 1e-9
+struct aob_backend_choice { /* names, not judged here */
+    struct aob_value *names;
+    size_t count, capacity;
+};
 struct aob_technique_choice {
     struct aob_value name;
-    struct aob_axis *axes; /* fixed values are axes of one */
+    struct aob_backend_choice backends; /* none: the config's */
+    struct aob_axis *axes;              /* fixed values are axes of one */
     size_t axis_count, axis_capacity;
 };
 struct aob_config {
@@ -82,8 +88,7 @@ struct aob_config {
         int width, height;
     } * sizes;
     size_t size_count, size_capacity;
-    struct aob_value *backends;
-    size_t backend_count, backend_capacity;
+    struct aob_backend_choice backends; /* of the techniques without their own */
     struct aob_axis *options;
     size_t option_count, option_capacity;
     struct aob_technique_choice *techniques;

@@ -12,6 +12,13 @@ static void free_axes(struct aob_axis *axes, size_t count)
     free(axes);
 }
 
+static void free_backends(struct aob_backend_choice *backends)
+{
+    for (size_t i = 0; i < backends->count; i++)
+        free(backends->names[i].text);
+    free(backends->names);
+}
+
 void aob_config_finish(struct aob_config *config)
 {
     for (size_t i = 0; i < config->scene_count; i++) {
@@ -21,16 +28,15 @@ void aob_config_finish(struct aob_config *config)
         free(config->scenes[i].capture);
         free(config->scenes[i].gbuffer);
     }
-    for (size_t i = 0; i < config->backend_count; i++)
-        free(config->backends[i].text);
     for (size_t i = 0; i < config->technique_count; i++) {
         free(config->techniques[i].name.text);
+        free_backends(&config->techniques[i].backends);
         free_axes(config->techniques[i].axes, config->techniques[i].axis_count);
     }
+    free_backends(&config->backends);
     free_axes(config->options, config->option_count);
     free(config->scenes);
     free(config->sizes);
-    free(config->backends);
     free(config->techniques);
     free(config->targets);
     free(config->name);

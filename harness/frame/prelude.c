@@ -138,12 +138,12 @@ static void add_levels(const struct aob_graph_bind *bind, const struct aob_graph
                  type, name, bind->level_count - 1, texture->divisor << bind->level, name, type, name, name);
 }
 
-/* A target of several levels is larger than what the view fills of it, so its edge is not the sampler's. */
+/* A target may be larger than what the view fills of it; its edge is not the sampler's then. */
 static void add_sample(const struct aob_graph_bind *bind, const struct aob_graph_texture *texture,
                        struct aob_text *text)
 {
     const char *type = type_name(texture->format), *name = bind->name, *part = swizzle(texture->format);
-    if (texture->levels > 1)
+    if (texture->align > 0)
         aob_text_add(
             text,
             "%s aob_sample_%s(vec2 uv, int level) {\n"

@@ -11,6 +11,13 @@
 #include "target.h"
 #include "technique/param.h"
 
+/* An entry's own backends stand in place of the config's. */
+static const struct aob_backend_choice *choose_backends(const struct aob_config *config,
+                                                        const struct aob_technique_choice *choice)
+{
+    return choice->backends.count ? &choice->backends : &config->backends;
+}
+
 /* Counted before anything is expanded: a short config can ask for more cases than there is time to count singly. */
 static bool judge_count(const struct aob_config *config, struct aob_error *error)
 {
@@ -18,12 +25,12 @@ static bool judge_count(const struct aob_config *config, struct aob_error *error
     for (size_t s = 0; s < config->scene_count; s++)
         places += config->scenes[s].capture ? 1 : (double)config->size_count;
     for (size_t t = 0; t < config->technique_count; t++) {
-        double product = 1;
+        double product = (double)choose_backends(config, &config->techniques[t])->count;
         for (size_t a = 0; a < config->techniques[t].axis_count; a++)
             product *= (double)config->techniques[t].axes[a].count;
         points += product;
     }
-    points *= places * (double)config->backend_count;
+    points *= places;
     for (size_t o = 0; o < config->option_count; o++)
         points *= (double)config->options[o].count;
     if (points <= AOB_PLAN_MAX_CASES)
@@ -54,29 +61,34 @@ static bool add_cases(struct aob_plan *plan, struct aob_case *base, struct aob_p
     return true;
 }
 
-static bool expand_technique(struct aob_plan *plan, struct aob_case *base,
+/* The points of one entry on each of its backends; the rest of the case, scene and size, is chosen. */
+static bool expand_technique(struct aob_plan *plan, struct aob_case base,
                              const struct aob_technique_choice *choice, struct aob_plan_axes *options,
                              struct aob_error *error)
 {
     struct aob_plan_axes params = {0};
-    base->technique = aob_technique_list_find(plan->techniques, choice->name.text);
-    if (!base->technique) {
+    base.technique = aob_technique_list_find(plan->techniques, choice->name.text);
+    if (!base.technique) {
         aob_fail(error, "unknown technique '%s'; see: aobudget list techniques", choice->name.text);
         return aob_config_fail_at(plan->config, choice->name.line, choice->name.column, error);
     }
     const struct aob_plan_axes_desc desc = {.config = plan->config,
                                             .owner = choice->name.text,
-                                            .params = base->technique->params,
-                                            .param_count = base->technique->param_count,
+                                            .params = base.technique->params,
+                                            .param_count = base.technique->param_count,
                                             .from = choice->axes,
                                             .count = choice->axis_count};
-    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, base->options);
-    bool ok = aob_plan_axes_init(&params, &desc, error) && add_cases(plan, base, &params, options, error);
+    const struct aob_backend_choice *backends = choose_backends(plan->config, choice);
+    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, base.options);
+    bool ok = aob_plan_axes_init(&params, &desc, error);
+    for (size_t b = 0; ok && b < backends->count; b++) {
+        base.backend = aob_gpu_find(backends->names[b].text)->name;
+        ok = add_cases(plan, &base, &params, options, error);
+    }
     aob_plan_axes_finish(&params);
     return ok;
 }
 
-/* A case without its technique: scene, size and backend chosen. */
 static bool expand_techniques(struct aob_plan *plan, struct aob_case base, struct aob_error *error)
 {
     const struct aob_config *config = plan->config;
@@ -89,8 +101,30 @@ static bool expand_techniques(struct aob_plan *plan, struct aob_case base, struc
                                             .count = config->option_count};
     bool ok = aob_plan_axes_init(&options, &desc, error);
     for (size_t t = 0; ok && t < config->technique_count; t++)
-        ok = expand_technique(plan, &base, &config->techniques[t], &options, error);
+        ok = expand_technique(plan, base, &config->techniques[t], &options, error);
     aob_plan_axes_finish(&options);
+    return ok;
+}
+
+static bool judge_backends(const struct aob_config *config, const struct aob_backend_choice *choice,
+                           struct aob_error *error)
+{
+    for (size_t i = 0; i < choice->count; i++) {
+        const struct aob_value *name = &choice->names[i];
+        if (aob_gpu_find(name->text))
+            continue;
+        aob_fail(error, "unknown backend '%s'; see: aobudget list backends", name->text);
+        return aob_config_fail_at(config, name->line, name->column, error);
+    }
+    return true;
+}
+
+/* Also those of the config that no entry uses: a wrong name is wrong wherever it stands. */
+static bool judge_all_backends(const struct aob_config *config, struct aob_error *error)
+{
+    bool ok = judge_backends(config, &config->backends, error);
+    for (size_t t = 0; ok && t < config->technique_count; t++)
+        ok = judge_backends(config, &config->techniques[t].backends, error);
     return ok;
 }
 
@@ -100,22 +134,12 @@ static bool expand(struct aob_plan *plan, struct aob_error *error)
     for (size_t s = 0; s < plan->scene_count; s++) {
         const struct aob_size own = {plan->scenes[s].width, plan->scenes[s].height};
         const struct aob_size *sizes = plan->scenes[s].gbuffer ? &own : config->sizes;
-        for (size_t r = 0; r < (sizes == &own ? 1 : config->size_count); r++)
-            for (size_t b = 0; b < config->backend_count; b++) {
-                const struct aob_gpu_fns *backend = aob_gpu_find(config->backends[b].text);
-                if (!backend) {
-                    aob_fail(error, "unknown backend '%s'; see: aobudget list backends",
-                             config->backends[b].text);
-                    return aob_config_fail_at(config, config->backends[b].line, config->backends[b].column,
-                                              error);
-                }
-                struct aob_case base = {.scene = &plan->scenes[s],
-                                        .width = sizes[r].width,
-                                        .height = sizes[r].height,
-                                        .backend = backend->name};
-                if (!expand_techniques(plan, base, error))
-                    return false;
-            }
+        for (size_t r = 0; r < (sizes == &own ? 1 : config->size_count); r++) {
+            struct aob_case base = {
+                .scene = &plan->scenes[s], .width = sizes[r].width, .height = sizes[r].height};
+            if (!expand_techniques(plan, base, error))
+                return false;
+        }
     }
     return true;
 }
@@ -152,7 +176,8 @@ bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
                      const struct aob_technique_list *techniques, struct aob_error *error)
 {
     *plan = (struct aob_plan){.config = config, .techniques = techniques};
-    if (!judge_count(config, error) || !aob_plan_choose_scenes(plan, error) || !expand(plan, error))
+    if (!judge_count(config, error) || !aob_plan_choose_scenes(plan, error) ||
+        !judge_all_backends(config, error) || !expand(plan, error))
         goto error;
     aob_plan_add_targets(plan);
     aob_plan_make_keys(plan);

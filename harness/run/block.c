@@ -165,6 +165,8 @@ static bool run_worker(struct block *block, const struct aob_view_files *files, 
     enum { ROOM = 32 };
     const struct aob_case *c = case_of(block, 0);
     const char *env[ROOM] = {0};
+    if (block->m->on_work)
+        block->m->on_work(block->m->user, block->indices[0], "compiling and measuring");
     char threads[40];
     size_t used = 0;
     for (const char *const *e = aob_gpu_find(c->backend)->environment; *e && used < ROOM - 2; e++)

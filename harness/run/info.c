@@ -25,15 +25,16 @@ static json_t *keys_to_json(const struct aob_plan *plan)
     return keys;
 }
 
+/* The devices of the backends that the cases name. */
 static json_t *probe_devices(const struct aob_sweep *sweep, const struct aob_dispatch *dispatch)
 {
     json_t *devices = json_object();
-    for (size_t i = 0; i < sweep->config.backend_count; i++) {
-        const char *backend = sweep->config.backends[i].text;
-        json_t *device =
-            json_object_get(devices, backend) ? NULL : aob_dispatch_probe(dispatch, backend, NULL);
-        if (!json_object_get(devices, backend))
-            json_object_set_new(devices, backend, device ? device : json_null());
+    for (size_t i = 0; i < sweep->plan.case_count; i++) {
+        const char *backend = sweep->plan.cases[i].backend;
+        if (json_object_get(devices, backend))
+            continue;
+        json_t *device = aob_dispatch_probe(dispatch, backend, NULL);
+        json_object_set_new(devices, backend, device ? device : json_null());
     }
     return devices;
 }

@@ -22,6 +22,8 @@ struct aob_measurement {
     const char *folder; /* of the run: images go to its images/; NULL: none are kept */
     const char *image;  /* in place of that: the file for the image of a plan's only case */
     struct aob_shares shares;
+    void (*on_work)(void *user, size_t index,
+                    const char *work); /* "tracing", of the case's view; NULL: nobody asks */
     void (*on_record)(void *user, size_t index, json_t *record); /* one case done; the record is borrowed */
     void *user;
 };

@@ -3,6 +3,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 #include "base/clock.h"
+#include "base/text.h"
 
 void aob_progress_init(struct aob_progress *progress, size_t total, bool quiet)
 {
@@ -10,20 +11,35 @@ void aob_progress_init(struct aob_progress *progress, size_t total, bool quiet)
         .shown = !quiet && isatty(STDERR_FILENO), .total = total, .start_ns = aob_clock_wall_ns()};
 }
 
-void aob_progress_step(struct aob_progress *progress, const char *what)
+/* No time is told before the first case is done: nothing is known of it then. */
+static void add_time_left(const struct aob_progress *progress, struct aob_text *line)
 {
-    progress->done++;
+    if (!progress->done)
+        return;
+    double elapsed = (double)(aob_clock_wall_ns() - progress->start_ns) * 1e-9;
+    long left = (long)(elapsed / (double)progress->done * (double)(progress->total - progress->done) + 0.5);
+    aob_text_add(line, "%ld:%02ld left  ", left / 60, left % 60);
+}
+
+void aob_progress_say(const struct aob_progress *progress, const char *what)
+{
     if (!progress->shown)
         return;
     struct winsize window = {.ws_col = 80};
+    struct aob_text line = {0};
     ioctl(STDERR_FILENO, TIOCGWINSZ, &window);
-    double elapsed = (double)(aob_clock_wall_ns() - progress->start_ns) * 1e-9;
-    long left = (long)(elapsed / (double)progress->done * (double)(progress->total - progress->done) + 0.5);
-    char line[512];
-    snprintf(line, sizeof line, "[%zu/%zu] %ld:%02ld left  %s", progress->done, progress->total, left / 60,
-             left % 60, what);
-    fprintf(stderr, "\r\033[K%.*s", window.ws_col > 1 ? window.ws_col - 1 : 79, line);
+    aob_text_add(&line, "[%zu/%zu] ", progress->done, progress->total);
+    add_time_left(progress, &line);
+    aob_text_add(&line, "%s", what);
+    fprintf(stderr, "\r\033[K%.*s", window.ws_col > 1 ? window.ws_col - 1 : 79, line.data);
     fflush(stderr);
+    aob_text_finish(&line);
+}
+
+void aob_progress_step(struct aob_progress *progress, const char *what)
+{
+    progress->done++;
+    aob_progress_say(progress, what);
 }
 
 void aob_progress_finish(struct aob_progress *progress)

@@ -11,7 +11,7 @@ struct aob_progress {
     int64_t start_ns;
 };
 void aob_progress_init(struct aob_progress *progress, size_t total, bool quiet);
-void aob_progress_step(struct aob_progress *progress,
-                       const char *what);                /* one more done; `what` comes next */
-void aob_progress_finish(struct aob_progress *progress); /* clears the line */
+void aob_progress_say(const struct aob_progress *progress, const char *what); /* what goes on now */
+void aob_progress_step(struct aob_progress *progress, const char *what);      /* one more is done: this one */
+void aob_progress_finish(struct aob_progress *progress);                      /* clears the line */
 #endif

@@ -111,13 +111,23 @@ static bool skip_finished(struct run *run, struct aob_error *error)
 static void store_record(void *user, size_t index, json_t *record)
 {
     struct run *run = user;
-    struct aob_text next = {0};
+    struct aob_text done = {0};
     if (!*run->store_error.text)
         aob_journal_append(&run->folder.journal, record, &run->store_error);
     count(run, record);
-    aob_case_describe(&run->sweep.plan, &run->sweep.plan.cases[index], &next);
-    aob_progress_step(&run->progress, next.data);
-    aob_text_finish(&next);
+    aob_case_describe(&run->sweep.plan, &run->sweep.plan.cases[index], &done);
+    aob_progress_step(&run->progress, done.data);
+    aob_text_finish(&done);
+}
+
+static void say_work(void *user, size_t index, const char *work)
+{
+    struct run *run = user;
+    struct aob_text text = {0};
+    aob_text_add(&text, "%s: ", work);
+    aob_case_describe(&run->sweep.plan, &run->sweep.plan.cases[index], &text);
+    aob_progress_say(&run->progress, text.data);
+    aob_text_finish(&text);
 }
 
 static void store_refused(struct run *run)
@@ -180,6 +190,7 @@ static bool measure(struct run *run, struct aob_error *error)
         !skip_finished(run, error))
         return false;
     run->measurement.folder = run->folder.path;
+    run->measurement.on_work = say_work;
     run->measurement.on_record = store_record;
     run->measurement.user = run;
     aob_progress_init(&run->progress, pending(run), run->desc->quiet);
@@ -201,11 +212,13 @@ static json_t *shares_to_json(const struct run *run, double report_s)
 static bool write_report(struct run *run, struct aob_error *error)
 {
     int64_t start = aob_clock_wall_ns();
+    aob_progress_say(&run->progress, "drawing the page");
     char *report = aob_path_join(run->folder.path, "report");
     bool ok = aob_page_write(&(struct aob_page_desc){.folders = (const char *const[]){run->folder.path, NULL},
                                                      .out = report,
                                                      .program = run->desc->dispatch.program},
                              error);
+    aob_progress_finish(&run->progress);
     free(report);
     json_object_set_new(run->info, "seconds",
                         shares_to_json(run, (double)(aob_clock_wall_ns() - start) * 1e-9));

@@ -159,6 +159,8 @@ static bool trace_view(struct aob_measurement *m, const struct aob_case *c,
                        const struct aob_view_files *files, json_t *terms, struct aob_error *error)
 {
     int spp = m->plan->config->spp;
+    if (m->on_work)
+        m->on_work(m->user, (size_t)(c - m->plan->cases), "tracing");
     double rays = (double)c->width * c->height * spp;
     struct aob_job_view view = aob_job_view_of(c, files);
     struct aob_job_desc desc = {.job = aob_view_job_to_json(&view, spp, json_incref(terms)),

@@ -58,6 +58,7 @@ static aob_tex graph_texture(struct aob_graph *interface, const struct aob_tex_d
     struct aob_graph_texture texture = {.format = desc->format,
                                         .divisor = desc->divisor ? (int)desc->divisor : 1,
                                         .levels = desc->levels ? (int)desc->levels : 1,
+                                        .align = desc->levels ? (int)desc->levels - 1 : 0,
                                         .width = (int)desc->width,
                                         .height = (int)desc->height,
                                         .fill = desc->fill};

@@ -14,7 +14,8 @@ struct aob_graph_texture {
     char name[AOB_NAME_SIZE];
     enum aob_format format;
     int divisor, levels; /* of a target; level l is divided by divisor << l. 1 of a table */
-    int width, height;   /* of a table; 0: divided from the screen */
+    int align; /* level 0 is allocated in multiples of 2^align, for its levels and those drawn with it */
+    int width, height; /* of a table; 0: divided from the screen */
     void (*fill)(const void *values, void *texels);
     bool used; /* by a live pass */
 };
@@ -82,7 +83,8 @@ bool aob_graph_needs_triangles(const struct aob_pass_graph *graph);
 void aob_graph_divided(int width, int height, int divisor, int *w, int *h);
 
 /* Texels to allocate of a texture's finest level for a G-buffer of width x height; a table's own. A target of several
- * levels is made as large as its coarsest level needs, since APIs halve sizes rounding down. */
+ * levels is made as large as its coarsest level needs, since APIs halve sizes rounding down; so are those that a pass
+ * writes together with it, since the targets of a pass have one size. */
 void aob_graph_texture_size(const struct aob_graph_texture *texture, int width, int height, int *w, int *h);
 
 /* All levels of it. */

@@ -123,10 +123,41 @@ static bool judge_outputs(struct aob_pass_graph *graph)
     return true;
 }
 
+/* One turn of align_textures; whether it changed anything. */
+static bool align_targets(struct aob_pass_graph *graph, const struct aob_graph_pass *pass)
+{
+    bool changed = false;
+    int below = 0; /* halvings that the pass's targets must still bear */
+    for (int o = 0; pass->live && o < pass->out_count; o++) {
+        int left = graph->textures[pass->out[o].texture].align - pass->out[o].level;
+        below = left > below ? left : below;
+    }
+    for (int o = 0; pass->live && o < pass->out_count; o++) {
+        int *align = &graph->textures[pass->out[o].texture].align;
+        changed = changed || *align < pass->out[o].level + below;
+        *align = pass->out[o].level + below;
+    }
+    return changed;
+}
+
+/* The targets of a pass are of one size, so what is drawn together is allocated alike. It ends: all levels of one pass have
+ * one divisor, so the greatest align + log2(divisor) among textures that are so joined is all that can be reached. */
+static void align_textures(struct aob_pass_graph *graph)
+{
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (int p = 0; p < graph->pass_count; p++)
+            changed = align_targets(graph, &graph->passes[p]) || changed;
+    }
+}
+
 bool aob_graph_judge(struct aob_pass_graph *graph)
 {
     for (int p = 0; p < graph->pass_count; p++)
         if (!judge_pass(graph, p))
             return false;
-    return judge_outputs(graph);
+    if (!judge_outputs(graph))
+        return false;
+    align_textures(graph);
+    return true;
 }

@@ -9,14 +9,13 @@ void aob_graph_divided(int width, int height, int divisor, int *w, int *h)
 
 void aob_graph_texture_size(const struct aob_graph_texture *texture, int width, int height, int *w, int *h)
 {
-    int coarsest = texture->levels - 1;
     *w = texture->width;
     *h = texture->height;
     if (texture->fill)
         return;
-    aob_graph_divided(width, height, texture->divisor << coarsest, w, h);
-    *w <<= coarsest;
-    *h <<= coarsest;
+    aob_graph_divided(width, height, texture->divisor << texture->align, w, h);
+    *w <<= texture->align;
+    *h <<= texture->align;
 }
 
 size_t aob_graph_texture_texels(const struct aob_graph_texture *texture, int width, int height)

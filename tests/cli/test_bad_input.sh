@@ -54,6 +54,8 @@ expect 2 "config.yaml:5:44: gtao: radius: '0.5x' is not a number" "$program" run
 expect 2 "config.yaml:5:44" "$program" plan config.yaml
 config '{name: gtao, params: {blur: 4}}'
 expect 2 "config.yaml:5:42: gtao: blur: 4: must be odd, or 0" "$program" run config.yaml --quiet
+config '{name: crytek_ssao, params: {samples: 9}}'
+expect 2 "nothing could run" "$program" run config.yaml --quiet
 config '{name: none}'
 expect 2 "cannot create the folder" "$program" run config.yaml --out /proc/nowhere
 echo "not a folder" >file

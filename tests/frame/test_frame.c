@@ -21,7 +21,9 @@ static const struct aob_shader shaders[] = {
     {"moving", "void main() {\n"
                "    visibility = param.scale * 0.125 + param.offset * 0.25 + float(aob_frame) / 64.0;\n"
                "    bent = vec4(float(aob_pixel.x), -float(aob_pixel.y), param.scale, 9.0);\n}\n"},
-    {"place", "void main() { place = vec2(aob_pixel) / 128.0; }\n"},
+    {"place", "void main() { place = vec2(aob_pixel) / 128.0; flat_place = place; }\n"},
+    {"flat", "void main() { vec2 uv = (vec2(aob_pixel) + 0.5) / vec2(aob_target_size);\n"
+             "    o = vec4(aob_sample_place(uv), aob_sample_place(vec2(2.0))); }\n"},
     {"coarser", "void main() { place = 0.5 * aob_fetch_finer(2 * aob_pixel) + vec2(AOB_DIVISOR) / 16.0; }\n"},
     /* Level l of texel p holds p / 128 + (2^1 + ... + 2^l, weighed by halves) / 16, which the test computes. */
     {"fetch", "void main() { o = vec4(aob_fetch_place(aob_pixel >> LEVEL, LEVEL - FIRST),\n"
@@ -48,8 +50,11 @@ static bool build_levels(struct aob_graph *graph, const void *values)
 {
     (void)values;
     aob_tex place = aob_texture(graph, .name = "place", .format = AOB_RG32F, .levels = LEVELS),
+            flat = aob_texture(graph, .name = "flat", .format = AOB_RG32F),
             o = aob_texture(graph, .name = "o", .format = AOB_RGBA32F);
-    aob_pass(graph, .name = "level_0", .shader = "place", .out = {{.name = "place", .tex = place}});
+    bool is_flat = strcmp(reader, "flat") == 0;
+    aob_pass(graph, .name = "level_0", .shader = "place",
+             .out = {{.name = "place", .tex = place}, {.name = "flat_place", .tex = flat}});
     for (uint32_t l = 1; l < LEVELS; l++) {
         char name[] = "level_0";
         name[6] = (char)('0' + l);
@@ -57,10 +62,13 @@ static bool build_levels(struct aob_graph *graph, const void *values)
                  .in = {{.name = "finer", .tex = place, .level = l - 1}},
                  .out = {{.name = "place", .tex = place, .level = l}});
     }
-    enum aob_filter filter = strcmp(reader, "sample") == 0 ? AOB_BILINEAR : AOB_NEAREST;
+    enum aob_filter filter = strcmp(reader, "fetch") == 0 ? AOB_NEAREST : AOB_BILINEAR;
     return aob_pass(graph, .name = "reader", .shader = reader,
                     .defines = {{"LEVEL", level}, {"FIRST", first}},
-                    .in = {{.name = "place", .tex = place, .level = (uint32_t)first, .filter = filter}},
+                    .in = {{.name = "place",
+                            .tex = is_flat ? flat : place,
+                            .level = (uint32_t)first,
+                            .filter = filter}},
                     .out = {{.name = "o", .tex = o}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, o);
 }
@@ -225,10 +233,11 @@ static void test_levels_are_sampled(void **state)
     (void)state;
     struct stage *stage = AOB_NEW(struct stage);
     float(*o)[4] = aob_alloc(W * H, sizeof *o);
-    reader = "sample";
-    first = 1;
     for (size_t b = 0; b < AOB_COUNT(backends); b++)
-        for (level = 1; level < LEVELS; level++) {
+        for (level = 0; level < LEVELS; level++) {
+            first = level >
+                    0; /* level 0 is that of the texture of one level that is drawn with the first of four */
+            reader = level > 0 ? "sample" : "flat";
             stage_init(stage, backends[b], 0, AOB_FETCH_STORAGE, build_levels);
             run(stage, AOB_OUT_VISIBILITY, 4, &o[0][0]);
             double slope = place_at(1, level) - place_at(0, level);

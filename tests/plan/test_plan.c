@@ -68,6 +68,51 @@ static void test_twins_are_one_case_and_keys_are_stable(void **state)
     aob_config_finish(&config);
 }
 
+/* How many of the plan's cases are of this technique on this backend. */
+static size_t count_cases(const struct aob_plan *plan, const char *technique, const char *backend)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < plan->case_count; i++)
+        count += strcmp(plan->cases[i].technique->name, technique) == 0 &&
+                 strcmp(plan->cases[i].backend, backend) == 0;
+    return count;
+}
+
+/* An entry's own backends stand in place of the config's; of a case that two entries ask for there is one. */
+static void test_backends_of_an_entry(void **state)
+{
+    (void)state;
+    struct aob_config config;
+    struct aob_plan plan;
+    struct aob_error error;
+    if (!make(HEAD "techniques:\n"
+                   "  - {name: gtao, backends: [vulkan], sweep: [{param: radius, values: [0.25, 0.5, 1]}]}\n"
+                   "  - {name: gtao, backends: [vulkan, gl-osmesa], params: {radius: 0.5}}\n"
+                   "  - name: none\n",
+              &config, &plan, &error))
+        fail_msg("%s", error.text);
+    const size_t places = 2 * 2; /* views and sizes */
+    assert_int_equal(count_cases(&plan, "gtao", "vulkan"), places * 3);
+    assert_int_equal(count_cases(&plan, "gtao", "gl-osmesa"), places);
+    assert_int_equal(count_cases(&plan, "none", "vulkan"), places);
+    assert_int_equal(count_cases(&plan, "none", "gl-egl"), places);
+    assert_int_equal(plan.case_count, places * 6);
+    for (size_t i = 0; i < plan.case_count; i++)
+        if (strcmp(plan.cases[i].backend, "gl-osmesa") == 0)
+            assert_near(aob_case_radius(&plan.cases[i]), 0.5, 0);
+    aob_plan_finish(&plan);
+    aob_config_finish(&config);
+    if (!make("name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\n"
+              "techniques: [{name: none, backends: null}, {name: gtao, backends: [vulkan]}]\n",
+              &config, &plan, &error))
+        fail_msg("%s", error.text);
+    assert_int_equal(plan.case_count, 2);
+    assert_int_equal(count_cases(&plan, "none", "null"), 1);
+    assert_int_equal(count_cases(&plan, "gtao", "vulkan"), 1);
+    aob_plan_finish(&plan);
+    aob_config_finish(&config);
+}
+
 /* Every refusal: one line with file, line and column, and what is wrong. */
 static void test_refusals(void **state)
 {
@@ -110,6 +155,14 @@ static void test_refusals(void **state)
          ":2:", "eye"},
         {"name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [metal]\n" NONE, ":4:12",
          "unknown backend 'metal'"},
+        {HEAD "techniques: [{name: none, backends: [vulkan, metal]}]\n", ":5:46", "unknown backend 'metal'"},
+        {HEAD "techniques: [{name: none, backends: []}]\n", ":5:37", "the list of backends is empty"},
+        {"name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [metal]\n"
+         "techniques: [{name: none, backends: [null]}]\n",
+         ":4:12", "unknown backend 'metal'"},
+        {"name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\n"
+         "techniques: [{name: none, backends: [null]}, {name: gtao}]\n",
+         "", "'backends' is missing"},
         {"name: ../t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":1:7",
          "letters"},
         {"name: t\nscenes: [{name: corner, fov_deg: 30}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
@@ -221,9 +274,11 @@ static void test_scenes_of_the_users_folder(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_product_of_axes), cmocka_unit_test(test_twins_are_one_case_and_keys_are_stable),
-        cmocka_unit_test(test_refusals), cmocka_unit_test(test_damaged_configs),
-        cmocka_unit_test(test_scenes_of_the_users_folder)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_product_of_axes),
+                                       cmocka_unit_test(test_backends_of_an_entry),
+                                       cmocka_unit_test(test_twins_are_one_case_and_keys_are_stable),
+                                       cmocka_unit_test(test_refusals),
+                                       cmocka_unit_test(test_damaged_configs),
+                                       cmocka_unit_test(test_scenes_of_the_users_folder)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

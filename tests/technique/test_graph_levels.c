@@ -28,6 +28,18 @@ static bool build_late_level(struct aob_graph *g, const void *values)
     return aob_pass(g, .name = "late", .shader = "one", .out = {{.name = "o", .tex = t, .level = 2}}) &&
            aob_output(g, AOB_OUT_VISIBILITY, raw);
 }
+/* Level 1 of three is drawn together with a texture of half size; the third level is nobody's, and counts. */
+static bool build_together(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex t = aob_texture(g, .name = "t", .levels = 3), half = aob_texture(g, .name = "half", .divisor = 2),
+            raw = RAW(g);
+    aob_pass(g, .name = "first", .shader = "one",
+             .out = {{.name = "a", .tex = t, .level = 1}, {.name = "b", .tex = half}});
+    return aob_pass(g, .name = "last", .shader = "two", .in = {{.name = "i", .tex = half}},
+                    .out = OUT(raw)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, raw);
+}
 static bool level_pass(struct aob_graph *g, aob_tex t, uint32_t from, uint32_t to)
 {
     return aob_pass(g, .name = "next", .shader = "one", .in = {{.name = "i", .tex = t, .level = from}},
@@ -110,6 +122,11 @@ static void test_levels(void **state)
     assert_contains(dot.data, "level_1 -> level_2 [label=\"pyramid 1\"]");
     assert_contains(dot.data, "level_3 -> last [label=\"pyramid 3\"]");
     aob_text_finish(&dot);
+    /* Drawn together with level 1 of three: 51x4 pixels lie in 52x4, which can be halved once more. */
+    assert_true(try_build(&graph, build_together, &error));
+    aob_graph_texture_size(&graph.textures[1], 101, 7, &w, &h);
+    assert_int_equal(w, 52);
+    assert_int_equal(h, 4);
     assert_true(try_build(&graph, build_late_level, &error));
     assert_int_equal(graph.passes[2].in[0].level_count, 2);
     assert_true(graph.passes[1].live);

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# What a person sees at a terminal while a run goes on: what it does now, what is done, no line wider than the terminal; and
+# nothing of it where standard error is no terminal, or with --quiet.
+source "$(dirname "$0")/lib.sh"
+cd "$folder"
+export AOBUDGET_CACHE=$folder/cache
+cat >config.yaml <<END
+name: progress
+scenes: [{name: corner}, {name: plane}]
+resolutions: [32x18]
+backends: ["null"]
+techniques: [{name: none}, {name: gtao, sweep: [{param: radius, values: [0.25, 0.5]}]}]
+measure: {time: false, images: false}
+reference: {spp: 2}
+END
+shown() { # COLUMNS FLAGS...: the lines of a terminal so wide
+  local columns=$1
+  shift
+  script -qec "stty cols $columns; '$program' run config.yaml --fresh $*" /dev/null | tr '\r' '\n' | sed 's/\x1b\[K//g' | grep '^\['
+}
+shown 200 >wide
+check "the first line says what is waited for" test "$(head -1 wide)" = "[0/6] tracing: corner/front none"
+check "then what is measured" test "$(sed -n 2p wide)" = "[0/6] compiling and measuring: corner/front none"
+check "each case is named by what tells it apart" grep -qxE '\[3/6\] [0-9]+:[0-9]{2} left  corner/front gtao radius=0.5' wide
+check "each case once" test "$(grep -cE '^\[[1-6]/6\] [0-9]+:[0-9]{2} left  (corner|plane)/front' wide)" -eq 6
+check "the page comes last" test "$(tail -1 wide | sed 's/[0-9]*:[0-9]* left/T left/')" = "[6/6] T left  drawing the page"
+shown 30 >narrow
+check "no line is wider than the terminal" test "$(awk '{ if (length($0) > m) m = length($0) } END { print m }' narrow)" -le 29
+check "nor cut where it need not be" test "$(awk '{ if (length($0) > m) m = length($0) } END { print m }' narrow)" -eq 29
+check "nothing if --quiet" test -z "$(shown 80 --quiet)"
+expect 0 "6 cases: 6 ok" "$program" run config.yaml --fresh # standard error is a file: one line, the summary
+finish
