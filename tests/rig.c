@@ -163,7 +163,7 @@ struct aob_gpu *aob_rig_gpu(const char *backend)
     struct aob_gpu *gpu =
         aob_gpu_open(backend, &(struct aob_gpu_desc){.validate = strcmp(backend, "vulkan") == 0}, &error);
     if (!gpu) {
-        printf("skipped: %s\n", error.text);
+        printf("no device: %s\n", error.text);
         exit(77);
     }
     return gpu;

@@ -25,7 +25,8 @@ char *aob_file_read(const char *path, size_t limit, size_t *size, struct aob_err
     bool bad = ferror(file);
     fclose(file);
     if (bad || used > limit) {
-        aob_fail(error, bad ? "%s: cannot read: is it a file?" : "%s: larger than %zu bytes", path, limit);
+        aob_fail(error, bad ? "%s: cannot read: is it a file?" : "%s: the file is larger than %zu bytes",
+                 path, limit);
         free(bytes);
         return NULL;
     }
@@ -159,7 +160,7 @@ bool aob_folder_create(const char *path, struct aob_error *error)
     if (mkdir(path, 0777) != 0 && errno != EEXIST)
         return aob_fail(error, "%s: cannot create the folder: %s", path, strerror(errno));
     if (!is_folder(path))
-        return aob_fail(error, "%s: is not a folder", path);
+        return aob_fail(error, "%s: it is not a folder", path);
     return access(path, W_OK) == 0 || aob_fail(error, "%s: the folder is not writable", path);
 }
 

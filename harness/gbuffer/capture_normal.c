@@ -95,7 +95,7 @@ static bool judge_lengths(const struct aob_capture *capture, const struct aob_ca
     }
     return odd <= count / 4 ||
            aob_fail(error,
-                    "%s: %zu of %zu normals are no unit vectors; if they are packed into 0..1, unpack them "
+                    "%s: %zu of %zu normals are not unit vectors; if they are packed into 0..1, unpack them "
                     "or state normals derived",
                     desc->file, odd, count);
 }

@@ -128,7 +128,7 @@ bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struc
     aob_image_finish(&image);
     if (!ok) {
         aob_gbuffer_finish(gbuffer);
-        return aob_fail(error, "%s: not a G-buffer of %dx%d with a guard band of %d", path, desc->width,
+        return aob_fail(error, "%s: it is not a G-buffer of %dx%d with a guard band of %d", path, desc->width,
                         desc->height, desc->guard);
     }
     return true;

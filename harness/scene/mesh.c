@@ -45,8 +45,8 @@ static bool check_materials(const struct aob_mesh *mesh, const char *name, struc
 {
     for (size_t i = 0; i < mesh->material_count; i++)
         if (!aob_material_valid(&mesh->materials[i]))
-            return aob_fail(error, "%s: material %zu is not of numbers within 0 .. 1: the file is damaged",
-                            name, i);
+            return aob_fail(error, "%s: material %zu has a number outside 0 .. 1: the file is damaged", name,
+                            i);
     for (size_t i = 0; mesh->material_of && i < mesh->triangle_count; i++)
         if (mesh->material_of[i] >= mesh->material_count)
             return aob_fail(error, "%s: triangle %zu is of material %u of %zu: the file is damaged", name, i,
@@ -57,7 +57,7 @@ static bool check_materials(const struct aob_mesh *mesh, const char *name, struc
 bool aob_mesh_check(const struct aob_mesh *mesh, const char *name, struct aob_error *error)
 {
     if (!mesh->triangle_count)
-        return aob_fail(error, "%s: no triangles in it: nothing to render", name);
+        return aob_fail(error, "%s: it has no triangles: there is nothing to render", name);
     for (size_t i = 0; i < mesh->vertex_count; i++)
         if (!finite_vec(mesh->positions[i]) || (mesh->normals && !finite_vec(mesh->normals[i])))
             return aob_fail(
@@ -186,7 +186,8 @@ bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error 
         return true;
     aob_mesh_finish(mesh);
     return ok ? false
-              : aob_fail(error, "%s: not a whole mesh file of this program: delete it and load again", path);
+              : aob_fail(error, "%s: it is not a whole mesh file of this program: delete it and load again",
+                         path);
 }
 
 size_t aob_mesh_suspect(const struct aob_mesh *mesh, const char *name,
@@ -200,11 +201,12 @@ size_t aob_mesh_suspect(const struct aob_mesh *mesh, const char *name,
     float far = (float)fmax(fmax(fabs(low.x + high.x), fabs(low.y + high.y)), fabs(low.z + high.z)) / 2;
     if (mesh->source_bytes > 512 + 400 * mesh->triangle_count)
         aob_fail(&warnings[count++],
-                 "%s: %zu bytes but only %zu triangles: much of the file was not understood (strips?)", name,
-                 mesh->source_bytes, mesh->triangle_count);
+                 "%s: the file has %zu bytes but only %zu triangles: much of the file was not understood "
+                 "(strips?)",
+                 name, mesh->source_bytes, mesh->triangle_count);
     if (away >= 5e3 * extent)
         aob_fail(&warnings[count++],
-                 "%s: lies %g from the origin and is %g large: its vertices are rounded to steps of %.2g; "
+                 "%s: it lies %g from the origin and is %g large: its vertices are rounded to steps of %.2g; "
                  "move it to "
                  "the origin before exporting",
                  name, away, extent, (double)(nextafterf(far, INFINITY) - far));

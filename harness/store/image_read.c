@@ -41,7 +41,7 @@ static bool read_storage(struct aob_image_reader *r)
     if (!aob_image_reader_check(r, exr_get_storage(r->file, r->part, &r->storage), "storage"))
         return false;
     return r->storage == EXR_STORAGE_SCANLINE || r->storage == EXR_STORAGE_TILED ||
-           aob_fail(r->error, "%s: refused: deep images are not supported, flatten it first", r->path);
+           aob_fail(r->error, "%s: refused: deep images are not supported: flatten it first", r->path);
 }
 
 static bool add_channels(struct aob_image_reader *r)
@@ -192,7 +192,7 @@ static bool read_scanlines(struct aob_image_reader *r)
     if (!aob_image_reader_check(r, exr_get_scanlines_per_chunk(r->file, r->part, &lines), "pixels"))
         return false;
     if (lines < 1)
-        return aob_fail(r->error, "%s: damaged: blocks without lines", r->path);
+        return aob_fail(r->error, "%s: damaged: its blocks have no lines", r->path);
     for (int y = 0; y < r->image->height; y += lines) {
         exr_chunk_info_t chunk;
         if (!aob_image_reader_check(
@@ -210,7 +210,7 @@ static bool read_tiles(struct aob_image_reader *r)
                                 "tiles"))
         return false;
     if (tile_width < 1 || tile_height < 1)
-        return aob_fail(r->error, "%s: damaged: tiles without pixels", r->path);
+        return aob_fail(r->error, "%s: damaged: its tiles have no pixels", r->path);
     for (int64_t y = 0; y < r->image->height; y += tile_height)
         for (int64_t x = 0; x < r->image->width; x += tile_width) {
             exr_chunk_info_t chunk;

@@ -106,7 +106,7 @@ static bool discard_earlier_run(struct aob_run_folder *folder, const char *image
     discard_images(images);
     discard_images(truths);
     return ftruncate(folder->journal.file, 0) == 0 ||
-           aob_fail(error, "%s: cannot be emptied", folder->journal_path);
+           aob_fail(error, "%s: cannot empty the journal", folder->journal_path);
 }
 
 bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t *info, bool fresh,

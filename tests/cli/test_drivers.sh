@@ -64,10 +64,10 @@ printf 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 1 -1\nv 1 1 -1\nf 1 3 2\nf 
 check "a mesh file" "$program" shot --technique gtao --scene mesh.obj --size 96x54 --reference-spp 16
 awk '/^v/ { $2 += 3e5; $3 += 3e5 } { print }' mesh.obj >far.obj
 "$program" shot --technique none --scene far.obj --size 16x9 --reference-spp 2 >/dev/null 2>far.err
-check "a mesh far from the origin is warned of, with the step of its rounding" grep -q 'warning: far.obj: lies .* rounded to steps of 0.031' far.err
+check "a mesh far from the origin is warned of, with the step of its rounding" grep -q 'warning: far.obj: it lies .* rounded to steps of 0.031' far.err
 awk '/^v/ { $2 += 2e4 } { print }' mesh.obj >four.obj
 "$program" shot --technique none --scene four.obj --size 16x9 --reference-spp 2 >/dev/null 2>four.err
-check "at 10,000 times its side it is, in one line" test "$(grep -c 'warning: four.obj: lies .* rounded to steps of 0.002;' four.err)" -eq 1
+check "at 10,000 times its side it is, in one line" test "$(grep -c 'warning: four.obj: it lies .* rounded to steps of 0.002;' four.err)" -eq 1
 awk '/^v/ { $2 += 200 } { print }' mesh.obj >two.obj
 "$program" shot --technique none --scene two.obj --size 16x9 --reference-spp 2 >/dev/null 2>two.err
 check "at 100 times its side it is not" test "$(grep -c warning two.err)" -eq 0
