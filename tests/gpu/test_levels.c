@@ -29,7 +29,7 @@ static float *numbers(void)
 static float *reduce(const float *above, int width, int height)
 {
     int w = aob_gpu_level_side(width, 1), h = aob_gpu_level_side(height, 1);
-    float *sums = AOB_NEW_ARRAY(float, (size_t)w * (size_t)h);
+    float *sums = AOB_NEW_ARRAY(float, (size_t)w *(size_t)h);
     for (int i = 0; i < 4 * w * h; i++) {
         int to = i / 4, x = 2 * (to % w) + i % 2, y = 2 * (to / w) + i / 2 % 2;
         x = x < width ? x : width - 1;
@@ -43,7 +43,8 @@ static void expect_level(struct aob_gpu *gpu, const struct aob_gpu_texture *text
                          const float *expected)
 {
     float *got = read_back(gpu, texture, level);
-    int width = aob_gpu_level_side(texture->width, level), height = aob_gpu_level_side(texture->height, level);
+    int width = aob_gpu_level_side(texture->width, level),
+        height = aob_gpu_level_side(texture->height, level);
     for (int i = 0; i < width * height; i++)
         if (got[i] != expected[i])
             fail_msg("level %d holds %g at %d, %d, not %g", level, (double)got[i], i % width, i / width,
@@ -135,16 +136,17 @@ static void shows_a_range_of_levels(void **state)
     for (int level = 0; level < LEVELS; level++)
         fill_level(gpu, &(struct aob_gpu_target){texture, level}, 0, 0, (float)(10 + level));
     struct aob_gpu_program *reader = program(
-        gpu, "layout(BIND(1)) uniform sampler2D two;\nlayout(BIND(2)) uniform sampler2D rest;\n"
-             "layout(location = 0) out float r;\n"
-             "void main() {\n"
-             "    vec2 q = vec2(0.5);\n"
-             "    int i = int(gl_FragCoord.x);\n"
-             "    r = float[](texelFetch(two, ivec2(0), 0).x, texelFetch(two, ivec2(0), 1).x,\n"
-             "                textureLod(two, q, 0.4).x, textureLod(two, q, 0.6).x, textureLod(two, q, 9.0).x,\n"
-             "                texelFetch(rest, ivec2(0), 0).x, textureLod(rest, q, 1.0).x,\n"
-             "                textureLod(rest, q, 9.0).x, float(textureSize(two, 1).x),\n"
-             "                float(textureSize(rest, 0).x))[min(i, 9)]; }\n");
+        gpu,
+        "layout(BIND(1)) uniform sampler2D two;\nlayout(BIND(2)) uniform sampler2D rest;\n"
+        "layout(location = 0) out float r;\n"
+        "void main() {\n"
+        "    vec2 q = vec2(0.5);\n"
+        "    int i = int(gl_FragCoord.x);\n"
+        "    r = float[](texelFetch(two, ivec2(0), 0).x, texelFetch(two, ivec2(0), 1).x,\n"
+        "                textureLod(two, q, 0.4).x, textureLod(two, q, 0.6).x, textureLod(two, q, 9.0).x,\n"
+        "                texelFetch(rest, ivec2(0), 0).x, textureLod(rest, q, 1.0).x,\n"
+        "                textureLod(rest, q, 9.0).x, float(textureSize(two, 1).x),\n"
+        "                float(textureSize(rest, 0).x))[min(i, 9)]; }\n");
     const struct aob_gpu_bind binds[] = {
         {.binding = 1, .texture = texture, .first_level = 1, .level_count = 2},
         {.binding = 2, .filter = AOB_BILINEAR, .texture = texture, .first_level = 3},
@@ -198,8 +200,10 @@ static void draws_an_area_and_leaves_the_rest(void **state)
     struct aob_error error = {{0}};
     struct aob_gpu_program *triangle = aob_gpu_program_create_geometry(
         gpu,
-        "void main() { gl_Position = vec4(VERTEX_ID == 2 ? -0.1 : -1.0, VERTEX_ID == 1 ? 999.0 : -1.0, 0.5, 1.0); }\n",
-        "layout(location = 0) out float r;\nvoid main() { r = gl_FragCoord.x + 10.0 * gl_FragCoord.y; }\n", &error);
+        "void main() { gl_Position = vec4(VERTEX_ID == 2 ? -0.1 : -1.0, VERTEX_ID == 1 ? 999.0 : -1.0, 0.5, "
+        "1.0); }\n",
+        "layout(location = 0) out float r;\nvoid main() { r = gl_FragCoord.x + 10.0 * gl_FragCoord.y; }\n",
+        &error);
     if (!triangle)
         fail_msg("%s", error.text);
     struct aob_gpu_pass_desc desc = {.program = triangle,
@@ -248,9 +252,9 @@ static void serves_every_set_of_uses(void **state)
     struct aob_gpu *gpu = *state;
     float *texels = numbers(), *drawn = AOB_NEW_ARRAY(float, TEXELS);
     for (uint32_t uses = 1; uses <= ALL_USES; uses++) {
-        struct aob_gpu_texture *made =
-            make(gpu, (struct aob_gpu_texture_desc){
-                          .format = AOB_R32F, .width = WIDTH, .height = HEIGHT, .uses = uses, .texels = texels});
+        struct aob_gpu_texture *made = make(
+            gpu, (struct aob_gpu_texture_desc){
+                     .format = AOB_R32F, .width = WIDTH, .height = HEIGHT, .uses = uses, .texels = texels});
         for (int i = 0; i < TEXELS; i++)
             drawn[i] = texels[i];
         for (int round = 0; round < 2; round++) {
@@ -288,9 +292,8 @@ static int close_device(void **state)
 int main(int argc, char **argv)
 {
     chosen = argc == 2 ? argv[1] : "null";
-    const struct CMUnitTest tests[] = {cmocka_unit_test(writes_each_level_from_the_one_above),
-                                       cmocka_unit_test(shows_a_range_of_levels),
-                                       cmocka_unit_test(draws_an_area_and_leaves_the_rest),
-                                       cmocka_unit_test(serves_every_set_of_uses)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(writes_each_level_from_the_one_above), cmocka_unit_test(shows_a_range_of_levels),
+        cmocka_unit_test(draws_an_area_and_leaves_the_rest), cmocka_unit_test(serves_every_set_of_uses)};
     return cmocka_run_group_tests(tests, open_device, close_device);
 }
