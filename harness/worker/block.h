@@ -17,7 +17,8 @@ struct aob_block {
     struct aob_geometry geometry; /* where it says triangles; else empty */
     json_t *difference;           /* of the two; NULL where there is but one */
     struct aob_gpu *gpu;
-    struct aob_screen screens[AOB_BLOCK_MAX + 1]; /* one for each encoding; the first is the fixed pass's */
+    struct aob_screen
+        screens[AOB_BLOCK_MAX + 1]; /* one for each encoding and fetch; the first: the fixed pass */
     struct aob_options screen_options[AOB_BLOCK_MAX + 1];
     size_t screen_count;
     struct aob_frame fixed, frames[AOB_BLOCK_MAX];

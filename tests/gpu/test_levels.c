@@ -211,11 +211,13 @@ static void draws_an_area_and_leaves_the_rest(void **state)
                                      .target_count = 1,
                                      .width = 7,
                                      .height = 3,
-                                     .vertex_count = 3,
-                                     .depth_test = true};
+                                     .vertex_count = 3};
     const float left[3][7] = {{5.5f, 6.5f, 7.5f}, {15.5f, 16.5f, 17.5f}, {25.5f, 26.5f, 27.5f}};
-    run_pass(gpu, &desc, NULL);
-    expect_area(gpu, texture, left, 5);
+    for (int round = 0; round < 2; round++) {
+        desc.depth_test = round; /* a depth of the area's size bounds what GL clears, so also without */
+        run_pass(gpu, &desc, NULL);
+        expect_area(gpu, texture, left, 5);
+    }
     aob_gpu_program_destroy(gpu, triangle);
     aob_gpu_texture_destroy(gpu, texture);
 }
