@@ -9,7 +9,8 @@ static bool build(struct aob_graph *graph, const void *values)
     (void)values;
     built = true;
     aob_tex visibility = aob_texture(graph, .name = "visibility", .format = AOB_R16F);
-    return aob_pass(graph, .name = "open", .shader = "open", .out = {{.name = "visibility", .tex = visibility}}) &&
+    return aob_pass(graph, .name = "open", .shader = "open",
+                    .out = {{.name = "visibility", .tex = visibility}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, visibility);
 }
 
