@@ -50,11 +50,12 @@ json_t *aob_journal_read(const char *path, struct aob_error *error)
 /* Cuts what a killed run left of its last line, which lies behind the last newline. */
 static bool cut_torn_line(int file)
 {
-    off_t size = lseek(file, 0, SEEK_END);
+    off_t whole = lseek(file, 0, SEEK_END), size = whole;
     char byte;
     while (size > 0 && pread(file, &byte, 1, size - 1) == 1 && byte != '\n')
         size--;
-    return ftruncate(file, size) == 0;
+    return size == whole ||
+           ftruncate(file, size) == 0; /* a whole journal keeps its time: a page may be as new */
 }
 
 bool aob_journal_open(struct aob_journal *journal, const char *path, struct aob_error *error)

@@ -68,6 +68,7 @@ check "and the same series" test "$(identity series out | comm -12 - <(identity 
 check "with images" "$program" run wish.yaml --out kept --quiet --filter slices=1
 stamp() { stat -c %Y.%y "kept/report/index.html"; }
 before=$(stamp)
+sleep 1.1
 check "again" "$program" run wish.yaml --out kept --quiet --filter slices=1
 check "nothing is drawn again" test "$(stamp)" = "$before"
 touch -d '1 hour ago' kept/report/index.html
