@@ -1,4 +1,5 @@
 #include "encoding.h"
+#include "gbuffer/texts.h"
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -209,46 +210,12 @@ void *aob_encoding_normal_texels(const struct aob_encoding *encoding, const stru
 
 void aob_encoding_write_depth(const struct aob_encoding *encoding, struct aob_text *text)
 {
-    static const char *const device_bodies[2] = {
-        "float aob_decode_depth(float d) {\n"
-        "    float n = param.aob_range.x, f = param.aob_range.y;\n"
-        "    return d >= 1.0 ? AOB_SKY_Z : AOB_PERSPECTIVE == 1 ? n * f / (f - d * (f - n)) : n + d * (f - "
-        "n);\n}\n",
-        "float aob_decode_depth(float d) {\n"
-        "    float n = param.aob_range.x, f = param.aob_range.y;\n"
-        "    return d <= 0.0 ? AOB_SKY_Z : AOB_PERSPECTIVE == 1 ? n * f / (n + d * (f - n)) : f - d * (f - "
-        "n);\n}\n",
-    };
-    const char *body = device_bodies[is_forward(encoding->depth) ? 0 : 1];
-    if (encoding->depth == AOB_DEPTH_R32F)
-        body = "float aob_decode_depth(float d) { return d; }\n";
-    else if (encoding->depth == AOB_DEPTH_R16F)
-        body = "float aob_decode_depth(float d) { return d > 65504.0 ? AOB_SKY_Z : d; }\n";
-    else if (encoding->depth == AOB_DEPTH_UNORM16)
-        body = "float aob_decode_depth(float d) { return d >= 1.0 ? AOB_SKY_Z : d * param.aob_range.y; }\n";
-    else if (encoding->depth == AOB_DEPTH_PACKED16)
-        body = "float aob_decode_depth(vec4 d) {\n"
-               "    float k = floor(d.z * 255.0 + 0.5) * 256.0 + floor(d.w * 255.0 + 0.5);\n"
-               "    return k >= 65535.0 ? AOB_SKY_Z : k / 65535.0 * param.aob_range.y;\n}\n";
-    else if (is_infinite(encoding->depth))
-        body = "float aob_decode_depth(float d) { return d <= 0.0 ? AOB_SKY_Z : param.aob_range.x / d; }\n";
-    aob_text_add(text, "%s", body);
+    aob_text_add(text, "#define AOB_DEPTH_ENCODING %d\n%s", (int)encoding->depth,
+                 aob_text_gbuffer_decode_depth);
 }
 
 void aob_encoding_write_normal(const struct aob_encoding *encoding, struct aob_text *text)
 {
-    static const char *const bodies[] = {
-        [AOB_NORMAL_RGBA32F] = "vec3 aob_decode_normal(vec4 n) { return n.xyz; }\n",
-        [AOB_NORMAL_OCT_RG16F] = "vec3 aob_decode_normal(vec2 e) {\n"
-                                 "    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));\n"
-                                 "    float fold = max(-n.z, 0.0);\n"
-                                 "    return normalize(vec3(n.x + (n.x >= 0.0 ? -fold : fold), n.y + (n.y >= "
-                                 "0.0 ? -fold : fold), n.z));\n"
-                                 "}\n",
-        [AOB_NORMAL_RGBA8] = "vec3 aob_decode_normal(vec4 n) { return normalize(n.xyz * 2.0 - 1.0); }\n",
-        [AOB_NORMAL_PACKED8] = "vec3 aob_decode_normal(vec4 n) {\n"
-                               "    vec2 xy = n.xy * 2.0 - 1.0;\n"
-                               "    return normalize(vec3(xy, sqrt(max(0.0, 1.0 - dot(xy, xy)))));\n}\n",
-    };
-    aob_text_add(text, "%s", bodies[encoding->normal]);
+    aob_text_add(text, "#define AOB_NORMAL_ENCODING %d\n%s", (int)encoding->normal,
+                 aob_text_gbuffer_decode_normal);
 }
