@@ -93,6 +93,7 @@ bool aob_case_same_block(const struct aob_case *a, const struct aob_case *b);
 /* Option by its struct: packed from c->options. */
 struct aob_options aob_case_options(const struct aob_case *c);
 
-/* Seconds that a run of the plan takes, roughly: a second for each case besides its timing, references at 4 M rays/s. */
+/* Seconds that a run of the plan takes on two cores with nothing in the cache, roughly: compiling, timing, references, and
+ * for each target the score and the pictures of each case. A large image or a dear technique takes longer. */
 double aob_plan_estimate_s(const struct aob_plan *plan);
 #endif

@@ -113,6 +113,36 @@ static void test_backends_of_an_entry(void **state)
     aob_config_finish(&config);
 }
 
+/* Two cases of one view, compared with two targets: what each part adds, in seconds. */
+static void test_estimate(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *measure;
+        double case_s, view_s;
+    } rows[] = {
+        /* compiling + timing + two targets' (pictures + score); the view + 3 traces of its rays */
+        {"measure: {seconds: 1.5}\n", 0.3 + 0.75 + 2 * (0.04 + 0.003), 0.5 + 3 * 1e4 * 60 / 60e6},
+        {"measure: {time: false}\n", 0.3 + 2 * (0.04 + 0.003), 0.5 + 3 * 1e4 * 60 / 60e6},
+        {"measure: {error: false, seconds: 1.5}\n", 0.3 + 0.75, 0.5},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct aob_config config;
+        struct aob_plan plan;
+        struct aob_error error;
+        char text[512];
+        snprintf(text, sizeof text,
+                 "name: t\nscenes: [{name: corner}]\nresolutions: [100x100]\nbackends: [null]\n"
+                 "techniques: [{name: gtao, params: {radius: [0.5, 1]}}]\nreference: {spp: 60}\n%s",
+                 rows[i].measure);
+        if (!make(text, &config, &plan, &error))
+            fail_msg("%s", error.text);
+        assert_near(aob_plan_estimate_s(&plan), 2 * rows[i].case_s + rows[i].view_s, 1e-9);
+        aob_plan_finish(&plan);
+        aob_config_finish(&config);
+    }
+}
+
 /* Every refusal: one line with file, line and column, and what is wrong. */
 static void test_refusals(void **state)
 {
@@ -276,6 +306,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_product_of_axes),
                                        cmocka_unit_test(test_backends_of_an_entry),
+                                       cmocka_unit_test(test_estimate),
                                        cmocka_unit_test(test_twins_are_one_case_and_keys_are_stable),
                                        cmocka_unit_test(test_refusals),
                                        cmocka_unit_test(test_damaged_configs),
