@@ -7,8 +7,8 @@
 #include "label.h"
 
 static const char names[] =
-    "key,series,scene,view,technique,params,backend,size,status,target_radius,target_weighting,time_ms,"
-    "ratio_to_ref,ci_low,ci_high,memory_bytes";
+    "key,series,run,scene,view,technique,params,options,backend,size,status,reason,target_radius,"
+    "target_weighting,reference,time_ms,ratio_to_ref,ci_low,ci_high,memory_bytes";
 
 /* A field and the comma before it; in quotes where it must be. */
 static void add_text(struct aob_text *csv, const char *text)
@@ -33,33 +33,39 @@ static void add_number(struct aob_text *csv, double value)
         aob_text_add(csv, fabs(value) < 1e15 && value == floor(value) ? ",%.0f" : ",%.9g", value);
 }
 
-static void add_case(struct aob_text *csv, const struct aob_row *row)
+static void add_case(struct aob_text *csv, const struct aob_rows *rows, const struct aob_row *row)
 {
-    char *params = aob_label_params(row);
+    char *params = aob_label_params(row), *options = aob_label_options(row);
     struct aob_text key = {0};
     add_text(&key, row->key);
     aob_text_add(csv, "%s", key.data + 1); /* the first field has no comma before it */
     aob_text_finish(&key);
     add_text(csv, row->series);
+    add_text(csv, rows->runs[row->run].folder); /* two runs may share a name */
     add_text(csv, row->scene);
     add_text(csv, row->view);
     add_text(csv, row->technique);
     add_text(csv, params);
+    add_text(csv, options);
     add_text(csv, row->backend);
     if (row->width && row->height)
         aob_text_add(csv, ",%dx%d", row->width, row->height);
     else
         aob_text_add(csv, ",");
     add_text(csv, row->status);
+    add_text(csv, row->reason);
     free(params);
+    free(options);
 }
 
 static void add_line(struct aob_text *csv, const struct aob_rows *rows, const struct aob_row *row,
                      const struct aob_score *score)
 {
-    add_case(csv, row);
-    add_number(csv, score ? rows->targets[score->target].radius : NAN);
-    add_text(csv, !score ? "" : rows->targets[score->target].uniform ? "uniform" : "cosine");
+    const struct aob_target *target = score ? &rows->targets[score->target] : NULL;
+    add_case(csv, rows, row);
+    add_number(csv, target ? target->radius : NAN);
+    add_text(csv, !target ? "" : target->uniform ? "uniform" : "cosine");
+    add_text(csv, !target ? "" : target->screen ? "screen" : "ray-traced");
     add_number(csv, row->cost_ms);
     add_number(csv, row->ratio);
     add_number(csv, row->ci_low);

@@ -66,7 +66,7 @@ static char *facts_of(const struct aob_rows *rows, const struct aob_row *row, co
     if (*label)
         aob_text_add(&text, " \u00b7 %s", label);
     if (score) {
-        char *target = aob_target_say(&rows->targets[score->target], aob_score_is_captured(score));
+        char *target = aob_target_say(&rows->targets[score->target]);
         aob_text_add(&text, " \u00b7 against %s", target);
         free(target);
         add_brief(&text, score);
@@ -104,8 +104,8 @@ static void set_truth(json_t *job, const struct aob_rows *rows, const struct aob
                         json_sprintf("%s %zu %zu", kind == AOB_FIGURE_HEIGHT ? "height" : "section",
                                      panel->section, score->target));
     json_object_set_new(job, "reference_name",
-                        json_string(aob_score_is_captured(score) ? "Reference: screen-space bound"
-                                                                 : "Reference: ray-traced"));
+                        json_string(rows->targets[score->target].screen ? "Reference: screen-space bound"
+                                                                        : "Reference: ray-traced"));
     if (!score->own)
         set_path(job, "reference_image", rows->runs[figure->row->run].folder, score->truth);
     if (kind == AOB_FIGURE_SPLIT)

@@ -25,7 +25,7 @@ void aob_html_target_control(struct aob_text *page, const struct aob_rows *rows)
 
 /* A part of the page that is about one target begins, with its name as the heading, then `more`; it ends with
  * "</div>". */
-void aob_html_target_open(struct aob_text *page, const struct aob_rows *rows, size_t target, bool screen,
+void aob_html_target_open(struct aob_text *page, const struct aob_rows *rows, size_t target,
                           const char *more);
 
 /* What a case is called beside its technique, cut to two lines; all that it is when one points at it. */

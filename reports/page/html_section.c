@@ -137,18 +137,6 @@ static void add_landscape(struct aob_text *page, const struct view *view)
     }
 }
 
-/* A section is of one scene, so one score tells whether all of them are a capture's. */
-static bool is_captured(const struct aob_gallery *g, const struct aob_panel *panel)
-{
-    const struct aob_section *section = &g->rows->sections[panel->section];
-    for (size_t i = 0; i < section->count; i++) {
-        const struct aob_score *score = aob_row_score(&g->rows->list[section->rows[i]], panel->target);
-        if (score)
-            return aob_score_is_captured(score);
-    }
-    return false;
-}
-
 static void add_panel(struct aob_text *page, const struct aob_gallery *g, const struct aob_panel *panel)
 {
     struct view view = {&g->figures[panel->first], panel->count};
@@ -157,7 +145,7 @@ static void add_panel(struct aob_text *page, const struct aob_gallery *g, const 
         add_charts(page, &view, "<h3>What time follows from</h3>\n");
         return;
     }
-    aob_html_target_open(page, g->rows, panel->target, is_captured(g, panel), "");
+    aob_html_target_open(page, g->rows, panel->target, "");
     add_charts(page, &view, "");
     aob_html_split(page, g, panel);
     if (!panel->cases)

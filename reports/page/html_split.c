@@ -24,13 +24,13 @@ static const char *reason_of(const struct aob_score *score)
                                                           : "not split: an older record";
 }
 
-static void add_parts(struct aob_text *page, const struct aob_score *score)
+static void add_parts(struct aob_text *page, const struct aob_score *score, bool captured)
 {
     const struct aob_metrics *m = &score->metrics;
     double d = m->definition_rmse, e = m->estimator_rmse, missing = m->missing_rmse;
     double products = 2 * (m->definition_missing + m->definition_estimator + m->missing_estimator);
     add_part(page, d, d * d, m->rmse);
-    if (aob_score_is_captured(score))
+    if (captured)
         aob_html_text_cell(page, "n", "not known of a capture");
     else
         add_part(page, missing, missing * missing, m->rmse);
@@ -38,14 +38,14 @@ static void add_parts(struct aob_text *page, const struct aob_score *score)
     add_part(page, products, products, m->rmse);
 }
 
-static void add_row(struct aob_text *page, const struct aob_figure *figure)
+static void add_row(struct aob_text *page, const struct aob_rows *rows, const struct aob_figure *figure)
 {
     const struct aob_score *score = figure->score;
     aob_text_add(page, "<tr>");
     aob_html_text_cell(page, "strong", figure->row->technique);
     aob_html_metric_cell(page, aob_metric_find("rmse"), score->metrics.rmse);
     if (aob_score_is_split(score))
-        add_parts(page, score);
+        add_parts(page, score, rows->targets[score->target].screen);
     else
         aob_text_add(page, "<td class=soft colspan=4>%s</td>", reason_of(score));
     aob_html_metric_cell(page, aob_metric_find("border_share"), score->metrics.border_share);
@@ -87,6 +87,6 @@ void aob_html_split(struct aob_text *page, const struct aob_gallery *g, const st
     aob_text_add(page, "<tbody>\n");
     for (size_t i = 0; i < panel->count; i++)
         if (figures[i].kind == AOB_FIGURE_TRIPTYCH && figures[i].score)
-            add_row(page, &figures[i]);
+            add_row(page, g->rows, &figures[i]);
     aob_text_add(page, "</tbody></table></div>\n");
 }

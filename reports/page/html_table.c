@@ -188,7 +188,7 @@ void aob_html_table(struct aob_text *page, const struct aob_rows *rows)
               "<p class=tools><label>Show rows with <input id=filter type=search placeholder=\"gtao vulkan\">"
               "</label> <output id=shown></output> <a href=\"cases.csv\">all of it as cases.csv</a></p>\n");
     for (size_t i = 0; i < rows->target_count; i++) {
-        aob_html_target_open(page, rows, i, false, "");
+        aob_html_target_open(page, rows, i, "");
         add_table(page, &(struct table){rows, i});
         aob_text_add(page, "</div>\n");
     }

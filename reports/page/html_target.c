@@ -8,9 +8,9 @@ static void add_slug(struct aob_text *page, const struct aob_target *target)
     free(slug);
 }
 
-static void add_name(struct aob_text *page, const struct aob_target *target, bool screen)
+static void add_name(struct aob_text *page, const struct aob_target *target)
 {
-    char *name = aob_target_say(target, screen);
+    char *name = aob_target_say(target);
     aob_html_escape(page, name);
     free(name);
 }
@@ -24,18 +24,17 @@ void aob_html_target_control(struct aob_text *page, const struct aob_rows *rows)
         aob_text_add(page, "<label><input type=radio name=target value=\"");
         add_slug(page, &rows->targets[i]);
         aob_text_add(page, "\"> ");
-        add_name(page, &rows->targets[i], false);
+        add_name(page, &rows->targets[i]);
         aob_text_add(page, "</label>\n");
     }
     aob_text_add(page, "</fieldset>\n");
 }
 
-void aob_html_target_open(struct aob_text *page, const struct aob_rows *rows, size_t target, bool screen,
-                          const char *more)
+void aob_html_target_open(struct aob_text *page, const struct aob_rows *rows, size_t target, const char *more)
 {
     aob_text_add(page, "<div data-target=\"");
     add_slug(page, &rows->targets[target]);
     aob_text_add(page, "\"><h3 class=against>Against ");
-    add_name(page, &rows->targets[target], screen);
+    add_name(page, &rows->targets[target]);
     aob_text_add(page, "%s</h3>\n", more);
 }

@@ -124,6 +124,13 @@ char *aob_label_params(const struct aob_row *row)
     return text_of(&text);
 }
 
+char *aob_label_options(const struct aob_row *row)
+{
+    struct aob_text text = {0};
+    add_all(&text, json_object_get(row->json, "options"));
+    return text_of(&text);
+}
+
 char *aob_label_full(const struct aob_row *row)
 {
     struct aob_text text = {0};

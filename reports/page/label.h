@@ -11,7 +11,8 @@ void aob_labels_make(struct aob_rows *rows);
 
 /* Every parameter and option of the case with its value; free() it. */
 char *aob_label_full(const struct aob_row *row);
-char *aob_label_params(const struct aob_row *row); /* the parameters only */
+char *aob_label_params(const struct aob_row *row);  /* the parameters only */
+char *aob_label_options(const struct aob_row *row); /* the run options only */
 
 /* The defaults of a technique's parameters, as a record writes values; `technique` is an entry of run.json's list. decref
  * it. And whether two values of a record are the same: a float's text is its shortest, so the last bits may differ. */

@@ -89,15 +89,10 @@ static char *subtitle_of(const struct aob_section *s, const struct cloud *cloud)
     return text.data;
 }
 
-static bool is_captured(const struct cloud *cloud, size_t target)
-{
-    return aob_score_is_captured(aob_row_score(cloud->points[0].row, target));
-}
-
-static char *title_of(const struct aob_rows *rows, const struct cloud *cloud, size_t target)
+static char *title_of(const struct aob_rows *rows, size_t target)
 {
     struct aob_text text = {0};
-    char *against = aob_target_say(&rows->targets[target], is_captured(cloud, target));
+    char *against = aob_target_say(&rows->targets[target]);
     aob_text_add(&text, "What accuracy costs, against %s", against);
     free(against);
     return text.data;
@@ -121,7 +116,7 @@ static void add_chart(struct aob_gallery *g, const struct aob_panel *panel, stru
         aob_span_include(&up, cloud->points[i].error);
     }
     char *subtitle = subtitle_of(&g->rows->sections[panel->section], cloud);
-    char *title = title_of(g->rows, cloud, panel->target);
+    char *title = title_of(g->rows, panel->target);
     json_t *job = json_pack("{s:s, s:s, s:o, s:o, s:o}", "title", title, "subtitle", subtitle, "x",
                             aob_chart_axis("time a frame (ms", across, 5), "y",
                             aob_chart_axis("RMSE where occluded (visibility", up, 5), "series",

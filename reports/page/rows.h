@@ -78,7 +78,4 @@ const struct aob_score *aob_row_own_score(const struct aob_row *row);
 
 /* Does the score hold all three parts of its error? Without a definition, and in old journals, it does not. */
 bool aob_score_is_split(const struct aob_score *score);
-
-/* Is the screen-space bound what it was compared with? */
-bool aob_score_is_captured(const struct aob_score *score);
 #endif

@@ -26,11 +26,6 @@ bool aob_score_is_split(const struct aob_score *score)
     return isfinite(m->definition_rmse) && isfinite(m->missing_rmse) && isfinite(m->estimator_rmse);
 }
 
-bool aob_score_is_captured(const struct aob_score *score)
-{
-    return strcmp(aob_member_text(score->json, "reference"), "screen") == 0;
-}
-
 /* A record's entries; an older one has a single one, its `error`. */
 static size_t entry_count(const json_t *record)
 {

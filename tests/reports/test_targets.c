@@ -224,6 +224,38 @@ static void test_old_records(void **state)
     free(page);
 }
 
+/* The bound of a capture and the traced truth are two questions at one radius; so are two radii that six digits do not
+ * tell apart. */
+static void test_each_target_has_its_name(void **state)
+{
+    struct aob_rows rows;
+    (void)state;
+    put("run.json", "{}");
+    put("journal.jsonl",
+        "{\"key\":\"a\",\"status\":\"ok\",\"reference_radius\":1,\"error\":{\"rmse\":0.1}}\n"
+        "{\"key\":\"b\",\"status\":\"ok\",\"reference_radius\":1,"
+        "\"error\":{\"rmse\":0.2,\"reference\":\"screen\"}}\n"
+        "{\"key\":\"c\",\"status\":\"ok\",\"reference_radius\":1.0000002,\"error\":{\"rmse\":0.3}}\n");
+    read_rows(&rows);
+    assert_int_equal(rows.target_count, 3);
+    static const char *const said[] = {"the truth within 1 scene unit",
+                                       "the screen-space bound within 1 scene unit",
+                                       "the truth within 1.0000002 scene units"};
+    static const char *const slugs[] = {"1-cosine", "1-cosine-screen", "1.0000002-cosine"};
+    for (size_t i = 0; i < 3; i++) {
+        char *name = aob_target_say(&rows.targets[i]), *slug = aob_target_slug(&rows.targets[i]);
+        assert_string_equal(name, said[i]);
+        assert_string_equal(slug, slugs[i]);
+        free(name);
+        free(slug);
+    }
+    aob_rows_finish(&rows);
+    char *page = make_page();
+    assert_non_null(
+        strstr(strstr(page, "id=cases"), "Against the screen-space bound within 1 scene unit</h3>"));
+    free(page);
+}
+
 /* Varying first (radius, of gtao only), then what is not at its default (blur; not steps), options likewise. */
 static void test_labels(void **state)
 {
@@ -242,38 +274,49 @@ static void test_labels(void **state)
     free(page);
 }
 
+static char *concat(const char *format, const char *a, const char *b, const char *c)
+{
+    struct aob_text text = {0};
+    aob_text_add(&text, format, a, b, c);
+    return text.data;
+}
+
 /* The lines of cases.csv from the second on, up to the metrics after band_rmse, which are empty. */
 static void test_csv(void **state)
 {
     (void)state;
     put("run.json", "{}");
-    put("journal.jsonl", "{\"key\":\"k\",\"series\":\"s\",\"scene\":\"a \\\"b\\\", "
-                         "c\",\"view\":\"two\\nlines\",\"technique\":\"gtao\","
-                         "\"params\":{\"radius\":0.5,\"mode\":\"x\"},\"backend\":\"vulkan\",\"width\":64,"
-                         "\"height\":32,\"status\":\"ok\","
-                         "\"memory_bytes\":2048,\"time\":{\"clock\":\"wall\",\"wall_ms\":1.5,\"ratio_to_"
-                         "ref\":2,\"ci_low\":1.75,\"ci_high\":"
-                         "null},\"errors\":[{\"target\":{\"radius\":\"inf\",\"weighting\":\"uniform\"},"
-                         "\"rmse\":0.125,\"pixels\":2048},"
-                         "{\"target\":{\"radius\":0.1,\"weighting\":\"cosine\"},\"rmse\":0.25}]}\n"
-                         "{\"key\":\"l\",\"status\":\"failed\"}\n");
+    put("journal.jsonl",
+        "{\"key\":\"k\",\"series\":\"s\",\"scene\":\"a \\\"b\\\", "
+        "c\",\"view\":\"two\\nlines\",\"technique\":\"gtao\","
+        "\"params\":{\"radius\":0.5,\"mode\":\"x\"},\"backend\":\"vulkan\",\"width\":64,"
+        "\"height\":32,\"status\":\"ok\",\"options\":{\"fetch\":\"sampled\",\"guard_band\":64},"
+        "\"memory_bytes\":2048,\"time\":{\"clock\":\"wall\",\"wall_ms\":1.5,\"ratio_to_"
+        "ref\":2,\"ci_low\":1.75,\"ci_high\":"
+        "null},\"errors\":[{\"target\":{\"radius\":\"inf\",\"weighting\":\"uniform\"},"
+        "\"reference\":\"screen\",\"rmse\":0.125,\"pixels\":2048},"
+        "{\"target\":{\"radius\":0.1,\"weighting\":\"cosine\"},\"rmse\":0.25}]}\n"
+        "{\"key\":\"l\",\"status\":\"failed\",\"reason\":\"no image\"}\n");
     free(make_page());
     char *csv = get("report/cases.csv"), *line = strstr(csv, "\r\n");
     static const char head[] =
-        "key,series,scene,view,technique,params,backend,size,status,target_radius,"
-        "target_weighting,time_ms,ratio_to_ref,ci_low,ci_high,memory_bytes,rmse,band_rmse,";
-    static const char first[] =
-        "\r\nk,s,\"a \"\"b\"\", c\",\"two\nlines\",gtao,radius=0.5 mode=x,vulkan,64x32,ok,0.1,cosine,1.5,2,"
-        "1.75,,2048,0.25,,";
-    static const char second[] =
-        "\r\nk,s,\"a \"\"b\"\", c\",\"two\nlines\",gtao,radius=0.5 mode=x,vulkan,64x32,ok,inf,uniform,1.5,2,"
-        "1.75,,2048,0.125,,";
+        "key,series,run,scene,view,technique,params,options,backend,size,status,reason,target_radius,"
+        "target_weighting,reference,time_ms,ratio_to_ref,ci_low,ci_high,memory_bytes,rmse,band_rmse,";
+    static const char *const parts[] = {
+        ",\"a \"\"b\"\", c\",\"two\nlines\",gtao,radius=0.5 mode=x,fetch=sampled "
+        "guard_band=64,vulkan,64x32,ok,,",
+        "0.1,cosine,ray-traced,1.5,2,1.75,,2048,0.25,,",
+        "inf,uniform,screen,1.5,2,1.75,,2048,0.125,,",
+    };
+    char *first = concat("\r\nk,s,%s%s%s", folder, parts[0], parts[1]),
+         *second = concat("\r\nk,s,%s%s%s", folder, parts[0], parts[2]),
+         *third = concat("\r\nl,,%s%s%s", folder, ",,,,,,,,failed,no image,,,,,,,,,,", "");
     assert_memory_equal(csv, head, sizeof head - 1);
-    assert_memory_equal(line, first, sizeof first - 1);
+    assert_memory_equal(line, first, strlen(first));
     line = strstr(line + 2, "\r\n");
-    assert_memory_equal(line, second, sizeof second - 1);
+    assert_memory_equal(line, second, strlen(second));
     line = strstr(line + 2, "\r\n");
-    assert_memory_equal(line, "\r\nl,,,,,,,,failed,,,,,,,,,", 25);
+    assert_memory_equal(line, third, strlen(third));
     assert_string_equal(strstr(line + 2, "\r\n"), "\r\n");
     /* As many fields in the last line as names in the first. */
     size_t commas[2] = {0};
@@ -283,6 +326,9 @@ static void test_csv(void **state)
         commas[1] += *c == ',';
     assert_int_equal(commas[0], commas[1]);
     free(csv);
+    free(first);
+    free(second);
+    free(third);
 }
 
 static void write_image(const char *name, float last)
@@ -361,6 +407,7 @@ int main(void)
         cmocka_unit_test(test_no_chart_joins_targets),
         cmocka_unit_test(test_the_page_shows_one_at_a_time),
         cmocka_unit_test(test_old_records),
+        cmocka_unit_test(test_each_target_has_its_name),
         cmocka_unit_test(test_labels),
         cmocka_unit_test(test_csv),
         cmocka_unit_test(test_agreement),
