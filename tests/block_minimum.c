@@ -28,7 +28,8 @@ int main(int argc, char **argv)
         for (int x = 0; x < image.width; x++) {
             double least = fmin(scale, least_of_block(depth, image.width, image.height, size, x, y));
             double value = scale * (double)shown[y * image.width + x];
-            worst = fmax(worst, fabs(value - least) / least);
+            double off = fabs(value - least) / least;
+            worst = isfinite(off) ? fmax(worst, off) : INFINITY;
             varied += x % size == 0 && y % size == 0 && (double)depth[y * image.width + x] > 1.001 * least;
         }
     printf("%.9f %d\n", worst, varied);

@@ -52,6 +52,12 @@ static bool judge_texture(const struct aob_pass_graph *graph, const struct aob_t
     return true;
 }
 
+/* Once a step has failed, what build() goes on to lay is not looked at: the first reason is the one to mend. */
+static bool has_failed(const struct aob_graph *interface)
+{
+    return *own(interface)->error->text;
+}
+
 static aob_tex graph_texture(struct aob_graph *interface, const struct aob_tex_desc *desc)
 {
     struct aob_pass_graph *graph = own(interface);
@@ -62,7 +68,8 @@ static aob_tex graph_texture(struct aob_graph *interface, const struct aob_tex_d
                                         .width = (int)desc->width,
                                         .height = (int)desc->height,
                                         .fill = desc->fill};
-    if (!copy_name(graph, "texture", desc->name, texture.name) || !judge_texture(graph, desc))
+    if (has_failed(interface) || !copy_name(graph, "texture", desc->name, texture.name) ||
+        !judge_texture(graph, desc))
         return (aob_tex){0};
     graph->textures[graph->texture_count++] = texture;
     return (aob_tex){(uint32_t)graph->texture_count};
@@ -170,6 +177,8 @@ static bool judge_reads(const struct aob_pass_graph *graph, const struct aob_pas
 static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
 {
     struct aob_pass_graph *graph = own(interface);
+    if (has_failed(interface))
+        return false;
     if (graph->pass_count == AOB_MAX_PASS)
         return aob_fail(graph->error, "more than %d passes", AOB_MAX_PASS);
     struct aob_graph_pass *pass = &graph->passes[graph->pass_count];
@@ -195,6 +204,8 @@ static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
 static bool graph_output(struct aob_graph *interface, enum aob_output which, aob_tex tex)
 {
     struct aob_pass_graph *graph = own(interface);
+    if (has_failed(interface))
+        return false;
     if ((unsigned)which >= AOB_OUTPUT_COUNT || tex.id == 0 || tex.id > (uint32_t)graph->texture_count)
         return aob_fail(graph->error, "an output is unknown or has no texture of this graph");
     const struct aob_graph_texture *texture = &graph->textures[tex.id - 1];
@@ -221,7 +232,9 @@ static bool graph_output(struct aob_graph *interface, enum aob_output which, aob
 static aob_tex graph_previous(struct aob_graph *interface, aob_tex tex)
 {
     (void)tex;
-    aob_fail(own(interface)->error, "previous textures are reserved: this program runs single frames yet");
+    if (!has_failed(interface))
+        aob_fail(own(interface)->error,
+                 "previous textures are reserved: this program runs single frames yet");
     return (aob_tex){0};
 }
 
@@ -239,12 +252,13 @@ bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *t
                                      .wanted = wanted | required,
                                      .error = &cause};
     memset(graph->outputs, 0xff, sizeof graph->outputs);
+    bool ok = true;
     if (technique->frames > 1)
-        return aob_fail(error, "%s: frames is %u: it is reserved, and this program runs single frames yet",
-                        technique->name, technique->frames);
-    if (technique->check && !technique->check(values, &why))
-        return aob_fail(error, "%s: %s", technique->name, why ? why : "these values do not go together");
-    bool ok = technique->build(&graph->interface, values);
+        ok = aob_fail(&cause, "frames is %u: it is reserved, and this program runs single frames yet",
+                      technique->frames);
+    else if (technique->check && !technique->check(values, &why))
+        ok = aob_fail(&cause, "%s", why ? why : "these values do not go together");
+    ok = ok && technique->build(&graph->interface, values);
     if (!ok && !*cause.text)
         aob_fail(&cause, "build() failed without a reason");
     if (ok && *cause.text) /* a failed call that build() did not look at */

@@ -39,11 +39,15 @@ void aob_registry_init(struct aob_registry *registry)
 
 static bool judge_module(const struct aob_module *module, const char *path, struct aob_error *error)
 {
-    /* Interfaces up to 3 held their number in the upper half. */
-    uint32_t abi = module->abi >> 16 ? module->abi >> 16 : module->abi;
-    if (module->abi != AOB_ABI || module->size != sizeof *module)
+    if (module->abi != AOB_ABI)
         return aob_fail(error, "%s: made for module interface %u, this program has %u: build it again", path,
-                        abi, AOB_ABI);
+                        aob_abi_number(module->abi), AOB_ABI);
+    if (module->size != sizeof *module)
+        return aob_fail(
+            error,
+            "%s: its description has %u bytes where interface %u has %zu: build it again with this "
+            "program's headers",
+            path, module->size, AOB_ABI, sizeof *module);
     if (!module->techniques || !module->techniques[0])
         return aob_fail(error, "%s: the module has no technique", path);
     for (const struct aob_technique *const *t = module->techniques; *t; t++)

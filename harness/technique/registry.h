@@ -29,6 +29,9 @@ bool aob_registry_load(struct aob_registry *registry, const char *path, struct a
 const struct aob_registry_entry *aob_registry_find(const struct aob_registry *registry, const char *name);
 void aob_registry_finish(struct aob_registry *registry);
 
+/* The number of a module interface as people know it: up to 3 it stood in the upper half. */
+uint32_t aob_abi_number(uint32_t abi);
+
 /* A table that no harness code could trust is refused: size, names, bounds, offsets, shaders, build. */
 bool aob_technique_judge(const struct aob_technique *technique, struct aob_error *error);
 

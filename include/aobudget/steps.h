@@ -50,7 +50,7 @@ struct aob_step {
 #define aob_step_downsample(graph, ...) aob_lay_downsample(graph, &(struct aob_step){__VA_ARGS__})
 static inline aob_tex aob_lay_downsample(struct aob_graph *graph, const struct aob_step *step)
 {
-    if (step->divisor == 1)
+    if (step->divisor <= 1)
         return (aob_tex){0};
     aob_tex low =
         aob_texture(graph, .name = "low_depth", .format = AOB_R32F, .divisor = (uint32_t)step->divisor);
@@ -101,7 +101,7 @@ static inline aob_tex aob_lay_tile_blur(struct aob_graph *graph, const struct ao
 #define aob_step_upsample(graph, ...) aob_lay_upsample(graph, &(struct aob_step){__VA_ARGS__})
 static inline aob_tex aob_lay_upsample(struct aob_graph *graph, const struct aob_step *step)
 {
-    if (step->divisor == 1)
+    if (step->divisor <= 1)
         return step->tex;
     aob_tex full = aob_texture(graph, .name = "full", .format = AOB_R16F);
     aob_pass(graph, .name = "upsample", .shader = "upsample", .reads = AOB_DEPTH | AOB_NORMAL,

@@ -53,7 +53,11 @@ for backend in vulkan gl-egl gl-osmesa; do
     backends+=", $backend"
 done
 echo "backends: $backends"
-all_ok() { jq -es 'length > 0 and all(.[]; .status == "ok")' "$1/journal.jsonl" || jq -c '[.backend, .status, .reason]' "$1/journal.jsonl" >&2; }
+all_ok() {
+  jq -es 'length > 0 and all(.[]; .status == "ok")' "$1/journal.jsonl" && return
+  jq -c '[.backend, .status, .reason]' "$1/journal.jsonl"
+  return 1
+}
 
 # Two outputs, at full size and upsampled.
 config two_outputs "divisor: [1, 2]" "${backends#\"null\", }" >two.yaml

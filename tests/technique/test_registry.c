@@ -1,4 +1,5 @@
 #include "check.h"
+#include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
 #include "base/file.h"
@@ -53,6 +54,77 @@ static void refused(const char *path, const char *says)
     assert_false(aob_registry_load(&registry, path, &error));
     assert_contains(error.text, says);
     aob_registry_finish(&registry);
+}
+
+struct values {
+    int32_t a, b;
+    float c;
+};
+static const char *const names[] = {"x", "y", NULL}, *const no_names[] = {NULL};
+static const struct aob_param good[] = {
+    AOB_PARAM(struct values, a, .min = 0, .max = 9, .initial = 2, .doc = "A whole number."),
+    AOB_PARAM(struct values, b, .choices = names, .initial = 1, .doc = "A choice."),
+    AOB_PARAM(struct values, c, .min = -1, .max = 1, .doc = "A float."),
+};
+
+static bool build_nothing(struct aob_graph *graph, const void *values)
+{
+    (void)graph;
+    (void)values;
+    return false;
+}
+
+/* The good table with one row changed must be refused, by a line that says why. */
+static void refuse_row(int row, const struct aob_param *changed, const char *says)
+{
+    static const struct aob_shader shaders[] = {{NULL, NULL}};
+    struct aob_param params[3] = {good[0], good[1], good[2]};
+    struct aob_technique technique = {.abi = AOB_ABI,
+                                      .size = sizeof technique,
+                                      .name = "t",
+                                      .title = "t",
+                                      .citation = "t",
+                                      .params = params,
+                                      .param_count = 3,
+                                      .values_size = sizeof(struct values),
+                                      .shaders = shaders,
+                                      .build = build_nothing};
+    struct aob_error error = {{0}};
+    if (!aob_technique_judge(&technique, &error))
+        fail_msg("the good one: %s", error.text);
+    params[row] = *changed;
+    assert_false(aob_technique_judge(&technique, &error));
+    assert_contains(error.text, says);
+}
+
+static void test_rows_that_would_mislead_are_refused(void **state)
+{
+    (void)state;
+    struct aob_param p;
+#define REFUSE(row, field, value, says)                                                                      \
+    do {                                                                                                     \
+        p = good[row];                                                                                       \
+        p.field = value;                                                                                     \
+        refuse_row(row, &p, says);                                                                           \
+    } while (0)
+    REFUSE(1, initial, 2, "2 names, and 2 is none");
+    REFUSE(1, initial, -1, "none of them");
+    REFUSE(1, initial, 0.5, "none of them");
+    REFUSE(1, choices, no_names, "0 names");
+    REFUSE(1, name, "a", "'a' and 'a' have one name or one field");
+    REFUSE(1, offset, 0, "'a' and 'b' have one name or one field");
+    REFUSE(0, name, "guard_band", "called like a run option");
+    REFUSE(0, name, "aob_size", "begins with aob_");
+    REFUSE(0, offset, (size_t)-4, "offset");
+    REFUSE(2, offset, sizeof(struct values), "offset");
+    REFUSE(0, max, 1e12, "finite values of its type");
+    REFUSE(0, initial, 1.5, "finite values of its type");
+    REFUSE(2, max, (double)INFINITY, "finite values of its type");
+    REFUSE(2, max, 1e300, "finite values of its type");
+    REFUSE(2, initial, (double)NAN, "finite values of its type");
+    REFUSE(2, initial, 2, "outside its bounds");
+    REFUSE(2, doc, "caf\xe9", "UTF-8");
+#undef REFUSE
 }
 
 static void test_foreign_files_are_refused(void **state)
@@ -142,9 +214,11 @@ static void test_travels_as_json(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_builtins_are_sound), cmocka_unit_test(test_module_takes_the_place),
-        cmocka_unit_test(test_foreign_files_are_refused), cmocka_unit_test(test_bad_tables_are_refused),
-        cmocka_unit_test(test_travels_as_json)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_builtins_are_sound),
+                                       cmocka_unit_test(test_module_takes_the_place),
+                                       cmocka_unit_test(test_foreign_files_are_refused),
+                                       cmocka_unit_test(test_rows_that_would_mislead_are_refused),
+                                       cmocka_unit_test(test_bad_tables_are_refused),
+                                       cmocka_unit_test(test_travels_as_json)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
