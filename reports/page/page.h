@@ -20,7 +20,7 @@ struct aob_page_desc {
     struct aob_page_summary *summary; /* filled in; may be NULL */
 };
 
-/* False if a folder is no run's or the page cannot be written. A figure that could not be drawn is no
+/* False if a folder is no run's or given twice, or the page cannot be written. A figure that could not be drawn is no
  * failure. */
 bool aob_page_write(const struct aob_page_desc *desc, struct aob_error *error);
 #endif

@@ -18,6 +18,7 @@ struct point {
 struct cloud {
     struct point *points;
     size_t count, capacity;
+    size_t perfect; /* cases without any error, which have no place where the axis is logarithmic */
     int width, height;
 };
 
@@ -26,7 +27,7 @@ static bool take_point(const struct aob_row *row, size_t target, struct point *p
     const struct aob_score *score = aob_row_score(row, target);
     *point = (struct point){row, score ? score->metrics.band_rmse : NAN};
     return aob_row_is_ok(row) && isfinite(row->cost_ms) && row->cost_ms > 0 && isfinite(point->error) &&
-           point->error > 0;
+           point->error >= 0;
 }
 
 static int by_cost(const void *a, const void *b)
@@ -86,6 +87,8 @@ static char *subtitle_of(const struct aob_section *s, const struct cloud *cloud)
     struct aob_text text = {0};
     aob_text_add(&text, "%s \u00b7 %s \u00b7 %d\u00d7%d \u00b7 %s \u00b7 %zu cases; lower left is better",
                  s->scene, s->view, cloud->width, cloud->height, s->backend, cloud->count);
+    if (cloud->perfect)
+        aob_text_add(&text, "; %zu more left out: error 0, which a log scale cannot show", cloud->perfect);
     return text.data;
 }
 
@@ -142,10 +145,14 @@ void aob_curves_add_quality(struct aob_gallery *g, const struct aob_panel *panel
         if (size == count)
             *AOB_PUSH(clouds, count, capacity) = (struct cloud){.width = row->width, .height = row->height};
         struct cloud *cloud = &clouds[size];
-        *AOB_PUSH(cloud->points, cloud->count, cloud->capacity) = point;
+        if (point.error == 0)
+            cloud->perfect++;
+        else
+            *AOB_PUSH(cloud->points, cloud->count, cloud->capacity) = point;
     }
     for (size_t i = 0; i < count; i++) {
-        add_chart(g, panel, &clouds[i]);
+        if (clouds[i].count)
+            add_chart(g, panel, &clouds[i]);
         free(clouds[i].points);
     }
     json_decref(sizes);

@@ -62,10 +62,11 @@ static void read_info(struct aob_run *run)
     free(path);
 }
 
-/* The keys that the run plans, as names of an object; NULL where run.json names none. decref it. */
+/* The keys that the run plans, as names of an object; NULL where run.json has no list of them. decref it. */
 static json_t *planned_keys(const struct aob_run *run)
 {
-    json_t *keys = json_object_get(run->info, "keys"), *planned = keys ? json_object() : NULL, *key;
+    json_t *keys = json_object_get(run->info, "keys"), *planned = json_is_array(keys) ? json_object() : NULL,
+           *key;
     size_t i;
     json_array_foreach(keys, i, key)
     {
@@ -127,12 +128,30 @@ static void list_places(struct aob_rows *rows)
     json_decref(techniques);
 }
 
+/* A folder that is given twice, by whatever path, would count each of its cases twice. */
+static bool check_folders(const char *const *folders, size_t count, struct aob_error *error)
+{
+    bool ok = true;
+    char **real = AOB_NEW_ARRAY(char *, count);
+    for (size_t i = 0; i < count && ok; i++) {
+        real[i] = realpath(folders[i], NULL); /* NULL: the reader says that it is no run */
+        for (size_t k = 0; k < i && ok; k++)
+            if (real[i] && real[k] && strcmp(real[i], real[k]) == 0)
+                ok = aob_fail(error, "%s: is the same folder as %s: name each run once", folders[i],
+                              folders[k]);
+    }
+    for (size_t i = 0; i < count; i++)
+        free(real[i]);
+    free(real);
+    return ok;
+}
+
 bool aob_rows_read(struct aob_rows *rows, const char *const *folders, size_t folder_count,
                    struct aob_error *error)
 {
     *rows = (struct aob_rows){.run_count = folder_count};
     rows->runs = AOB_NEW_ARRAY(struct aob_run, folder_count);
-    bool ok = true;
+    bool ok = check_folders(folders, folder_count, error);
     for (size_t i = 0; i < folder_count && ok; i++) {
         rows->runs[i].folder = folders[i];
         ok = read_run(rows, i, error);

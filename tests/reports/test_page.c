@@ -199,6 +199,35 @@ static void test_no_run_and_no_room(void **state)
     assert_int_not_equal(error.text[0], 0);
 }
 
+/* Without a list of keys nothing is known to be of another state of the program. */
+static void test_no_list_of_keys(void **state)
+{
+    struct aob_text journal = {0};
+    struct aob_page_summary summary;
+    add_case(&journal, "a", "vulkan", 1, 1.5);
+    put(*state, "journal.jsonl", journal.data);
+    put(*state, "run.json", "{\"name\":\"demo\",\"cases\":1,\"keys\":null}");
+    free(make_page(*state, NULL, &summary));
+    assert_int_equal(summary.cases, 1);
+    put(*state, "run.json", "{\"name\":\"demo\",\"cases\":1,\"keys\":[\"b\"]}");
+    free(make_page(*state, NULL, &summary));
+    assert_int_equal(summary.cases, 0);
+    aob_text_finish(&journal);
+}
+
+static void test_a_folder_twice(void **state)
+{
+    struct fixture *f = *state;
+    struct aob_error error = {0};
+    char *again = aob_path_join(f->folder, ".");
+    const char *const folders[] = {f->folder, again, NULL};
+    put(f, "journal.jsonl", "");
+    assert_false(aob_page_write(&(struct aob_page_desc){.folders = folders, .out = f->out}, &error));
+    assert_non_null(strstr(error.text, "is the same folder as"));
+    assert_non_null(strstr(error.text, again));
+    free(again);
+}
+
 /* A plotter that draws one figure's worth of answers and dies. */
 static void test_crashing_plotter(void **state)
 {
@@ -296,6 +325,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_hostile_and_broken_lines, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_empty_journal, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_no_run_and_no_room, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_no_list_of_keys, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_a_folder_twice, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_crashing_plotter, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_real_plotter, set_up, tear_down),
     };

@@ -166,6 +166,28 @@ static void test_no_chart_joins_targets(void **state)
     aob_rows_finish(&rows);
 }
 
+static void test_a_perfect_case_is_not_passed_over(void **state)
+{
+    struct aob_rows rows;
+    struct aob_gallery gallery;
+    struct aob_text journal = {0};
+    (void)state;
+    add_case(&journal, "a", "gtao", 0.25, 2, 0, 0.3);
+    add_case(&journal, "b", "hbao", 0.25, 4, 0.2, 0.02);
+    put("run.json", "{}");
+    put("journal.jsonl", journal.data);
+    read_rows(&rows);
+    aob_gallery_plan(&gallery, &rows);
+    const struct aob_figure *near = find(&gallery, AOB_FIGURE_CHART, 0, NULL),
+                            *far = find(&gallery, AOB_FIGURE_CHART, 1, NULL);
+    assert_non_null(
+        strstr(member(near, "subtitle"), "1 cases; lower left is better; 1 more left out: error 0"));
+    assert_null(strstr(member(far, "subtitle"), "left out"));
+    aob_gallery_finish(&gallery);
+    aob_rows_finish(&rows);
+    aob_text_finish(&journal);
+}
+
 static size_t count_text(const char *text, const char *part)
 {
     size_t count = 0;
@@ -385,6 +407,33 @@ static void test_agreement(void **state)
     aob_text_finish(&journal);
 }
 
+/* One case in two runs, each on a backend of its own: a pair all the same. */
+static void test_agreement_across_runs(void **state)
+{
+    struct aob_text first = {0}, second = {0};
+    (void)state;
+    char *other = aob_path_join(folder, "other"), *out = aob_path_join(folder, "report"),
+         *images = aob_path_join(other, "images");
+    assert_true(aob_folder_create(other, NULL) && aob_folder_create(images, NULL));
+    write_image("a.exr", 0.5f);
+    add_drawn(&first, "vulkan", 1, "a.exr");
+    add_drawn(&second, "gl-egl", 1, "../../images/a.exr");
+    put("run.json", "{}");
+    put("journal.jsonl", first.data);
+    put("other/journal.jsonl", second.data);
+    const char *const folders[] = {folder, other, NULL};
+    assert_true(aob_page_write(&(struct aob_page_desc){.folders = folders, .out = out}, NULL));
+    char *page = get("report/index.html");
+    assert_non_null(
+        strstr(page, "<p>gl-egl and vulkan: 1 pair of images, largest difference 0 in any pixel"));
+    free(page);
+    free(images);
+    free(out);
+    free(other);
+    aob_text_finish(&first);
+    aob_text_finish(&second);
+}
+
 static int set_up(void **state)
 {
     (void)state;
@@ -405,12 +454,14 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_most_accurate_is_of_a_target),
         cmocka_unit_test(test_no_chart_joins_targets),
+        cmocka_unit_test(test_a_perfect_case_is_not_passed_over),
         cmocka_unit_test(test_the_page_shows_one_at_a_time),
         cmocka_unit_test(test_old_records),
         cmocka_unit_test(test_each_target_has_its_name),
         cmocka_unit_test(test_labels),
         cmocka_unit_test(test_csv),
         cmocka_unit_test(test_agreement),
+        cmocka_unit_test(test_agreement_across_runs),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
