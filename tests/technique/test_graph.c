@@ -202,6 +202,30 @@ static bool build_unwritten_bent_normal(struct aob_graph *g, const void *values)
     aob_tex more = aob_texture(g, .name = "more", .format = AOB_RGBA32F);
     return build_chain(g, values) && aob_output(g, AOB_OUT_BENT_NORMAL, more);
 }
+static bool build_material(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH | AOB_MATERIAL,
+                    .out = OUT(RAW(g)));
+}
+
+static bool build_light(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH | AOB_LIGHT, .out = OUT(RAW(g)));
+}
+
+/* The second texture of one name is the fault; the pass and the output after it only follow from it. */
+static bool build_two_faults(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex first = aob_texture(g, .name = "twin", .format = AOB_R16F);
+    aob_tex second = aob_texture(g, .name = "twin", .format = AOB_R16F);
+    (void)first;
+    aob_pass(g, .name = "first", .shader = "none of that name", .out = OUT(second));
+    return aob_output(g, AOB_OUT_VISIBILITY, second);
+}
+
 static bool build_velocity(struct aob_graph *g, const void *values)
 {
     (void)values;
@@ -303,6 +327,9 @@ static void test_broken_graphs_are_named(void **state)
                  {build_specular, "output specular is reserved"},
                  {build_unwritten_bent_normal, "no pass writes texture 'more' of the output bent_normal"},
                  {build_velocity, "velocity, material or light: they are reserved"},
+                 {build_material, "velocity, material or light: they are reserved"},
+                 {build_light, "velocity, material or light: they are reserved"},
+                 {build_two_faults, "two textures are named 'twin'"},
                  {build_previous, "previous textures are reserved"},
                  {build_lower_define, "define 'wide'"},
                  {build_prelude_define, "define 'AOB_DIVISOR'"}};
