@@ -248,6 +248,27 @@ void aob_frame_finish(struct aob_frame *frame)
     frame->screen = NULL;
 }
 
+/* build() and check() see uniforms as well: a radius may decide how far triangles reach. Whether these values would lay out
+ * the frame that there is. */
+static bool lays_the_same(const struct aob_frame *frame, const void *values, struct aob_error *error)
+{
+    const struct aob_technique *technique = frame->graph.technique;
+    struct aob_pass_graph *graph = AOB_NEW(struct aob_pass_graph);
+    char before[AOB_KEY_SIZE], after[AOB_KEY_SIZE];
+    bool ok = aob_graph_build(graph, technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, error);
+    if (ok) {
+        aob_graph_digest(&frame->graph, frame->values, before);
+        aob_graph_digest(graph, values, after);
+        bool same = strcmp(before, after) == 0;
+        for (int p = 0; same && p < graph->pass_count; p++)
+            same = graph->passes[p].reach == frame->graph.passes[p].reach;
+        ok = same || aob_fail(error, "%s: these values lay out other passes: they need another frame",
+                              technique->name);
+    }
+    free(graph);
+    return ok;
+}
+
 bool aob_frame_set(struct aob_frame *frame, int number, const void *values, struct aob_error *error)
 {
     const struct aob_technique *technique = frame->graph.technique;
@@ -260,6 +281,8 @@ bool aob_frame_set(struct aob_frame *frame, int number, const void *values, stru
             return aob_fail(error, "%s: parameter '%s' is no uniform: another value needs another frame",
                             technique->name, param->name);
     }
+    if (!lays_the_same(frame, values, error))
+        return false;
     memcpy(frame->values, values, technique->values_size);
     for (int i = 0; i < frame->graph.pass_count; i++) {
         const struct aob_prelude_desc prelude = prelude_of(frame, i);

@@ -42,8 +42,10 @@ bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
 void aob_frame_finish(struct aob_frame *frame);
 
 /* What the next runs see: the frame's number (`aob_frame` in GLSL, 0 after aob_frame_init) and the values of the uniform
- * parameters. Nothing is built again. Tables keep what they were filled with. False if a parameter that is no uniform
- * has another value than the frame was built with, or the device fails. */
+ * parameters. No program or texture is made again; tables keep what they were filled with. The commands of today draw frame 0
+ * only: this is for techniques that keep a history. False, and nothing changed, if a parameter that is no uniform has
+ * another value than the frame was built with, or if check() refuses the values or build() lays other passes for them;
+ * false too if the device fails. */
 bool aob_frame_set(struct aob_frame *frame, int number, const void *values, struct aob_error *error);
 
 /* All live passes in order; times[] has graph.pass_count rows (pruned passes get zeros) or is NULL. */

@@ -25,7 +25,8 @@ enum aob_binding {
     AOB_BINDING_IMAGE_COUNT,                                     /* from here on never an image */
     AOB_BINDING_TRIANGLES = AOB_BINDING_IMAGE_COUNT,
     AOB_BINDING_LIGHT, /* reserved: a block */
-    AOB_BINDING_TRACE, /* reserved: the storage buffer that a trace of reads goes to */
+    AOB_BINDING_TRACE, /* reserved: the storage buffer that a trace of reads goes to. GL counts storage buffers apart, from
+                          0, and has at least 8: there it will be number 0 */
     AOB_BINDING_COUNT,
 };
 

@@ -35,10 +35,11 @@ static const struct aob_shader shaders[] = {
 
 static bool build_moving(struct aob_graph *graph, const void *values)
 {
-    (void)values;
+    /* What no real technique should do: a uniform that decides the passes. */
+    float offset = ((const struct values *)values)->offset;
     aob_tex visibility = aob_texture(graph, .name = "visibility", .format = AOB_R32F),
             bent = aob_texture(graph, .name = "bent", .format = AOB_RGBA32F, .levels = 2); /* 102x60 */
-    return aob_pass(graph, .name = "only", .shader = "moving",
+    return aob_pass(graph, .name = "only", .shader = "moving", .defines = {{"FAR", offset >= 8}},
                     .out = {{.name = "visibility", .tex = visibility}, {.name = "bent", .tex = bent}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, visibility) && aob_output(graph, AOB_OUT_BENT_NORMAL, bent);
 }
@@ -153,6 +154,10 @@ static void test_uniforms_change_between_runs(void **state)
         assert_true(pixels[0] == 0.125f);
         assert_false(aob_frame_set(&stage->frame, 0, &(struct values){.scale = 1, .levels = 2}, &error));
         assert_contains(error.text, "trial: parameter 'levels' is no uniform");
+        assert_false(aob_frame_set(&stage->frame, 3, &(struct values){.scale = 2, .offset = 8}, &error));
+        assert_contains(error.text, "trial: these values lay out other passes");
+        run(stage, AOB_OUT_VISIBILITY, 1, pixels); /* a refusal changes neither number nor values */
+        assert_true(pixels[0] == 0.125f);
         assert_true(run_with(stage, 1, 1, 0) == 0.125f + 1 / 64.0f);
         free(pixels);
         stage_finish(stage);

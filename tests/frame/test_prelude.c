@@ -162,7 +162,8 @@ static void test_values_arrive(void **state)
     aob_rig_finish(&rig);
 }
 
-/* Each number has one meaning; what may be a storage image fits the 16 image units that drivers have at least. */
+/* Each number has one meaning; what may be a storage image fits the 16 image units that the drivers here have (the
+ * standard asks for 8). */
 static void test_bindings_are_apart(void **state)
 {
     (void)state;

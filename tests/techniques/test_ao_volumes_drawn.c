@@ -230,11 +230,41 @@ static void test_what_does_not_fit_is_refused(void **state)
     aob_gpu_close(gpu);
 }
 
+/* The radius is a uniform, but the estimate of the fragments stands on the reach that the frame was made with. */
+static void test_another_reach_needs_another_frame(void **state)
+{
+    (void)state;
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_rig rig;
+    struct aob_screen screen;
+    struct aob_error error = {{0}};
+    struct aob_frame *frame = AOB_NEW(struct aob_frame);
+    struct values values = {.radius = 0.5F, .sides = 8, .divisor = 1};
+    aob_rig_scene(&rig, "corner", NULL, W, H, 0);
+    struct aob_geometry geometry = rig.geometry;
+    assert_true(aob_geometry_upload(&geometry, gpu, &error));
+    assert_true(aob_screen_init(&screen, gpu, &rig.gbuffer, &(struct aob_options){0}, &error));
+    screen.geometry = &geometry;
+    assert_true(aob_frame_init(frame, &screen, ao_volumes(), &values, AOB_FETCH_SAMPLED, &error));
+    assert_true(aob_frame_set(frame, 1, &values, &error));
+    values.radius = 500;
+    assert_false(aob_frame_set(frame, 1, &values, &error));
+    assert_contains(error.text, "ao_volumes: these values lay out other passes");
+    aob_frame_finish(frame);
+    aob_screen_finish(&screen);
+    aob_gpu_texture_destroy(gpu, geometry.texture);
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+    free(frame);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_volumes_lie_in_their_rectangles),
-        cmocka_unit_test(test_tight_rectangles_suffice), cmocka_unit_test(test_culling_changes_nothing),
-        cmocka_unit_test(test_fragments_are_estimated), cmocka_unit_test(test_what_does_not_fit_is_refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_volumes_lie_in_their_rectangles),
+                                       cmocka_unit_test(test_tight_rectangles_suffice),
+                                       cmocka_unit_test(test_culling_changes_nothing),
+                                       cmocka_unit_test(test_fragments_are_estimated),
+                                       cmocka_unit_test(test_what_does_not_fit_is_refused),
+                                       cmocka_unit_test(test_another_reach_needs_another_frame)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
