@@ -174,15 +174,17 @@ static void add_opening(struct aob_text *page, const struct aob_techniques *t)
         aob_text_add(page, "**Incomplete: %zu of %zu cases.**\n\n", run->cases, run->planned);
     if (row)
         add_machine(page, row);
-    aob_text_add(page, "Every parameter has its default. Visibility is 1 where open, 0 where closed; error "
-                       "is the technique's "
-                       "visibility minus the ray-traced one, in-band error that of the pixels whose truth is "
-                       "below 0.995. Cost is "
-                       "a multiple of the fixed pass (24 depth reads a pixel) with its 95 %% interval. "
-                       "Pictures show the technique, "
-                       "the truth and the error (blue: too dark, red: too bright); the colours of one scene "
-                       "mean the same for all "
-                       "techniques.\n\n");
+    aob_text_add(page,
+                 "Every parameter has its default. Visibility is 1 where open, 0 where closed; error "
+                 "is the technique's "
+                 "visibility minus the ray-traced one, in-band error that of the pixels whose truth is "
+                 "below 0.995, and `definition` the RMS error of what the technique computes by definition, "
+                 "which no number of its samples removes. Cost is a multiple of the fixed pass (24 depth "
+                 "reads a pixel) with its 95 %% interval. "
+                 "Pictures show the technique, "
+                 "the truth and the error (blue: too dark, red: too bright); the colours of one scene "
+                 "mean the same for all "
+                 "techniques.\n\n");
     for (size_t k = 0; k < t->count; k++) {
         const json_t *technique = json_array_get(t->list, k);
         aob_text_add(page, "- ");
