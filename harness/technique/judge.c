@@ -32,6 +32,10 @@ static bool judge_choices(const struct aob_technique *technique, const struct ao
     if (param->type != AOB_INT || param->rule)
         return aob_fail(error, "technique '%s': choice '%s' is not an int32_t, or has a rule",
                         technique->name, param->name);
+    if (!isfinite(param->min) ||
+        !isfinite(param->max)) /* unused, but the description has them, and JSON has no such */
+        return aob_fail(error, "technique '%s': choice '%s': min and max must be finite: leave them out",
+                        technique->name, param->name);
     bool listed = param->initial >= 0 && param->initial < count && param->initial == floor(param->initial);
     return listed || aob_fail(error, "technique '%s': choice '%s' has %d names, and %g is none of them",
                               technique->name, param->name, count, param->initial);

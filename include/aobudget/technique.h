@@ -73,8 +73,8 @@ struct aob_param {
     double min, max;    /* inclusive, in `unit` */
     double initial;     /* the text's default */
     enum aob_rule rule; /* of an AOB_INT without choices; rules across parameters are check()'s */
-    const char *const
-        *choices;  /* NULL, or NULL-ended names of 0, 1, 2...; min and max are then ignored. What is off
+    const char *const *
+        choices; /* NULL, or NULL-ended names of 0, 1, 2...; min and max are then unused: leave them 0. What is off
                                    or on has the choices off, on */
     size_t offset; /* of the field in the technique's values struct */
 };

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 #include "base/file.h"
+#include "base/memory.h"
 #include "technique/registry.h"
 
 static char *module_path(const char *name)
@@ -60,7 +61,8 @@ struct values {
     int32_t a, b;
     float c;
 };
-static const char *const names[] = {"x", "y", NULL}, *const no_names[] = {NULL};
+static const char *const names[] = {"x", "y", NULL}, *const no_names[] = {NULL},
+                         *const no_text[] = {"x", "caf\xe9", NULL};
 static const struct aob_param good[] = {
     AOB_PARAM(struct values, a, .min = 0, .max = 9, .initial = 2, .doc = "A whole number."),
     AOB_PARAM(struct values, b, .choices = names, .initial = 1, .doc = "A choice."),
@@ -111,6 +113,9 @@ static void test_rows_that_would_mislead_are_refused(void **state)
     REFUSE(1, initial, -1, "none of them");
     REFUSE(1, initial, 0.5, "none of them");
     REFUSE(1, choices, no_names, "0 names");
+    REFUSE(1, choices, no_text, "a choice of 'b' is not UTF-8");
+    REFUSE(1, min, (double)NAN, "choice 'b': min and max must be finite");
+    REFUSE(1, max, (double)INFINITY, "choice 'b': min and max must be finite");
     REFUSE(1, name, "a", "'a' and 'a' have one name or one field");
     REFUSE(1, offset, 0, "'a' and 'b' have one name or one field");
     REFUSE(0, name, "guard_band", "called like a run option");
@@ -190,6 +195,36 @@ static void test_bad_tables_are_refused(void **state)
     assert_true(aob_technique_judge(&bad, &error));
 }
 
+/* Text that JSON cannot carry would be missing from list, records and the page, without a word. */
+static void test_texts_that_would_vanish_are_refused(void **state)
+{
+    (void)state;
+    static const struct aob_shader shaders[] = {{NULL, NULL}};
+    const struct aob_technique good_one = {.abi = AOB_ABI,
+                                           .size = sizeof good_one,
+                                           .name = "good",
+                                           .title = "t",
+                                           .citation = "c",
+                                           .summary = "caf\xc3\xa9",
+                                           .shaders = shaders,
+                                           .values_size = sizeof(struct values),
+                                           .build = build_nothing};
+    struct aob_technique bad = good_one;
+    const char **const texts[] = {&bad.title, &bad.citation, &bad.summary, &bad.notes};
+    struct aob_error error = {{0}};
+    assert_true(aob_technique_judge(&bad, &error));
+    for (size_t i = 0; i < AOB_COUNT(texts); i++) {
+        bad = good_one;
+        *texts[i] = "caf\xe9";
+        assert_false(aob_technique_judge(&bad, &error));
+        assert_contains(error.text, "UTF-8");
+    }
+    bad = good_one;
+    bad.param_count = 3;
+    assert_false(aob_technique_judge(&bad, &error));
+    assert_contains(error.text, "has no table for its 3 parameters");
+}
+
 static void test_travels_as_json(void **state)
 {
     (void)state;
@@ -219,6 +254,7 @@ int main(void)
                                        cmocka_unit_test(test_foreign_files_are_refused),
                                        cmocka_unit_test(test_rows_that_would_mislead_are_refused),
                                        cmocka_unit_test(test_bad_tables_are_refused),
+                                       cmocka_unit_test(test_texts_that_would_vanish_are_refused),
                                        cmocka_unit_test(test_travels_as_json)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
