@@ -179,6 +179,9 @@ static bool create_program(struct aob_frame *frame, int index, struct aob_error 
                                  : aob_gpu_program_create(gpu, fragment.data, error);
     aob_text_finish(&fragment);
     aob_text_finish(&vertex);
+    if (!frame->programs[index] && pass->draw == AOB_TRIANGLES)
+        return aob_fail_in(error, "pass '%s', shaders '%s' (vertex) and '%s' (fragment)", pass->name,
+                           pass->vertex, pass->shader);
     return frame->programs[index] || aob_fail_in(error, "pass '%s', shader '%s'", pass->name, pass->shader);
 }
 

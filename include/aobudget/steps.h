@@ -37,13 +37,23 @@
     AOB_PARAM(T, field, .stage = AOB_HOST, .choices = (const char *const[]){"off", "on", NULL},              \
               .doc = "A composite's cross of five pixels, weighed by surface: on smooths by a pixel.")
 
-/* What a step is laid over. */
+/* What a step is laid over. A step goes over visibility unless `output` says another; the passes and textures of the
+ * bent normal have names that begin with bent_, so that both can go through one step in one graph. */
 struct aob_step {
     aob_tex tex;
-    int32_t divisor; /* of tex; of `downsample`, to be reached */
-    int32_t taps;    /* of the filters; 0: the step is left out */
-    int32_t passes;  /* blur, gaussian: how often; 0 means once */
+    int32_t divisor;        /* of tex; of `downsample`, to be reached */
+    int32_t taps;           /* of the filters; 0: the step is left out */
+    int32_t passes;         /* blur, gaussian: how often; 0 means once */
+    enum aob_output output; /* AOB_OUT_VISIBILITY or AOB_OUT_BENT_NORMAL: what tex is, and what comes out */
 };
+static inline const char *aob_step_name(const struct aob_step *step, const char *bent_name)
+{
+    return step->output == AOB_OUT_BENT_NORMAL ? bent_name : bent_name + 5;
+}
+static inline enum aob_format aob_step_format(const struct aob_step *step)
+{
+    return step->output == AOB_OUT_BENT_NORMAL ? AOB_RGBA16F : AOB_R16F;
+}
 
 /* aob_step_downsample(graph, .divisor = 2): the depth divided, for aob_pass.depth. Id 0, which is the G-buffer's own
  * depth, where the divisor is 1. */
@@ -69,11 +79,12 @@ static inline aob_tex aob_lay_blur(struct aob_graph *graph, const char *text, co
     aob_tex raw = step->tex;
     int32_t passes = step->passes ? step->passes : 1;
     for (int32_t i = 0; step->taps && i < 2 * passes; i++) {
-        char name[] = "blur_x1";
-        name[5] = i % 2 ? 'y' : 'x';
-        name[6] = (char)('1' + i / 2);
-        aob_tex next =
-            aob_texture(graph, .name = name, .format = AOB_R16F, .divisor = (uint32_t)step->divisor);
+        char bent_name[] = "bent_blur_x1";
+        bent_name[10] = i % 2 ? 'y' : 'x';
+        bent_name[11] = (char)('1' + i / 2);
+        const char *name = aob_step_name(step, bent_name);
+        aob_tex next = aob_texture(graph, .name = name, .format = aob_step_format(step),
+                                   .divisor = (uint32_t)step->divisor);
         aob_pass(graph, .name = name, .shader = text, .defines = {{"AXIS", i % 2}},
                  .reads = AOB_DEPTH | AOB_NORMAL, .in = {{.name = "raw", .tex = raw}},
                  .out = {{.name = "blurred", .tex = next}});
@@ -89,9 +100,10 @@ static inline aob_tex aob_lay_tile_blur(struct aob_graph *graph, const struct ao
 {
     if (step->taps == 0)
         return step->tex;
+    const char *name = aob_step_name(step, "bent_tile_blur");
     aob_tex next =
-        aob_texture(graph, .name = "tile_blur", .format = AOB_R16F, .divisor = (uint32_t)step->divisor);
-    aob_pass(graph, .name = "tile_blur", .shader = "tile_blur", .reads = AOB_DEPTH | AOB_NORMAL,
+        aob_texture(graph, .name = name, .format = aob_step_format(step), .divisor = (uint32_t)step->divisor);
+    aob_pass(graph, .name = name, .shader = "tile_blur", .reads = AOB_DEPTH | AOB_NORMAL,
              .in = {{.name = "raw", .tex = step->tex}}, .out = {{.name = "blurred", .tex = next}});
     return next;
 }
@@ -103,9 +115,11 @@ static inline aob_tex aob_lay_upsample(struct aob_graph *graph, const struct aob
 {
     if (step->divisor <= 1)
         return step->tex;
-    aob_tex full = aob_texture(graph, .name = "full", .format = AOB_R16F);
-    aob_pass(graph, .name = "upsample", .shader = "upsample", .reads = AOB_DEPTH | AOB_NORMAL,
-             .in = {{.name = "low", .tex = step->tex}}, .out = {{.name = "full", .tex = full}});
+    aob_tex full =
+        aob_texture(graph, .name = aob_step_name(step, "bent_full"), .format = aob_step_format(step));
+    aob_pass(graph, .name = aob_step_name(step, "bent_upsample"), .shader = "upsample",
+             .reads = AOB_DEPTH | AOB_NORMAL, .in = {{.name = "low", .tex = step->tex}},
+             .out = {{.name = "full", .tex = full}});
     return full;
 }
 
@@ -116,8 +130,9 @@ static inline aob_tex aob_lay_cross5(struct aob_graph *graph, const struct aob_s
 {
     if (step->taps == 0)
         return step->tex;
-    aob_tex crossed = aob_texture(graph, .name = "composite", .format = AOB_R16F);
-    aob_pass(graph, .name = "composite", .shader = "cross5", .reads = AOB_DEPTH | AOB_NORMAL,
+    const char *name = aob_step_name(step, "bent_composite");
+    aob_tex crossed = aob_texture(graph, .name = name, .format = aob_step_format(step));
+    aob_pass(graph, .name = name, .shader = "cross5", .reads = AOB_DEPTH | AOB_NORMAL,
              .in = {{.name = "raw", .tex = step->tex}}, .out = {{.name = "crossed", .tex = crossed}});
     return crossed;
 }

@@ -9,7 +9,7 @@ struct values {
 
 static const struct aob_param params[] = {
     AOB_PARAM(struct values, radius, .unit = AOB_UNIT_LENGTH, .min = 1e-3, .max = 10, .initial = 0.5,
-              .doc = "Of the truth that it is compared with."),
+              .doc = "Radius of the truth that it is compared with."),
     AOB_PARAM(struct values, taps, .unit = AOB_UNIT_COUNT, .stage = AOB_CONSTANT, .min = 0, .max = 9,
               .rule = AOB_ODD, .initial = 3, .doc = "Normals in a row that are averaged; more smooths more."),
     AOB_PARAM_DIVISOR(struct values, divisor),
@@ -28,12 +28,8 @@ static bool build(struct aob_graph *graph, const void *values)
         graph, .name = "cone", .shader = "cone", .reads = AOB_DEPTH | AOB_NORMAL,
         .defines = {{"WANTED", wanted}},
         .out = {{.name = "visibility", .tex = visibility}, {.name = wanted ? "bent" : NULL, .tex = bent}});
-    if (wanted && divisor > 1) {
-        aob_tex full = aob_texture(graph, .name = "full_bent", .format = AOB_RGBA16F);
-        aob_pass(graph, .name = "upsample_bent", .shader = "upsample", .reads = AOB_DEPTH | AOB_NORMAL,
-                 .in = {{.name = "low", .tex = bent}}, .out = {{.name = "full", .tex = full}});
-        bent = full;
-    }
+    if (wanted)
+        bent = aob_step_upsample(graph, .tex = bent, .divisor = v->divisor, .output = AOB_OUT_BENT_NORMAL);
     return (!wanted || aob_output(graph, AOB_OUT_BENT_NORMAL, bent)) &&
            aob_output(graph, AOB_OUT_VISIBILITY,
                       aob_step_upsample(graph, .tex = visibility, .divisor = v->divisor));

@@ -258,6 +258,31 @@ static void test_another_reach_needs_another_frame(void **state)
     free(frame);
 }
 
+/* An error says which of the two texts it is in. */
+static void test_a_vertex_text_with_an_error_is_named(void **state)
+{
+    (void)state;
+    struct aob_gpu *gpu = aob_rig_gpu("vulkan");
+    struct aob_rig rig;
+    struct aob_screen screen;
+    struct aob_error error = {{0}};
+    struct aob_shader shaders[SHADERS];
+    struct aob_technique broken =
+        altered("bounds", "vec4 place(int triangle, int vertex) { return nothing; }\n", shaders);
+    struct aob_frame *frame = AOB_NEW(struct aob_frame);
+    const struct values values = {.radius = 0.5F, .sides = 8, .divisor = 1};
+    aob_rig_scene(&rig, "corner", NULL, W, H, 0);
+    assert_true(aob_screen_init(&screen, gpu, &rig.gbuffer, &(struct aob_options){0}, &error));
+    screen.geometry = &rig.geometry;
+    assert_false(aob_frame_init(frame, &screen, &broken, &values, AOB_FETCH_SAMPLED, &error));
+    assert_contains(error.text, "pass 'volumes', shaders 'bounds' (vertex) and 'volume' (fragment)");
+    assert_contains(error.text, "vertex shader, line 1: 'nothing' : undeclared identifier");
+    aob_screen_finish(&screen);
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+    free(frame);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_volumes_lie_in_their_rectangles),
@@ -265,6 +290,7 @@ int main(void)
                                        cmocka_unit_test(test_culling_changes_nothing),
                                        cmocka_unit_test(test_fragments_are_estimated),
                                        cmocka_unit_test(test_what_does_not_fit_is_refused),
-                                       cmocka_unit_test(test_another_reach_needs_another_frame)};
+                                       cmocka_unit_test(test_another_reach_needs_another_frame),
+                                       cmocka_unit_test(test_a_vertex_text_with_an_error_is_named)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
