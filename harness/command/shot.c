@@ -9,6 +9,7 @@
 #include "run/measurement.h"
 #include "run/record.h"
 #include "run/sweep.h"
+#include "store/metric.h"
 #include "technique/param.h"
 
 /* Texts as given on the command line; NULL: not given. */
@@ -199,12 +200,11 @@ static void print_record(const struct aob_sweep *sweep, const json_t *record)
         aob_text_add(&text, ": %.3f ms cpu, %.2f x fixed pass",
                      json_number_value(json_object_get(time, "cpu_ms")),
                      json_number_value(json_object_get(time, "ratio_to_ref")));
-    if (error)
-        aob_text_add(&text, "; rmse %.4f, in band %.4f, bias %+.4f (reference SE %.4f)",
-                     aob_json_to_number(json_object_get(error, "rmse")),
-                     aob_json_to_number(json_object_get(error, "band_rmse")),
-                     aob_json_to_number(json_object_get(error, "bias")),
-                     aob_json_to_number(json_object_get(error, "reference_se")));
+    struct aob_metrics metrics;
+    aob_metrics_from_json(&metrics, error);
+    aob_metrics_print_brief(&metrics, ", ", &text);
+    if (isfinite(metrics.reference_se))
+        aob_text_add(&text, " (reference SE %.4f)", metrics.reference_se);
     printf("%s\n", text.data);
     aob_text_finish(&text);
 }

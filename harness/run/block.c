@@ -13,7 +13,7 @@ struct block {
     struct aob_measurement *m;
     const size_t *indices;
     size_t count;
-    const struct aob_view_files *files;
+    const struct aob_view_files *files;   /* while its worker runs */
     char *truths[AOB_CONFIG_MAX_TARGETS]; /* "truths/HASH.exr" below the run's folder; NULL: it is not kept */
     bool answered[AOB_BLOCK_MAX];
 };
@@ -104,23 +104,23 @@ static void take_answer(void *user, const json_t *answer)
     finish_case(block, i, status, json_string_value(json_object_get(answer, "reason")), answer);
 }
 
-static struct aob_block_case describe_case(const struct block *block, size_t i,
-                                           const struct aob_view_files *files, const char *image)
+static struct aob_block_case describe_case(const struct block *block, size_t i, const char *image)
 {
     const struct aob_case *c = case_of(block, i);
     struct aob_block_case described = {.technique = c->technique->name,
                                        .param_count = c->technique->param_count,
                                        .target = aob_case_own_target(c),
-                                       .definition = files->definition[i],
-                                       .screen = files->screen[i],
+                                       .definition = block->files->definition[i],
+                                       .screen = block->files->screen[i],
                                        .image = image};
     memcpy(described.params, c->params, c->technique->param_count * sizeof *c->params);
     memcpy(described.options, c->options, sizeof described.options);
     return described;
 }
 
-static json_t *make_job(const struct block *block, const struct aob_view_files *files)
+static json_t *make_job(const struct block *block)
 {
+    const struct aob_view_files *files = block->files;
     const struct aob_case *c = case_of(block, 0);
     const struct aob_config *config = block->m->plan->config;
     struct aob_block_case cases[AOB_BLOCK_MAX];
@@ -143,7 +143,7 @@ static json_t *make_job(const struct block *block, const struct aob_view_files *
                                                files->truth[t], files->bent};
     for (size_t i = 0; i < block->count; i++) {
         images[i] = image_path(block, i);
-        cases[i] = describe_case(block, i, files, images[i]);
+        cases[i] = describe_case(block, i, images[i]);
         job.triangles = job.triangles || block->m->states[block->indices[i]].triangles;
     }
     json_t *object = aob_block_job_to_json(&job);
@@ -153,12 +153,11 @@ static json_t *make_job(const struct block *block, const struct aob_view_files *
 }
 
 /* "truths/HASH.exr" below the run's folder for each target, named as in the cache by what it depends on. */
-static void name_truths(struct block *block, const struct aob_view_files *files)
+static void name_truths(struct block *block)
 {
-    block->files = files;
-    for (size_t t = 0; t < files->target_count; t++) {
+    for (size_t t = 0; t < block->files->target_count; t++) {
         struct aob_text name = {0};
-        aob_text_add(&name, "truths/%s", strrchr(files->truth[t], '-') + 1);
+        aob_text_add(&name, "truths/%s", strrchr(block->files->truth[t], '-') + 1);
         block->truths[t] = name.data;
     }
 }
@@ -170,14 +169,14 @@ static void free_truths(struct block *block)
 }
 
 /* Ten times what timing may take, and about six times what a pixel's score against a target takes (0.3 us). */
-static double time_limit(const struct block *block, const struct aob_view_files *files)
+static double time_limit(const struct block *block)
 {
     const struct aob_case *c = case_of(block, 0);
-    double scores = (double)c->width * c->height * (double)files->target_count;
+    double scores = (double)c->width * c->height * (double)block->files->target_count;
     return 120 + (double)block->count * (10 * block->m->plan->config->seconds + 2e-6 * scores);
 }
 
-static bool run_worker(struct block *block, const struct aob_view_files *files, struct aob_error *error)
+static bool run_worker(struct block *block, struct aob_error *error)
 {
     enum { ROOM = 32 };
     const struct aob_case *c = case_of(block, 0);
@@ -191,9 +190,9 @@ static bool run_worker(struct block *block, const struct aob_view_files *files, 
     snprintf(threads, sizeof threads, "LP_NUM_THREADS=%d", (int)aob_case_options(c).threads);
     if (aob_case_options(c).threads)
         env[used++] = threads;
-    struct aob_job_desc desc = {.job = make_job(block, files),
+    struct aob_job_desc desc = {.job = make_job(block),
                                 .env = env,
-                                .timeout_s = time_limit(block, files),
+                                .timeout_s = time_limit(block),
                                 .on_answer = take_answer,
                                 .user = block};
     return aob_dispatch_job(block->m->dispatch, &desc, error);
@@ -215,16 +214,16 @@ static void retry_alone(struct block *block)
 
 void aob_measurement_block(struct aob_measurement *m, const size_t *indices, size_t count)
 {
-    struct block block = {.m = m, .indices = indices, .count = count};
-    struct aob_view_files files;
+    struct aob_view_files files = {0};
+    struct block block = {.m = m, .indices = indices, .count = count, .files = &files};
     struct aob_error error = {{0}};
     if (!aob_view_prepare(m, indices, count, &files, &error)) {
         fail_rest(&block, error.text);
         return;
     }
     if (m->folder && m->plan->config->images)
-        name_truths(&block, &files);
-    bool ok = run_worker(&block, &files, &error);
+        name_truths(&block);
+    bool ok = run_worker(&block, &error);
     aob_view_files_finish(&files);
     if (!ok && count > 1)
         retry_alone(&block);

@@ -46,7 +46,7 @@ const struct aob_metric aob_metric_table[] = {
            .better = AOB_BETTER_NONE, .doc = "Mean product of these two parts of the error."),
     METRIC(missing_estimator, .group = "covariance", .title = "missing x estimator",
            .better = AOB_BETTER_NONE, .doc = "Mean product of these two parts of the error."),
-    METRIC(bent_mean, .output = AOB_OUT_BENT_NORMAL, .title = "bent normal", .unit = "degrees",
+    METRIC(bent_mean, .output = AOB_OUT_BENT_NORMAL, .title = "bent normal", .unit = "degrees", .brief = true,
            .better = AOB_BETTER_LESS,
            .doc =
                "Mean angle between the technique's bent normal and the traced mean of the open directions."),
@@ -82,6 +82,16 @@ void aob_metrics_init(struct aob_metrics *metrics)
 {
     for (const struct aob_metric *m = aob_metric_table; m->name; m++)
         aob_metric_set(metrics, m, NAN);
+}
+
+void aob_metrics_print_brief(const struct aob_metrics *metrics, const char *between, struct aob_text *text)
+{
+    for (const struct aob_metric *m = aob_metric_table; m->name; m++) {
+        double value = aob_metric_get(metrics, m);
+        if (m->brief && isfinite(value))
+            aob_text_add(text, "%s%s %s%.4f%s%s", between, m->title, value < 0 ? "\u2212" : "", fabs(value),
+                         m->unit ? " " : "", m->unit ? m->unit : "");
+    }
 }
 
 static json_t *value_to_json(const struct aob_metric *metric, double value)

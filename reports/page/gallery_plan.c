@@ -47,15 +47,6 @@ static const struct aob_row **best_rows(const struct aob_rows *rows, const struc
     return best;
 }
 
-static void add_brief(struct aob_text *text, const struct aob_score *score)
-{
-    for (const struct aob_metric *m = aob_metric_table; m->name; m++) {
-        double value = aob_metric_get(&score->metrics, m);
-        if (m->brief && isfinite(value))
-            aob_text_add(text, " \u00b7 %s %s%.4f", m->title, value < 0 ? "\u2212" : "", fabs(value));
-    }
-}
-
 static char *facts_of(const struct aob_rows *rows, const struct aob_row *row, const struct aob_score *score,
                       const char *label)
 {
@@ -69,7 +60,7 @@ static char *facts_of(const struct aob_rows *rows, const struct aob_row *row, co
         char *target = aob_target_say(&rows->targets[score->target]);
         aob_text_add(&text, " \u00b7 against %s", target);
         free(target);
-        add_brief(&text, score);
+        aob_metrics_print_brief(&score->metrics, " \u00b7 ", &text);
     }
     return text.data;
 }

@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "technique/option.h"
 
-/* Of the values of one technique's parameters, or of the options. */
+/* What the cases say of the values of one technique's parameters, or of the options. */
 struct words {
     json_t *first;    /* the value that was met first, by name */
     json_t *varying;  /* names of those that had another one since */
@@ -117,29 +117,30 @@ static void add_all(struct aob_text *text, const json_t *values)
     json_object_foreach((json_t *)values, name, value) add_pair(text, name, value);
 }
 
-char *aob_label_params(const struct aob_row *row)
+static char *show(const struct aob_row *row, const char *first, const char *second)
 {
     struct aob_text text = {0};
-    add_all(&text, json_object_get(row->json, "params"));
+    add_all(&text, json_object_get(row->json, first));
+    add_all(&text, json_object_get(row->json, second));
     return text_of(&text);
+}
+
+char *aob_label_params(const struct aob_row *row)
+{
+    return show(row, "params", "");
 }
 
 char *aob_label_options(const struct aob_row *row)
 {
-    struct aob_text text = {0};
-    add_all(&text, json_object_get(row->json, "options"));
-    return text_of(&text);
+    return show(row, "options", "");
 }
 
 char *aob_label_full(const struct aob_row *row)
 {
-    struct aob_text text = {0};
-    add_all(&text, json_object_get(row->json, "params"));
-    add_all(&text, json_object_get(row->json, "options"));
-    return text_of(&text);
+    return show(row, "params", "options");
 }
 
-/* Of the first run that describes the technique. */
+/* The first run that describes the technique has them. */
 static json_t *defaults_of(const struct aob_rows *rows, const char *technique)
 {
     for (size_t i = 0; i < rows->run_count; i++) {

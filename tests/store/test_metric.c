@@ -47,9 +47,29 @@ static void json_gives_back_what_it_took(void **state)
     assert_true(isnan(back.rmse) && isnan(back.pixels) && isnan(back.definition_missing));
 }
 
+/* Known and brief ones only, in the order of the table. */
+static void a_line_has_the_brief_ones(void **state)
+{
+    (void)state;
+    struct aob_metrics metrics;
+    struct aob_text text = {0};
+    aob_metrics_init(&metrics);
+    metrics.rmse = 0.04567;
+    metrics.mae = 0.5;
+    metrics.bias = -0.01;
+    aob_metrics_print_brief(&metrics, ", ", &text);
+    assert_string_equal(text.data, ", RMSE 0.0457, bias \u22120.0100");
+    metrics.bent_mean = 12.5;
+    aob_text_finish(&text);
+    aob_metrics_print_brief(&metrics, "; ", &text);
+    assert_string_equal(text.data, "; RMSE 0.0457; bias \u22120.0100; bent normal 12.5000 degrees");
+    aob_text_finish(&text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(every_field_has_one_row),
-                                       cmocka_unit_test(json_gives_back_what_it_took)};
+                                       cmocka_unit_test(json_gives_back_what_it_took),
+                                       cmocka_unit_test(a_line_has_the_brief_ones)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
