@@ -56,7 +56,7 @@ struct aob_scene_choice {
     struct aob_pose previous;         /* if it moves: a frame earlier */
     struct aob_convention convention; /* of a capture */
     int width, height;           /* of a capture once it is loaded (captures.h), before the plan is made; */
-    char *gbuffer;               /* likewise its file in the cache, */
+    char *gbuffer;               /* its file in the cache, known as late, */
     char geometry[AOB_KEY_SIZE]; /* and what it was made of: the file and what is stated of it; */
     char digest[AOB_KEY_SIZE];   /* with the version of its reader */
     int line, column;

@@ -40,7 +40,7 @@ void aob_geometry_init(struct aob_geometry *geometry, const struct aob_mesh *mes
         set_triangle(mesh, i, camera, &axes, geometry->texels + i * AOB_GEOMETRY_TEXELS);
 }
 
-/* Of the texture. */
+/* The size of the texture. */
 static size_t bytes_of(const struct aob_geometry *geometry)
 {
     return rows_of(geometry->count) * AOB_GEOMETRY_ROW * AOB_GEOMETRY_TEXELS * sizeof *geometry->texels;
@@ -73,7 +73,7 @@ struct range {
     double low, high;
 };
 
-/* Of places a/s for a in `a` and s in `s` (s.high > 0), in scene units at distance 1; unbounded where s reaches 0. */
+/* The range of the places a/s for a in `a` and s in `s` (s.high > 0), in scene units at distance 1; unbounded where s reaches 0. */
 static struct range over(struct range a, struct range s)
 {
     double near = s.low > 0 ? s.low : 0;

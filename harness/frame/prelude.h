@@ -44,7 +44,7 @@ bool aob_prelude_is_storage(enum aob_fetch fetch, enum aob_filter filter, int le
 /* The whole program text for aob_gpu_program_create; the shader's own lines are numbered from 1. */
 void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *text);
 
-/* Likewise the vertex text of a pass of triangles. */
+/* The same for the vertex text of a pass of triangles. */
 void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_text *text);
 
 /* The std140 block: projection (of the pixels of the depth that the pass reads), sizes, frame, range of the depth

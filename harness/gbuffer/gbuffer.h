@@ -15,8 +15,8 @@ struct aob_gbuffer {
     int guard;
     float *depth;  /* scene units along the view axis; AOB_GBUFFER_SKY where sky */
     float *normal; /* four floats a pixel: geometric normal, view space, towards the camera; 0 */
-    float *
-        shading; /* likewise, interpolated normals on the geometric one's side; that one where there are none */
+    /* The interpolated normals in the same form, on the geometric one's side. Where a mesh has none, the geometric. */
+    float *shading;
     float
         *velocity; /* two floats a pixel, as struct aob_hits has them; NULL: the camera is still, all are 0 */
     float *albedo; /* three floats a pixel: base colour, linear, 0 where sky; NULL: the default throughout */

@@ -87,7 +87,7 @@ struct aob_gpu_pass_desc {
                              holds. 0: the level's whole width or height */
     const void *uniforms; /* std140 block at binding 0 (copied); NULL: the program declares none */
     size_t uniform_size;
-    /* Of a program with a vertex text only, zero for others. The area is cleared to 0 first; triangles are
+    /* The rest is for programs with a vertex text only, and zero for others. The area is cleared to 0 first; triangles are
      * drawn in order, both sides alike. */
     uint32_t vertex_count; /* three a triangle */
     bool depth_test;       /* against a float depth of the pass's own, cleared to 0: the greater wins */
@@ -121,17 +121,17 @@ struct aob_gpu { /* first member of every backend's own struct */
     const struct aob_gpu_fns *fns;
     struct aob_gpu_info info;
 };
-struct aob_gpu_texture { /* likewise */
+struct aob_gpu_texture { /* first member of each backend's own, as are the next two */
     enum aob_format format;
     int width, height; /* of level 0 */
     int levels;
     uint32_t uses;
 };
-struct aob_gpu_program { /* likewise */
-    uint64_t bindings;   /* bit n: it declares BIND(n), so a pass must bind it */
-    bool geometry;       /* it has a vertex text */
+struct aob_gpu_program {
+    uint64_t bindings; /* bit n: it declares BIND(n), so a pass must bind it */
+    bool geometry;     /* it has a vertex text */
 };
-struct aob_gpu_pass {    /* likewise */
+struct aob_gpu_pass {
     size_t uniform_size; /* 0: it has no block */
 };
 

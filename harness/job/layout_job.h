@@ -20,7 +20,7 @@ json_t *aob_layout_job_to_json(const struct aob_layout_job *job);
 bool aob_layout_job_from_json(const json_t *object, struct aob_layout_job *job, struct aob_error *error);
 void aob_layout_job_finish(struct aob_layout_job *job);
 
-/* Of one case; answers come in the order of the cases. */
+/* The answer for one case; answers come in the order of the cases. */
 struct aob_layout_answer {
     const char *status;       /* "ok" or "invalid" */
     const char *reason;       /* of a refusal, one line */

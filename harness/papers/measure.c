@@ -173,7 +173,7 @@ MEASURE(aob_paper_alchemy_volumetric)
     return alchemy != NULL;
 }
 
-/* Of all the darkening in the image, the share on surfaces that nothing is near to (truth above the band). */
+/* The share of all the darkening in the image that lies on surfaces that nothing is near to (truth above the band). */
 static bool floating(const struct aob_paper_run *run, const json_t *record, double *share,
                      struct aob_error *error)
 {

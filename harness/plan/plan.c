@@ -240,7 +240,7 @@ static bool is_new(struct aob_table *seen, const struct aob_case *c, const struc
     return new;
 }
 
-/* One set of rays serves all truths of a view, and each radius adds a screen-space bound. Of a capture there are the bounds
+/* One set of rays serves all truths of a view, and each radius adds a screen-space bound. A capture has the bounds
  * only. */
 static double estimate_reference(struct aob_table *seen, const struct aob_case *c,
                                  const struct aob_plan *plan)

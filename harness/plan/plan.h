@@ -38,8 +38,8 @@ struct aob_case {
     double options[AOB_OPTION_COUNT]; /* one a row of aob_option_params */
     double reference_radius;          /* of its own target, scene units; 0 where there are no targets */
     size_t block;                     /* see aob_case_same_block */
-    /* Of everything that decides the result, and of no wish (time, error, images, seconds): the same in every run that
-     * asks the same question. */
+    /* The hash of everything that decides the result, and of no wish (time, error, images, seconds). It is the same in
+     * every run that asks the same question. */
     char key[AOB_KEY_SIZE];
 };
 struct aob_variation { /* what has more than one value in a plan */

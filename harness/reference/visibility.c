@@ -31,7 +31,7 @@ struct job {
     struct aob_visibility *result;
 };
 
-/* Of one thread. */
+/* One for each thread. */
 struct scratch {
     float *block; /* holds all the arrays */
     struct aob_directions directions;

@@ -60,7 +60,7 @@ static void take_answer(void *user, const json_t *object)
     }
 }
 
-/* Of the cases that have no answer yet. */
+/* The job for the cases that have no answer yet. */
 static json_t *make_job(const struct layout *layout)
 {
     const struct aob_plan *plan = layout->m->plan;

@@ -90,7 +90,7 @@ void aob_graph_texture_size(const struct aob_graph_texture *texture, int width, 
 /* All levels of it. */
 size_t aob_graph_texture_texels(const struct aob_graph_texture *texture, int width, int height);
 
-/* Of the live passes, their texts, formats and the compile-time constants: what the compiled programs depend
+/* The hash of the live passes, their texts, formats and the compile-time constants: what the compiled programs depend
  * on. */
 void aob_graph_digest(const struct aob_pass_graph *graph, const void *values, char key[AOB_KEY_SIZE]);
 

@@ -97,7 +97,7 @@ static bool warm_up(struct run *run, struct aob_error *error)
     return true;
 }
 
-/* So many frames a slot that the cheapest takes 2 ms, as long as the dearest stays within 100 ms. */
+/* A slot has as many frames as make the cheapest take 2 ms, as long as the dearest stays within 100 ms. */
 static void choose_repeats(struct run *run)
 {
     double cheapest = INFINITY, dearest = 0;

@@ -28,7 +28,7 @@ static inline void aob_point_cube(uint32_t i, uint32_t count, float point[3])
     point[2] = aob_point_inverse(i, 3);
 }
 
-/* Of two numbers in [0, 1): a unit vector, uniform over the sphere (Archimedes). */
+/* A unit vector from two numbers in [0, 1), uniform over the sphere (Archimedes). */
 static inline void aob_point_on_sphere(float u, float v, float direction[3])
 {
     float z = 1 - 2 * u, r = sqrtf(fmaxf(0, 1 - z * z)), a = 6.28318531f * v;

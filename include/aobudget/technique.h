@@ -57,10 +57,11 @@ enum aob_stage {
                      branch must be one: some drivers recompile per frame when a uniform does */
     AOB_HOST,     /* for build(), check() and the definition only */
 };
-enum aob_rule { /* what bounds cannot say of a whole number; a config that breaks it is told where */
-                AOB_ANY,
-                AOB_ODD, /* or 0 */
-                AOB_POWER_OF_TWO,
+/* What bounds cannot say of a whole number; a config that breaks it is told where. */
+enum aob_rule {
+    AOB_ANY,
+    AOB_ODD, /* or 0 */
+    AOB_POWER_OF_TWO,
 };
 
 struct aob_param {
@@ -94,25 +95,28 @@ typedef struct {
     uint32_t id; /* 0 is none; belongs to the graph that made it */
 } aob_tex;
 
-enum aob_read { /* parts of the G-buffer that a pass reads through the prelude; a renderer has them anyway */
-                AOB_DEPTH = 1 << 0,  /* aob_view_z, aob_position, aob_is_sky */
-                AOB_NORMAL = 1 << 1, /* aob_normal */
-                AOB_VELOCITY =
-                    1 << 2, /* reserved: vec3 aob_before(ivec2 p), image position and depth of the surface
-                                          one frame earlier; depth AOB_SKY_Z where it was not seen */
-                AOB_MATERIAL = 1 << 3, /* reserved: aob_albedo, aob_roughness, aob_metalness */
-                AOB_LIGHT =
-                    1 << 4, /* reserved: vec3 aob_light(int i), nine spherical harmonics, view space */
+/* Parts of the G-buffer that a pass reads through the prelude; a renderer has them anyway. */
+enum aob_read {
+    AOB_DEPTH = 1 << 0,  /* aob_view_z, aob_position, aob_is_sky */
+    AOB_NORMAL = 1 << 1, /* aob_normal */
+    /* Reserved: vec3 aob_before(ivec2 p), image position and depth of the surface one frame earlier; depth AOB_SKY_Z
+     * where it was not seen. */
+    AOB_VELOCITY = 1 << 2,
+    AOB_MATERIAL = 1 << 3, /* reserved: aob_albedo, aob_roughness, aob_metalness */
+    AOB_LIGHT = 1 << 4,    /* reserved: vec3 aob_light(int i), nine spherical harmonics, view space */
 };
-enum aob_output {                     /* what the harness reads back, all of full size */
-                  AOB_OUT_VISIBILITY, /* r: visibility in the technique's own sense, 1 open to 0 closed. Every
-                                             technique gives it */
-                  AOB_OUT_BENT_NORMAL, /* xyz: mean open direction, view space, its length as it comes; 0 where
-                                             closed. Optional; a target of rgba16f or rgba32f */
-                  AOB_OUT_VISIBILITY_RGB, /* reserved: rgb, visibility after bounces, for each channel */
-                  AOB_OUT_SPECULAR,       /* reserved: r, open share of the GGX lobe */
-                  AOB_OUT_IRRADIANCE,     /* reserved: rgb, occluded irradiance of the light, over pi */
-                  AOB_OUTPUT_COUNT,
+/* What the harness reads back, all of full size. */
+enum aob_output {
+    /* r: visibility in the technique's own sense, 1 open to 0 closed. Every technique gives it. */
+    AOB_OUT_VISIBILITY,
+    /* xyz: mean open direction, view space; 0 where closed. Optional; a target of rgba16f or rgba32f. A vector that is
+     * not finite, or longer than 1 (within 1 %), makes the case `invalid`. Its angle to the traced mean is scored, not
+     * its length. */
+    AOB_OUT_BENT_NORMAL,
+    AOB_OUT_VISIBILITY_RGB, /* reserved: rgb, visibility after bounces, for each channel */
+    AOB_OUT_SPECULAR,       /* reserved: r, open share of the GGX lobe */
+    AOB_OUT_IRRADIANCE,     /* reserved: rgb, occluded irradiance of the light, over pi */
+    AOB_OUTPUT_COUNT,
 };
 enum aob_format {
     AOB_R8,

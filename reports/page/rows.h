@@ -60,7 +60,7 @@ struct aob_rows {
     size_t target_count, target_capacity;
     struct aob_section *sections; /* in the order of the journals */
     size_t section_count, section_capacity;
-    const char **techniques; /* likewise; the place is the technique's colour */
+    const char **techniques; /* in the same order; the place is the technique's colour */
     size_t technique_count, technique_capacity;
 };
 

@@ -11,7 +11,7 @@ struct aob_target {
     bool screen;   /* a capture's: the screen-space bound stands for the truth; false: rays were traced */
 };
 
-/* Of an entry of `errors` or of `error`. What an older record has no `target` for is the cosine-weighted truth within
+/* The target of an entry of `errors`, or of `error`. What an older record has no `target` for is the cosine-weighted truth within
  * its `reference_radius`. */
 struct aob_target aob_target_of(const json_t *entry, const json_t *record);
 

@@ -94,7 +94,7 @@ static void add_falloff(struct aob_text *page, const json_t *falloff)
     aob_text_add(page, " at 0, 1/4, 1/2, 3/4 and all of that distance");
 }
 
-/* Of the first case that has one: the definition depends on parameters only. */
+/* The first case that has one serves, because the definition depends on parameters only. */
 static void add_definition(struct aob_text *page, const struct aob_techniques *t, size_t technique)
 {
     const json_t *definition = NULL;

@@ -23,7 +23,7 @@ static const struct aob_param params[] = {
                   "1 - (its distance)/radius, and the image depends on how surfaces are cut into triangles."),
     AOB_PARAM(struct values, sides, .unit = AOB_UNIT_COUNT, .stage = AOB_CONSTANT, .min = 3, .max = 64,
               .initial = 8,
-              .doc = "Of the polygon that stands for the disc within the radius (falloff 0); more is "
+              .doc = "Sides of the polygon that stands for the disc within the radius (falloff 0); more is "
                      "rounder."),
     AOB_PARAM(struct values, cull, .stage = AOB_CONSTANT, .choices = switches, .initial = 1,
               .doc = "On draws a volume over the tiles only whose surfaces lie in its depths, and not at all "

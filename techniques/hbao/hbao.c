@@ -39,9 +39,10 @@ static const struct aob_param params[] = {
     AOB_PARAM(struct values, min_step, .unit = AOB_UNIT_PIXEL, .min = 0, .max = 64, .initial = 1,
               .doc = "Where a step is shorter than this the pixel stays open (the text's early exit, at one "
                      "texel); more is cheaper and loses occlusion far away."),
-    AOB_PARAM(
-        struct values, weighting, .stage = AOB_CONSTANT, .choices = weightings, .initial = AOB_WEIGHT_UNIFORM,
-        .doc = "Of the directions: the bare solid angle as in equation 6.2.3, or with the cosine (6.2.1)."),
+    AOB_PARAM(struct values, weighting, .stage = AOB_CONSTANT, .choices = weightings,
+              .initial = AOB_WEIGHT_UNIFORM,
+              .doc = "How directions are weighted: by the bare solid angle as in equation 6.2.3, or with the "
+                     "cosine (6.2.1)."),
     AOB_PARAM(struct values, snapping, .stage = AOB_CONSTANT, .choices = snappings,
               .doc =
                   "To texel centres: each sample; the first sample and the step of a direction, cheaper but "

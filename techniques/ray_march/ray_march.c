@@ -30,9 +30,10 @@ static const struct aob_param params[] = {
               .min = 1, .max = 1024, .initial = 8,
               .doc =
                   "Even steps along a ray (N_s); more misses fewer thin occluders and places hits better."),
-    AOB_PARAM(
-        struct values, weighting, .stage = AOB_CONSTANT, .choices = weightings, .initial = AOB_WEIGHT_UNIFORM,
-        .doc = "Of the directions: the bare solid angle as in equation 6.2.3, or with the cosine (6.2.1)."),
+    AOB_PARAM(struct values, weighting, .stage = AOB_CONSTANT, .choices = weightings,
+              .initial = AOB_WEIGHT_UNIFORM,
+              .doc = "How directions are weighted: by the bare solid angle as in equation 6.2.3, or with the "
+                     "cosine (6.2.1)."),
 };
 
 static float falloff(const void *values, float t)

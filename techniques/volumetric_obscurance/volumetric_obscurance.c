@@ -93,7 +93,8 @@ AOB_TECHNIQUE(
     .shaders = aob_shaders_volumetric_obscurance,
     .summary = "The empty share of a sphere about the surface point, by lines along the view that end at the "
                "depth buffer, doubled: a flat wall is open.",
-    .notes = "Of a secondary text: lines come in point-symmetric pairs; depth differences in perspective are "
+    .notes = "The set-up is that of a secondary text: lines come in point-symmetric pairs; depth differences "
+             "in perspective are "
              "taken as zc (1 - zc/z), which keeps walls open and holds for radii well below the depth; two "
              "resolutions are mixed evenly before the clamp; blur and upsampling read normals.",
     .citation = "Loos, Sloan: Volumetric Obscurance, I3D 2010, as compared in McGuire et al.: The Alchemy "
