@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include "base/text.h"
 #include "made.h"
+#include "random.h"
 #include "rig.h"
 
 /* Runs a text that has one output and no inputs. */
@@ -26,7 +27,7 @@ static void *random_texels(enum aob_format format)
     uint8_t *texels = aob_alloc(count, size);
     uint32_t state = 1;
     for (size_t i = 0; i < count; i++) {
-        state = state * 1664525u + 1013904223u;
+        random_next(&state);
         uint32_t random = state >> 3 ^ state;
         uint32_t half = (random & 0x83ff) | (1 + (random >> 16) % 30) << 10;
         uint32_t single = (random & 0x807fffff) | (1 + (state >> 11) % 254) << 23;
