@@ -164,9 +164,37 @@ struct aob_gpu *aob_rig_gpu(const char *backend)
         aob_gpu_open(backend, &(struct aob_gpu_desc){.validate = strcmp(backend, "vulkan") == 0}, &error);
     if (!gpu) {
         printf("no device: %s\n", error.text);
-        exit(77);
+        exit(strstr(error.text, "install ") ? 77 : 1);
     }
     return gpu;
+}
+
+static const char *chosen; /* by aob_rig_device_tests, for open_device */
+
+static int open_device(void **state)
+{
+    *state = aob_rig_gpu(chosen);
+    return 0;
+}
+
+static int close_device(void **state)
+{
+    aob_gpu_close(*state);
+    return 0;
+}
+
+int aob_rig_device_tests(int argc, char **argv, const struct CMUnitTest *tests, size_t count)
+{
+    const struct aob_gpu_fns *fns = argc == 2 ? aob_gpu_find(argv[1]) : NULL;
+    if (!fns) {
+        fprintf(stderr, "usage: %s vulkan|gl-egl|gl-osmesa|null\n", argv[0]);
+        return 2;
+    }
+    for (const char *const *variable = fns->environment; *variable; variable++)
+        putenv((char *)*variable);
+    chosen = fns->name;
+    /* What cmocka's macro calls: the macro takes arrays only. */
+    return _cmocka_run_group_tests("tests", tests, count, open_device, close_device);
 }
 
 bool aob_rig_position(const struct aob_rig *rig, int x, int y, struct aob_vec3 *position)

@@ -1,6 +1,7 @@
 /* A scene on a device, in this process. The tests of techniques and backends share it. */
 #ifndef AOB_TESTS_RIG_H
 #define AOB_TESTS_RIG_H
+#include "check.h"
 #include "frame/frame.h"
 #include "reference/tracer.h"
 #include "scene/scene.h"
@@ -45,9 +46,14 @@ void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct 
 void aob_rig_definition(const struct aob_rig *rig, const char *technique, const char *params, int spp,
                         float *pixels);
 
-/* Returns a device. If there is none, the program ends with exit code 77 and has failed, since ./dev installs every
- * driver. Vulkan runs under the validation layer. */
+/* Returns a device. If there is no driver for it, the program ends with exit code 77 and has failed, since ./dev
+ * installs every driver; it ends with 1 if the device does not open for another reason. Vulkan runs under the
+ * validation layer. */
 struct aob_gpu *aob_rig_gpu(const char *backend);
+
+/* Runs `count` tests on one device, which each has as its `*state`, and returns what main() returns. The backend is the
+ * program's only argument; the driver finds the environment that a worker has. */
+int aob_rig_device_tests(int argc, char **argv, const struct CMUnitTest *tests, size_t count);
 
 /* Gives the world position of the surface in view pixel (x, y), guard band not counted. False for sky. */
 bool aob_rig_position(const struct aob_rig *rig, int x, int y, struct aob_vec3 *position);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/statistics.h"
+#include "random.h"
 
 static void test_median_and_quantile(void **state)
 {
@@ -32,26 +33,20 @@ static void test_interval_against_table(void **state)
     assert_true(low == 1 && high == 5);
 }
 
-static double uniform(unsigned *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return (double)(*seed >> 8) / 16777216.0;
-}
-
 /* Skewed times with a drift that both sides share: the interval must cover the true ratio in about 95 % of
  * trials. */
 static void test_ratio_covers_the_truth(void **state)
 {
     (void)state;
-    unsigned seed = 12345;
+    uint32_t seed = 12345;
     int covered = 0, trials = 2000;
     double a[30], b[30], worst = 0;
     for (int t = 0; t < trials; t++) {
         double level = 1;
         for (int i = 0; i < 30; i++) {
-            level *= 0.9 + 0.25 * uniform(&seed);
-            a[i] = 1.25 * level * (1 - 0.1 * log(1 - uniform(&seed)));
-            b[i] = level * (1 - 0.1 * log(1 - uniform(&seed)));
+            level *= 0.9 + 0.25 * random_unit(&seed);
+            a[i] = 1.25 * level * (1 - 0.1 * log(1 - random_unit(&seed)));
+            b[i] = level * (1 - 0.1 * log(1 - random_unit(&seed)));
         }
         struct aob_ratio r = aob_paired_ratio(a, b, 30);
         assert_true(r.bounded && r.low <= r.ratio && r.ratio <= r.high);

@@ -278,27 +278,12 @@ static void refuses_what_makes_no_sense(void **state)
     aob_gpu_program_destroy(gpu, program);
 }
 
-static const char *chosen; /* by main, for open_device */
-
-static int open_device(void **state)
-{
-    *state = aob_rig_gpu(chosen);
-    return 0;
-}
-
-static int close_device(void **state)
-{
-    aob_gpu_close(*state);
-    return 0;
-}
-
 int main(int argc, char **argv)
 {
-    chosen = argc == 2 ? argv[1] : "null";
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(covers_the_centres_it_should),  cmocka_unit_test(the_greater_depth_wins),
         cmocka_unit_test(the_later_wins_without_a_test), cmocka_unit_test(adds_what_lies_over_another),
         cmocka_unit_test(cuts_what_is_too_near),         cmocka_unit_test(refuses_what_makes_no_sense),
     };
-    return cmocka_run_group_tests(tests, open_device, close_device);
+    return aob_rig_device_tests(argc, argv, tests, AOB_COUNT(tests));
 }

@@ -1,8 +1,9 @@
-/* One body for all backends: test_gpu vulkan|gl-egl|gl-osmesa|null. Exit code 77: this machine lacks the
- * driver. */
+/* One body for all backends: test_gpu vulkan|gl-egl|gl-osmesa|null. */
 #include <stdlib.h>
 #include "base/text.h"
 #include "made.h"
+#include "random.h"
+#include "rig.h"
 
 /* Runs a text that has one output and no inputs. */
 static void *draw(struct aob_gpu *gpu, const char *glsl, enum aob_format format)
@@ -26,7 +27,7 @@ static void *random_texels(enum aob_format format)
     uint8_t *texels = aob_alloc(count, size);
     uint32_t state = 1;
     for (size_t i = 0; i < count; i++) {
-        state = state * 1664525u + 1013904223u;
+        random_next(&state);
         uint32_t random = state >> 3 ^ state;
         uint32_t half = (random & 0x83ff) | (1 + (random >> 16) % 30) << 10;
         uint32_t single = (random & 0x807fffff) | (1 + (state >> 11) % 254) << 23;
@@ -389,36 +390,8 @@ static void describes_itself(void **state)
     aob_gpu_pass_destroy(gpu, NULL);
 }
 
-static const char *chosen; /* by main, for open_device */
-
-static int open_device(void **state)
-{
-    struct aob_error error = {""};
-    *state = aob_gpu_open(chosen, &(struct aob_gpu_desc){.validate = !strcmp(chosen, "vulkan")}, &error);
-    if (*state)
-        return 0;
-    aob_error_print(&error);
-    if (strstr(error.text, "install "))
-        exit(77);
-    return 1;
-}
-
-static int close_device(void **state)
-{
-    aob_gpu_close(*state);
-    return 0;
-}
-
 int main(int argc, char **argv)
 {
-    const struct aob_gpu_fns *fns = argc == 2 ? aob_gpu_find(argv[1]) : NULL;
-    if (!fns) {
-        fprintf(stderr, "usage: test_gpu vulkan|gl-egl|gl-osmesa|null\n");
-        return 2;
-    }
-    for (const char *const *variable = fns->environment; *variable; variable++)
-        putenv((char *)*variable);
-    chosen = fns->name;
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(describes_itself),
         cmocka_unit_test(keeps_texels_of_every_format),
@@ -434,5 +407,5 @@ int main(int argc, char **argv)
         cmocka_unit_test(explains_a_compile_error_in_one_line),
         cmocka_unit_test(survives_many_passes),
     };
-    return cmocka_run_group_tests(tests, open_device, close_device);
+    return aob_rig_device_tests(argc, argv, tests, AOB_COUNT(tests));
 }

@@ -275,25 +275,10 @@ static void serves_every_set_of_uses(void **state)
     free(drawn);
 }
 
-static const char *chosen; /* by main, for open_device */
-
-static int open_device(void **state)
-{
-    *state = aob_rig_gpu(chosen);
-    return 0;
-}
-
-static int close_device(void **state)
-{
-    aob_gpu_close(*state);
-    return 0;
-}
-
 int main(int argc, char **argv)
 {
-    chosen = argc == 2 ? argv[1] : "null";
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(writes_each_level_from_the_one_above), cmocka_unit_test(shows_a_range_of_levels),
         cmocka_unit_test(draws_an_area_and_leaves_the_rest), cmocka_unit_test(serves_every_set_of_uses)};
-    return cmocka_run_group_tests(tests, open_device, close_device);
+    return aob_rig_device_tests(argc, argv, tests, AOB_COUNT(tests));
 }

@@ -241,27 +241,12 @@ static void validation_fails_the_call(void **state)
     aob_gpu_program_destroy(gpu, reader);
 }
 
-static const char *chosen; /* by main, for open_device */
-
-static int open_device(void **state)
-{
-    *state = aob_rig_gpu(chosen);
-    return 0;
-}
-
-static int close_device(void **state)
-{
-    aob_gpu_close(*state);
-    return 0;
-}
-
 int main(int argc, char **argv)
 {
-    chosen = argc == 2 ? argv[1] : "null";
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(refuses_wrong_textures),   cmocka_unit_test(refuses_wrong_passes),
         cmocka_unit_test(refuses_wrong_levels),     cmocka_unit_test(refuses_a_use_that_was_not_asked_for),
         cmocka_unit_test(refuses_wrong_uniforms),   cmocka_unit_test(refuses_a_binding_beyond_the_last),
         cmocka_unit_test(validation_fails_the_call)};
-    return cmocka_run_group_tests(tests, open_device, close_device);
+    return aob_rig_device_tests(argc, argv, tests, AOB_COUNT(tests));
 }

@@ -1,6 +1,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "made.h"
+#include "random.h"
 
 #define HEAD                                                                                                 \
     "name: t\nscenes: [{name: corner, views: [front, far]}]\nresolutions: [64x36, 32x18]\nbackends: "        \
@@ -245,7 +246,7 @@ static void test_damaged_configs(void **state)
         HEAD "options: {fetch: [sampled, storage]}\n"
              "techniques:\n  - name: gtao\n    sweep: [{param: radius, values: [1, 2]}]\n";
     char text[sizeof good];
-    unsigned seed = 1;
+    uint32_t seed = 1;
     const size_t size = sizeof good - 1;
     for (size_t i = 0; i < 2 * size; i++) {
         struct aob_config config;
@@ -254,10 +255,8 @@ static void test_damaged_configs(void **state)
         strcpy(text, good);
         if (i < size)
             text[i] = '\0';
-        else {
-            seed = seed * 1664525u + 1013904223u;
-            text[i - size] ^= (char)(1u << (seed >> 29));
-        }
+        else
+            text[i - size] ^= (char)(1u << random_below(&seed, 8));
         if (make(text, &config, &plan, &error)) {
             aob_plan_finish(&plan);
             aob_config_finish(&config);

@@ -3,6 +3,7 @@
 #ifndef AOB_TESTS_SCORE_PAIRS_H
 #define AOB_TESTS_SCORE_PAIRS_H
 #include <math.h>
+#include "random.h"
 #include "score/score.h"
 
 enum { PAIR_COUNT = 20, PAIR_WIDTH = 37, PAIR_HEIGHT = 29, PAIR_SIZE = PAIR_WIDTH * PAIR_HEIGHT };
@@ -10,12 +11,6 @@ struct pair {
     float image[PAIR_SIZE], truth[PAIR_SIZE], depth[PAIR_SIZE];
     struct aob_score_desc desc;
 };
-
-static inline double pair_random(uint32_t *state)
-{
-    *state = *state * 1664525u + 1013904223u;
-    return (*state >> 8) / 16777216.0;
-}
 
 static inline float pair_clamp(double value)
 {
@@ -41,14 +36,14 @@ static inline double pair_texture(int kind, double seed, double noise, int x, in
 static inline void pair_make(struct pair *pair, int index)
 {
     uint32_t state = 77u + (uint32_t)index;
-    double seed = pair_random(&state), amount = 0.02 + 0.9 * pair_random(&state),
-           offset = pair_random(&state) - 0.5;
+    double seed = random_unit(&state), amount = 0.02 + 0.9 * random_unit(&state),
+           offset = random_unit(&state) - 0.5;
     for (int y = 0; y < PAIR_HEIGHT; y++)
         for (int x = 0; x < PAIR_WIDTH; x++) {
             int i = y * PAIR_WIDTH + x, sky = index % 3 == 0 && y < 9 + x / 6;
-            double truth = pair_texture(index % 4, seed, pair_random(&state), x, y);
-            double other = index % 5 ? truth + amount * (pair_random(&state) - 0.5) + 0.3 * offset
-                                     : pair_texture((index + 1) % 4, seed, pair_random(&state), x, y);
+            double truth = pair_texture(index % 4, seed, random_unit(&state), x, y);
+            double other = index % 5 ? truth + amount * (random_unit(&state) - 0.5) + 0.3 * offset
+                                     : pair_texture((index + 1) % 4, seed, random_unit(&state), x, y);
             pair->truth[i] = sky ? 3 : pair_clamp(truth);
             pair->image[i] = sky ? NAN : pair_clamp(other);
             pair->depth[i] = sky ? 1e9f : 2;
@@ -84,7 +79,7 @@ static inline void pair_add_noise(struct pair *pair, double amplitude)
 {
     uint32_t state = 5;
     for (int i = 0; i < PAIR_SIZE; i++)
-        pair->image[i] = pair_clamp(pair->truth[i] + amplitude * (pair_random(&state) - 0.5));
+        pair->image[i] = pair_clamp(pair->truth[i] + amplitude * (random_unit(&state) - 0.5));
 }
 
 /* The image becomes the truth, averaged over squares of 2 radius + 1 pixels. */

@@ -11,6 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 #include <cmocka.h>
+#include "random.h"
 
 enum { PATH_SIZE = 256 };
 
@@ -20,18 +21,12 @@ static void test_path(char path[PATH_SIZE], const char *name)
     snprintf(path, PATH_SIZE, "%s/aob-test-image-%ld-%s", folder ? folder : "/tmp", (long)getpid(), name);
 }
 
-static uint32_t next_random(uint32_t *state)
-{
-    *state = *state * 1664525u + 1013904223u;
-    return *state >> 8;
-}
-
 /* Smooth waves with noise, and the values that a careless path would change. */
 static void fill(float *pixels, size_t count, uint32_t seed)
 {
     static const uint32_t special[] = {0x7f800000u, 0xff800000u, 0x7fc12345u, 0x80000000u, 1u, 0x7f7fffffu};
     for (size_t i = 0; i < count; i++)
-        pixels[i] = sinf(0.01f * (float)i) + (float)(next_random(&seed) & 255) / 4096.0f;
+        pixels[i] = sinf(0.01f * (float)i) + (float)(random_next(&seed) >> 8 & 255) / 4096.0f;
     for (size_t i = 0; i < AOB_COUNT(special) && i < count; i++)
         memcpy(&pixels[count - 1 - i], &special[i], sizeof special[i]);
 }
@@ -218,7 +213,7 @@ static void test_damaged_files_never_crash(void **state)
     uint32_t seed = 1;
     for (int i = 0; i < 1500; i++) {
         /* Two of three in the header, where the numbers are that decide about memory. */
-        size_t at = next_random(&seed) % (i % 3 ? 900 : size), bit = next_random(&seed) % 8;
+        size_t at = (random_next(&seed) >> 8) % (i % 3 ? 900 : size), bit = (random_next(&seed) >> 8) % 8;
         bytes[at] = (char)(bytes[at] ^ (1 << bit));
         read_damaged(path, bytes, size);
         bytes[at] = (char)(bytes[at] ^ (1 << bit));

@@ -1,0 +1,24 @@
+/* Numbers that look random and are the same in every run and on every machine, to damage files and to make images with.
+ * A test owns the state; its first value is the seed. The high bits are the good ones. */
+#ifndef AOB_TESTS_RANDOM_H
+#define AOB_TESTS_RANDOM_H
+#include <stddef.h>
+#include <stdint.h>
+
+static inline uint32_t random_next(uint32_t *state)
+{
+    return *state = *state * 1664525u + 1013904223u;
+}
+
+/* 0..n-1. */
+static inline size_t random_below(uint32_t *state, size_t n)
+{
+    return (size_t)(((uint64_t)random_next(state) * n) >> 32);
+}
+
+/* 0 <= x < 1, in steps of 2^-24. */
+static inline double random_unit(uint32_t *state)
+{
+    return (random_next(state) >> 8) / 16777216.0;
+}
+#endif
