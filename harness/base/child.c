@@ -1,6 +1,7 @@
 #define _GNU_SOURCE 1 /* memfd_create, pipe2, sigdescr_np, strcasestr */
 #include "child.h"
 #include "deadline.h"
+#include "file.h"
 #include "memory.h"
 #include "stream.h"
 #include "text.h"
@@ -90,18 +91,11 @@ static int open_input(const char *input, size_t size)
     if (!input)
         return open("/dev/null", O_RDONLY | O_CLOEXEC);
     int fd = memfd_create("aobudget-input", MFD_CLOEXEC);
-    size_t done = 0;
-    while (fd >= 0 && done < size) {
-        ssize_t count = write(fd, input + done, size - done);
-        if (count < 0 && errno != EINTR) {
-            close(fd);
-            return -1;
-        }
-        done += count > 0 ? (size_t)count : 0;
-    }
+    if (fd >= 0 && aob_file_send(fd, input, size) && lseek(fd, 0, SEEK_SET) == 0)
+        return fd;
     if (fd >= 0)
-        lseek(fd, 0, SEEK_SET);
-    return fd;
+        close(fd);
+    return -1;
 }
 
 static void close_fd(int *fd)
