@@ -106,7 +106,7 @@ static char *want_term(struct aob_measurement *m, const struct aob_case *c, json
 {
     char *path = term_path(m, c, term);
     if (!json_object_get(missing->known, path) && !aob_file_exists(path)) {
-        json_object_set_new(term, "out", json_string(path));
+        json_object_set_new(term, "out", aob_json_path(path));
         json_array_append(missing->terms, term);
         json_object_set_new(missing->known, path, json_true());
     }
