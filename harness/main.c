@@ -1,8 +1,9 @@
 /* The program: its commands and the jobs of its workers, each a row of an array. */
 #include <jansson.h>
 #include <signal.h>
-#include <stdio.h>
 #include <string.h>
+#include "base/output.h"
+#include "base/text.h"
 #include "command/command.h"
 #include "worker/worker.h"
 
@@ -16,15 +17,31 @@ static const struct aob_worker_job *const jobs[] = {
     &aob_worker_view,     &aob_worker_block,   NULL,
 };
 
-static int print_help(void)
+static enum aob_exit write_text(struct aob_text *text, struct aob_error *error)
 {
-    printf("aobudget %s: what ambient occlusion costs, and how close it comes to ray-traced truth\n"
-           "usage: aobudget COMMAND [--help]\n",
-           AOBUDGET_VERSION);
+    bool ok = aob_output_write(text->data, text->size, error);
+    aob_text_finish(text);
+    return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
+}
+
+static enum aob_exit print_version(struct aob_error *error)
+{
+    struct aob_text text = {0};
+    aob_text_add_line(&text, "aobudget %s", AOBUDGET_VERSION);
+    return write_text(&text, error);
+}
+
+static enum aob_exit print_help(struct aob_error *error)
+{
+    struct aob_text text = {0};
+    aob_text_add_line(&text,
+                      "aobudget %s: what ambient occlusion costs, and how close it comes to ray-traced truth",
+                      AOBUDGET_VERSION);
+    aob_text_add_line(&text, "usage: aobudget COMMAND [--help]");
     for (const struct aob_command *const *c = commands; *c; c++)
-        printf("  %-8s %s\n", (*c)->name, (*c)->help);
-    printf("exit codes: 0 done; 1 the answer is bad; 2 usage or input; 3 done in part\n");
-    return AOB_EXIT_OK;
+        aob_text_add_line(&text, "  %-8s %s", (*c)->name, (*c)->help);
+    aob_text_add_line(&text, "exit codes: 0 done; 1 the answer is bad; 2 usage or input; 3 done in part");
+    return write_text(&text, error);
 }
 
 /* Jobs and journals are JSON, which has no other text. */
@@ -41,6 +58,10 @@ static bool all_utf8(int argc, char **argv, struct aob_error *error)
 
 static enum aob_exit run(int argc, char **argv, struct aob_error *error)
 {
+    if (argc < 2 || strcmp(argv[1], "--help") == 0)
+        return print_help(error);
+    if (strcmp(argv[1], "--version") == 0)
+        return print_version(error);
     if (!all_utf8(argc, argv, error))
         return AOB_EXIT_USAGE;
     for (const struct aob_command *const *c = commands; *c; c++)
@@ -54,13 +75,11 @@ int main(int argc, char **argv)
 {
     struct aob_error error = {{0}};
     signal(SIGPIPE, SIG_IGN);
-    if (argc < 2 || strcmp(argv[1], "--help") == 0)
-        return print_help();
-    if (strcmp(argv[1], "--version") == 0)
-        return printf("aobudget %s\n", AOBUDGET_VERSION) < 0;
-    if (strcmp(argv[1], "worker") == 0)
+    if (argc > 1 && strcmp(argv[1], "worker") == 0)
         return aob_worker_main(jobs);
     enum aob_exit code = run(argc, argv, &error);
+    if (!aob_output_close(*error.text ? NULL : &error))
+        code = AOB_EXIT_USAGE;
     if (*error.text)
         aob_error_print(&error);
     return code;

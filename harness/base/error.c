@@ -32,12 +32,10 @@ bool aob_fail_in(struct aob_error *error, const char *format, ...)
 
 static void print_line(const char *kind, const char *text)
 {
-    char line[2048];
-    aob_line_print(line, sizeof line, "aobudget: %s%s", kind, text);
-    for (char *c = line; *c; c++)
-        if (*c == '\n' || *c == '\r')
-            *c = ' ';
-    fprintf(stderr, "%s\n", line);
+    struct aob_text line = {0};
+    aob_text_add_line(&line, "aobudget: %s%s", kind, text);
+    fputs(line.data, stderr);
+    aob_text_finish(&line);
 }
 
 void aob_error_print(const struct aob_error *error)

@@ -171,6 +171,18 @@ char *aob_path_join(const char *folder, const char *name)
     return path;
 }
 
+char *aob_path_beside(const char *file, const char *path)
+{
+    const char *slash = strrchr(file, '/');
+    if (*path == '/' || !slash)
+        return aob_strdup(path);
+    size_t folder = (size_t)(slash - file) + 1;
+    char *joined = aob_alloc(folder + strlen(path) + 1, 1);
+    memcpy(joined, file, folder);
+    strcpy(joined + folder, path);
+    return joined;
+}
+
 char *aob_path_program(void)
 {
     char path[4096];

@@ -32,6 +32,9 @@ bool aob_folder_create(const char *path, struct aob_error *error);
 /* Returns "folder/name"; free() it. */
 char *aob_path_join(const char *folder, const char *name);
 
+/* Returns the path that `path` means in a text of `file`: relative ones are seen from the file's folder; free() it. */
+char *aob_path_beside(const char *file, const char *path);
+
 /* The folder of the running program, without a trailing slash; free() it. */
 char *aob_path_program_folder(void);
 

@@ -5,6 +5,7 @@
 #include <string.h>
 #include "file.h"
 #include "memory.h"
+#include "output.h"
 
 json_t *aob_json_number(double value)
 {
@@ -50,10 +51,8 @@ bool aob_json_write(const json_t *document, const char *path, struct aob_error *
     size_t size = strlen(text);
     text = aob_realloc(text, size + 2, 1);
     memcpy(text + size, "\n", 2);
-    bool ok = strcmp(path, "-") == 0 ? fputs(text, stdout) != EOF && fflush(stdout) == 0
+    bool ok = strcmp(path, "-") == 0 ? aob_output_write(text, size + 1, error)
                                      : aob_file_write(path, text, size + 1, error);
-    if (!ok && strcmp(path, "-") == 0)
-        aob_fail(error, "standard output: cannot write");
     free(text);
     return ok;
 }

@@ -57,7 +57,7 @@ struct aob_plan {
     struct aob_variation variation; /* of the whole plan: a filter changes no description */
 };
 
-enum { AOB_PLAN_MAX_CASES = 20000, AOB_BLOCK_MAX = 6 }; /* cases of a sweep; of a block */
+enum { AOB_BLOCK_MAX = 6 }; /* cases of a block */
 
 /* Captures must be loaded (captures.h). False: one line, FILE:LINE:COLUMN where the config has a position. */
 bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
