@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "check.h"
 #include "job/mesh_job.h"
 #include "job/view_job.h"
 #include "measurement.h"
@@ -253,7 +254,9 @@ static bool prepare(struct aob_measurement *m, const size_t *indices, size_t cou
     bool ok = make_files(m, indices, files, &missing, error);
     json_decref(missing.terms);
     json_decref(missing.known);
-    if (!ok)
+    if (ok)
+        aob_check_view(m, indices[0], files);
+    else
         aob_view_files_finish(files);
     return ok;
 }

@@ -6,6 +6,7 @@
 #include "base/json.h"
 #include "job/block_job.h"
 #include "job/capture_job.h"
+#include "job/check_job.h"
 #include "job/layout_job.h"
 #include "job/mesh_job.h"
 
@@ -299,10 +300,33 @@ static void a_mesh_job(void **state)
     json_decref(message);
 }
 
+static void a_check_job(void **state)
+{
+    (void)state;
+    struct aob_check_job job;
+    struct aob_error error = {{0}};
+    json_t *message = send(aob_check_job_to_json(&(struct aob_check_job){.view = view, .radius = INFINITY}));
+    assert_string_equal(json_string_value(json_object_get(message, "job")), "check");
+    assert_true(aob_check_job_from_json(message, &job, &error));
+    check_view(&job.view);
+    assert_true(isinf(job.radius));
+    json_object_del(message, "radius");
+    assert_false(aob_check_job_from_json(message, &job, &error));
+    json_decref(message);
+    struct aob_check_answer answer;
+    message = send(aob_check_answer_to_json(
+        &(struct aob_check_answer){.triangles = 72, .doubled = 24, .backs = 0.03125}));
+    assert_true(aob_check_answer_from_json(message, &answer));
+    assert_true(answer.triangles == 72 && answer.doubled == 24 && answer.backs == 0.03125);
+    json_object_del(message, "backs");
+    assert_false(aob_check_answer_from_json(message, &answer));
+    json_decref(message);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_view_job), cmocka_unit_test(a_block_job),
-                                       cmocka_unit_test(a_capture_job), cmocka_unit_test(a_layout_job),
-                                       cmocka_unit_test(a_mesh_job)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_view_job),   cmocka_unit_test(a_check_job),
+                                       cmocka_unit_test(a_block_job),  cmocka_unit_test(a_capture_job),
+                                       cmocka_unit_test(a_layout_job), cmocka_unit_test(a_mesh_job)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
