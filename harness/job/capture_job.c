@@ -6,12 +6,12 @@
 json_t *aob_capture_job_to_json(const struct aob_capture_job *job)
 {
     const struct aob_convention *c = &job->convention;
-    return json_pack("{s:s, s:s, s:s, s:i, s:i, s:b, s:o, s:o, s:o, s:s, s:s, s:f, s:f, s:o, s:o}", "job",
-                     "capture", "file", job->file, "out", job->out, "depth", (int)c->depth, "normals",
-                     (int)c->normals, "left_handed", c->left_handed, "near", aob_json_number(c->near), "far",
-                     aob_json_number(c->far), "up", aob_json_vector(c->up, 3), "depth_channel",
-                     c->depth_channel, "normal_channel", c->normal_channel, "fov_deg", job->fov_deg,
-                     "ortho_height", job->ortho_height, "eye",
+    return json_pack("{s:s, s:o, s:o, s:i, s:i, s:b, s:o, s:o, s:o, s:s, s:s, s:f, s:f, s:o, s:o}", "job",
+                     "capture", "file", aob_json_path(job->file), "out", aob_json_path(job->out), "depth",
+                     (int)c->depth, "normals", (int)c->normals, "left_handed", c->left_handed, "near",
+                     aob_json_number(c->near), "far", aob_json_number(c->far), "up",
+                     aob_json_vector(c->up, 3), "depth_channel", c->depth_channel, "normal_channel",
+                     c->normal_channel, "fov_deg", job->fov_deg, "ortho_height", job->ortho_height, "eye",
                      job->has_camera ? aob_json_vector(job->eye, 3) : json_null(), "target",
                      job->has_camera ? aob_json_vector(job->target, 3) : json_null());
 }
