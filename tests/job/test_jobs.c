@@ -214,7 +214,7 @@ static void a_capture_job(void **state)
     struct aob_error error = {{0}};
     json_t *message = send(aob_capture_job_to_json(&out));
     assert_true(aob_capture_job_from_json(message, &job, &error));
-    assert_path(job.file, "F.exr");
+    assert_string_equal(job.file, "F.exr");
     assert_path(job.out, "g.exr");
     assert_int_equal(job.convention.depth, AOB_DEPTH_DEVICE_REVERSED);
     assert_int_equal(job.convention.normals, AOB_NORMALS_WORLD);
@@ -309,7 +309,7 @@ static void a_mesh_job(void **state)
     struct aob_error error = {{0}};
     json_t *message = send(aob_mesh_job_to_json(&(struct aob_mesh_job){"a.ply", "a.mesh"}));
     assert_true(aob_mesh_job_from_json(message, &job, &error));
-    assert_path(job.file, "a.ply");
+    assert_string_equal(job.file, "a.ply");
     assert_path(job.out, "a.mesh");
     json_object_del(message, "out");
     assert_false(aob_mesh_job_from_json(message, &job, &error));
