@@ -92,7 +92,7 @@ static json_t *run_once(struct papers *papers, const char *name, const char *fol
     if (!papers->desc->quiet)
         aob_note("papers: running %s%s", name, patience ? " again, for longer" : "");
     aob_run(&desc, error);
-    json_t *records = *error->text ? NULL : aob_journal_read(journal, error);
+    json_t *records = *error->text ? NULL : aob_journal_read(journal, NULL, error);
     free(journal);
     free(path);
     return records;
