@@ -24,10 +24,9 @@ struct aob_timing_desc {
     struct aob_frame *const *frames; /* frame_count cases, 1..AOB_BLOCK_MAX */
     size_t frame_count;
     double seconds; /* a case; timing stops there even if the interval is still wide */
-    double
-        narrow; /* share of a ratio that its interval may reach to either side for timing to end early; 0: 0.03 */
-    uint32_t seed;                        /* of the order within rounds */
-    bool wall;                            /* judge by wall time (a real GPU), else by processor time */
+    double narrow;  /* share that an interval may reach to either side for timing to end early; 0: 0.03 */
+    uint32_t seed;  /* of the order within rounds */
+    bool wall;      /* judge by wall time (a real GPU), else by processor time */
     const struct aob_timing_clock *clock; /* NULL: the frame's device and this process's clocks */
 };
 enum { AOB_ROUNDS_MAX = 230 };
