@@ -81,6 +81,8 @@ static bool add_part(struct import *import, const json_t *node, const json_t *me
         !aob_gltf_whole(&import->gltf, node, "a node", "skin", aob_gltf_none, &skin, error) ||
         (skin != aob_gltf_none && !aob_gltf_skin(primitive, skin, &import->nodes, part, &skinned, error)))
         return false;
+    if (skinned && places->count > 1)
+        aob_mesh_note(import->mesh, "a skinned mesh is placed once: its instances are not applied");
     if (skinned)
         return aob_mesh_part_add(part, &identity, import->mesh, path, error);
     for (size_t i = 0; i < places->count; i++)

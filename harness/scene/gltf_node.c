@@ -119,8 +119,6 @@ static bool place_nodes(struct walk *walk, struct aob_gltf_nodes *nodes, struct 
 
 static void add_root(struct walk *walk, struct aob_gltf_nodes *nodes, size_t root)
 {
-    if (walk->seen[root])
-        return;
     walk->seen[root] = true;
     walk->stack[walk->depth++] = root;
     while (walk->depth) {
@@ -130,13 +128,20 @@ static void add_root(struct walk *walk, struct aob_gltf_nodes *nodes, size_t roo
         if (is_hidden(element))
             continue;
         nodes->order[nodes->count++] = node;
-        for (size_t k = json_array_size(children); k-- > 0;) {
-            size_t child = (size_t)json_integer_value(json_array_get(children, k));
-            if (!walk->seen[child])
-                walk->stack[walk->depth++] = child;
-            walk->seen[child] = true;
-        }
+        for (size_t k = json_array_size(children); k-- > 0;)
+            walk->stack[walk->depth++] = (size_t)json_integer_value(json_array_get(children, k));
     }
+}
+
+/* A node that is drawn twice is a mistake of the file (glTF 2.0, 5.26.1), and readers differ on it. */
+static bool check_root(const struct walk *walk, size_t root, struct aob_error *error)
+{
+    if (walk->parent[root] != aob_gltf_none)
+        return aob_fail(error, "%s: node %zu is in its scene's list and below node %zu: the file is damaged",
+                        walk->gltf->file->path, root, walk->parent[root]);
+    return !walk->seen[root] ||
+           aob_fail(error, "%s: node %zu is twice in its scene's list: the file is damaged",
+                    walk->gltf->file->path, root);
 }
 
 static bool choose_nodes(struct walk *walk, struct aob_gltf_nodes *nodes, struct aob_error *error)
@@ -156,7 +161,7 @@ static bool choose_nodes(struct walk *walk, struct aob_gltf_nodes *nodes, struct
     const json_t *element = aob_gltf_element(gltf, "scenes", scene, error);
     const json_t *roots = json_object_get(element, "nodes");
     for (size_t k = 0; k < json_array_size(roots); k++) {
-        if (!read_index(gltf, roots, k, &root, error))
+        if (!read_index(gltf, roots, k, &root, error) || !check_root(walk, root, error))
             return false;
         add_root(walk, nodes, root);
     }

@@ -11,8 +11,8 @@ struct aob_gltf_nodes {
 };
 
 /* Reads all nodes, and which belong to the scene: the one that the document names, else its first; without scenes all
- * do. KHR_node_visibility hides a node with all below it. False after a line if nodes form a loop or one has two
- * parents. aob_gltf_nodes_finish frees after either. */
+ * do. KHR_node_visibility hides a node with all below it. False after a line if nodes form a loop, or one has two
+ * parents or is twice in the scene. aob_gltf_nodes_finish frees after either. */
 bool aob_gltf_nodes_init(struct aob_gltf_nodes *nodes, struct aob_gltf *gltf, struct aob_error *error);
 void aob_gltf_nodes_finish(struct aob_gltf_nodes *nodes);
 

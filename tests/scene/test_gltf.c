@@ -382,6 +382,11 @@ static void broken_documents_are_refused(void **state)
         document_refuse(&d, &error);
         assert_contains(error.text, cases[i].why);
     }
+    struct document twice = {0};
+    document_put_box(&twice);
+    aob_text_add(&twice.rest, "'scenes': [{'nodes': [0, 0]}], 'nodes': [{'mesh': 0}], " MESH);
+    document_refuse(&twice, &error);
+    assert_contains(error.text, "node 0 is twice");
     refuse_text("gltf", "{\"asset\": {\"version\": \"3.0\"}}", &error);
     assert_contains(error.text, "3.0");
     refuse_text("glb", "glTF", &error);
@@ -426,39 +431,18 @@ static void buffers_are_found(void **state)
     }
 }
 
-static void add_u32(struct aob_text *text, size_t value)
-{
-    uint32_t number = (uint32_t)value;
-    aob_text_add_bytes(text, (const char *)&number, 4);
-}
-
-static void make_binary(struct aob_text *glb)
-{
-    struct document d = {0};
-    document_put_box(&d);
-    add_scene(&d, "", BOX, "");
-    char *json = document_json(&d, "");
-    size_t padded = (strlen(json) + 3) / 4 * 4;
-    aob_text_add(glb, "glTF");
-    add_u32(glb, 2);
-    add_u32(glb, 12 + 8 + padded + 8 + d.bytes.size);
-    add_u32(glb, padded);
-    aob_text_add(glb, "JSON%s%.*s", json, (int)(padded - strlen(json)), "   ");
-    add_u32(glb, d.bytes.size);
-    aob_text_add_bytes(glb, "BIN", 4);
-    aob_text_add_bytes(glb, d.bytes.data, d.bytes.size);
-    free(json);
-    document_finish(&d);
-}
-
 static void binary_files_are_read(void **state)
 {
     (void)state;
+    struct document d = {0};
     struct aob_text glb = {0};
     struct paths paths;
     struct aob_mesh mesh;
     struct aob_error error;
-    make_binary(&glb);
+    document_put_box(&d);
+    add_scene(&d, "", BOX, "");
+    document_binary(&d, &glb);
+    document_finish(&d);
     make_paths(&paths, "glb");
     assert_true(aob_file_write(paths.source, glb.data, glb.size, NULL));
     assert_int_equal(load(paths.source, paths.flat), LOADED);
