@@ -135,6 +135,10 @@ static bool fill_instances(const struct import *import, const struct aob_affine 
         take(&attributes[0], i, none, 3, move);
         take(&attributes[1], i, still, 4, turn);
         take(&attributes[2], i, same, 3, scale);
+        if (!aob_gltf_is_turn(turn))
+            return aob_fail(error,
+                            "%s: the rotation of instance %zu is no unit quaternion: the file is damaged",
+                            import->gltf.file->path, i);
         struct aob_affine own = aob_gltf_trs(move, turn, scale);
         places->map[i] = aob_affine_multiply(node, &own);
     }

@@ -264,6 +264,7 @@ static void skins_are_applied(void **state)
 {
     static const char joints[] = "{'translation': [0, 8, 0]}, {'rotation': [0, 0, 1, 0]}";
     static const char still[] = "{'translation': [0, 8, 0]}, {}";
+    static const char turned[] = "{'translation': [0, 8, 0], 'rotation': [0, 0, 1, 0]}, {}";
     static const char mirror[] = "{'translation': [0, 8, 0], 'scale': [-1, 1, 1]}, {}";
     static const float first[2] = {1, 0}, second[2] = {0, 1}, both[2] = {0.5f, 0.5f}, twice[2] = {2, 2},
                        none[2] = {0, 0};
@@ -278,7 +279,8 @@ static void skins_are_applied(void **state)
                  {both, "", still, {0, 5, 0}, {1, 7, 3}, 6},
                  {twice, "", still, {0, 5, 0}, {1, 7, 3}, 6},
                  {none, "", joints, {0, 10, 0}, {1, 12, 3}, 6},
-                 {first, "", mirror, {-1, 10, 0}, {0, 12, 3}, 6}};
+                 {first, "", mirror, {-1, 10, 0}, {0, 12, 3}, 6},
+                 {first, "", turned, {-1, 18, 0}, {0, 20, 3}, 6}};
     (void)state;
     for (size_t i = 0; i < AOB_COUNT(cases); i++) {
         struct aob_mesh mesh;
@@ -371,6 +373,7 @@ static void broken_documents_are_refused(void **state)
         {"", BOX ", 'mode': 9", "", "mode 9"},
         {", 'children': [0]", BOX, "", "below itself"},
         {", 'skin': 3", BOX, "", "3 of its 0 skins"},
+        {", 'rotation': [0.6, 0, 1, 0.8]", BOX, "", "no unit quaternion"},
         {"", BOX ", 'material': 2", "", "2 of its 0 materials"},
     };
     struct aob_error error;
