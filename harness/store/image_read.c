@@ -44,6 +44,23 @@ static bool read_storage(struct aob_image_reader *r)
            aob_fail(r->error, "%s: refused: deep images are not supported: flatten it first", r->path);
 }
 
+/* OpenEXRCore 3.1 has no decoder of DWAA and DWAB. That of B44 and B44A writes beyond its buffer, and mixes up channels
+ * that are not half, so no such file may reach it. */
+static bool judge_compression(struct aob_image_reader *r)
+{
+    static const char *const unread[] = {[EXR_COMPRESSION_B44] = "B44",
+                                         [EXR_COMPRESSION_B44A] = "B44A",
+                                         [EXR_COMPRESSION_DWAA] = "DWAA",
+                                         [EXR_COMPRESSION_DWAB] = "DWAB"};
+    exr_compression_t compression;
+    if (!aob_image_reader_check(r, exr_get_compression(r->file, r->part, &compression), "compression"))
+        return false;
+    const char *name = (size_t)compression < AOB_COUNT(unread) ? unread[compression] : "unknown";
+    return !name ||
+           aob_fail(r->error, "%s: refused: its compression (%s) is not read: save it with ZIP, PIZ or none",
+                    r->path, name);
+}
+
 static bool add_channels(struct aob_image_reader *r)
 {
     const exr_attr_chlist_t *list = NULL;
@@ -126,9 +143,13 @@ bool aob_image_reader_attributes(struct aob_image_reader *r)
     return true;
 }
 
-/* The chunk must lie within the image, whatever a damaged file says. */
+/* The chunk must lie within the image, whatever a damaged file says. Its bytes are never more than its pixels', because
+ * what does not shrink is stored as it is; the library takes a chunk without any for one without pixels. */
 static bool chunk_fits(const struct aob_image_reader *r, const exr_chunk_info_t *chunk, int x, int y)
 {
+    bool raw = chunk->compression == EXR_COMPRESSION_NONE;
+    if (chunk->packed_size < (raw ? chunk->unpacked_size : 1) || chunk->packed_size > chunk->unpacked_size)
+        return false;
     return chunk->width >= 1 && chunk->height >= 1 && x >= 0 && y >= 0 &&
            (int64_t)x + chunk->width <= r->image->width && (int64_t)y + chunk->height <= r->image->height;
 }
@@ -170,7 +191,7 @@ static void convert_whole_numbers(struct aob_image_reader *r, const exr_chunk_in
 static bool read_chunk(struct aob_image_reader *r, const exr_chunk_info_t *chunk, int x, int y)
 {
     if (!chunk_fits(r, chunk, x, y))
-        return aob_fail(r->error, "%s: damaged: a block lies outside of the image", r->path);
+        return aob_fail(r->error, "%s: damaged: a block has another size than its pixels", r->path);
     exr_result_t rc = r->decoding ? exr_decoding_update(r->file, r->part, chunk, &r->pipeline)
                                   : exr_decoding_initialize(r->file, r->part, chunk, &r->pipeline);
     if (rc == EXR_ERR_SUCCESS) {
@@ -231,6 +252,8 @@ bool aob_image_reader_open(struct aob_image_reader *r)
 {
     exr_context_initializer_t init = EXR_DEFAULT_CONTEXT_INITIALIZER;
     init.error_handler_fn = ignore_message;
+    /* Otherwise the library steps over what it cannot read in a header, and assumes the rest: a window, a compression. */
+    init.flags = EXR_CONTEXT_FLAG_STRICT_HEADER;
     exr_result_t rc = exr_start_read(&r->file, r->path, &init);
     return rc == EXR_ERR_SUCCESS ||
            aob_fail(r->error, "%s: cannot read the image: %s", r->path, exr_get_default_error_message(rc));
@@ -239,8 +262,8 @@ bool aob_image_reader_open(struct aob_image_reader *r)
 /* The wanted channels of one part, and its attributes. */
 bool aob_image_reader_part(struct aob_image_reader *r)
 {
-    bool ok = read_window(r) && read_storage(r) && add_channels(r) && aob_image_reader_attributes(r) &&
-              read_pixels(r);
+    bool ok = read_window(r) && read_storage(r) && judge_compression(r) && add_channels(r) &&
+              aob_image_reader_attributes(r) && read_pixels(r);
     if (r->decoding)
         exr_decoding_destroy(r->file, &r->pipeline);
     free(r->planes);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
+#include "base/machine.h"
 #include "base/memory.h"
 #include "gbuffer/gbuffer.h"
 #include "reference/bound.h"
@@ -37,6 +38,46 @@ struct scene {
     struct aob_hits hits;
 };
 
+/* At least: 72 bytes a pixel were measured for the hits and their file, and the terms of one trace are held together. What a
+ * screen-space bound takes depends on what the view shows (reference/bound.h). */
+static double bytes_of(const struct aob_view_job *job)
+{
+    const struct aob_job_view *view = &job->view;
+    double pixels = (double)view->width * view->height, bytes = 0;
+    for (size_t i = 0; i < job->term_count; i++)
+        if (!job->terms[i].term.bound)
+            bytes += job->terms[i].term.bent ? 20 * pixels : 8 * pixels;
+    return bytes + 72.0 * (view->width + 2 * view->guard) * (view->height + 2 * view->guard);
+}
+
+static bool judge_memory(const struct aob_view_job *job, struct aob_error *error)
+{
+    const struct aob_job_view *view = &job->view;
+    double bytes = bytes_of(job), memory = (double)aob_machine_memory();
+    return bytes <= memory ||
+           aob_fail(
+               error,
+               "a view of %dx%d pixels with a guard band of %d and %zu visibilities needs %.3g GB of memory, "
+               "and it may take %.3g GB: lower the resolution or the guard band, or give fewer targets",
+               view->width, view->height, view->guard, job->term_count, bytes * 1e-9, memory * 1e-9);
+}
+
+/* Nothing could be compared: every figure of the view would be the mean of no pixel. The guard band does not count. */
+static bool judge_hits(const struct scene *scene, struct aob_error *error)
+{
+    const struct aob_job_view *view = &scene->job->view;
+    const struct aob_camera *camera = &view->camera;
+    for (int y = view->guard; y < view->guard + view->height; y++)
+        for (int x = view->guard; x < view->guard + view->width; x++)
+            if (scene->hits.primitive[(size_t)y * (size_t)scene->hits.width + (size_t)x] != AOB_NO_PRIMITIVE)
+                return true;
+    return aob_fail(error,
+                    "no pixel of the view shows a surface: move or turn the camera (eye %g,%g,%g, target "
+                    "%g,%g,%g)",
+                    camera->eye.x, camera->eye.y, camera->eye.z, camera->target.x, camera->target.y,
+                    camera->target.z);
+}
+
 static bool cast_view(struct scene *scene, struct aob_error *error)
 {
     const struct aob_job_view *view = &scene->job->view;
@@ -46,6 +87,8 @@ static bool cast_view(struct scene *scene, struct aob_error *error)
     if (!scene->tracer)
         return false;
     aob_tracer_cast(scene->tracer, &view->camera, &scene->projection, &scene->hits);
+    if (!judge_hits(scene, error))
+        return false;
     return aob_file_exists(view->gbuffer) ||
            aob_gbuffer_store(&scene->hits, &scene->mesh, view->gbuffer, error);
 }
@@ -99,7 +142,8 @@ static enum aob_bound_kind kind_of(double thickness)
 static bool trace_bound(const struct scene *scene, double thickness, const struct aob_visibility_desc *desc,
                         struct aob_visibility *result, struct aob_error *error)
 {
-    struct aob_bound_desc kind = {.kind = kind_of(thickness), .thickness = thickness};
+    struct aob_bound_desc kind = {
+        .kind = kind_of(thickness), .thickness = thickness, .memory = aob_machine_memory()};
     struct aob_bound *bound =
         aob_bound_create(&scene->job->view.camera, &scene->projection, &scene->hits, &kind, error);
     bool ok = bound && aob_bound_visibility(bound, desc, result, error);
@@ -157,7 +201,8 @@ static bool view(struct aob_worker *worker, struct aob_error *error)
     struct scene scene = {.job = &job,
                           .projection = aob_camera_projection(&job.view.camera, job.view.width,
                                                               job.view.height, job.view.guard)};
-    bool ok = job.view.captured ? load_view(&scene, error) : cast_view(&scene, error);
+    bool ok = judge_memory(&job, error) &&
+              (job.view.captured ? load_view(&scene, error) : cast_view(&scene, error));
     for (size_t i = 0; ok && i < job.term_count; i++)
         if (!aob_file_exists(job.terms[i].out))
             ok = trace_with(&scene, &job.terms[i].term, error);

@@ -1,12 +1,18 @@
 /* What becomes of damaged files: lines ROW VALUE UNIT for ./dev bench. `bench_damaged FILES` damages as many of each kind.
  * A crash of the harness would end this program. */
-#include "damaged.h"
+#include "gbuffer/damaged_captures.h"
 #include "scene/damaged_mesh.h"
+
+static void captures(int files, struct damaged_counts *counts)
+{
+    int kinds = (int)AOB_COUNT(damaged_kinds);
+    damaged_captures((files + kinds - 1) / kinds, 99, counts);
+}
 
 static const struct kind {
     const char *name;
     void (*run)(int files, struct damaged_counts *counts);
-} kinds[] = {{"meshes", damaged_meshes}};
+} kinds[] = {{"meshes", damaged_meshes}, {"captures", captures}};
 
 static void print(const char *kind, const char *what, int files)
 {
