@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, papers, demo, mutants, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, damaged, papers, demo, mutants, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -31,6 +31,16 @@ if wanted reference; then
       *) row "$name" "$value" "$unit" ;;
     esac
   done < <(build/release/bench/bench_tracer)
+fi
+
+if wanted damaged; then
+  while read -r name value unit; do
+    case $name in
+      *_files) row "damaged: $name" "$value" "$unit" ">=" 5000 ;;
+      *_faults) row "damaged: $name" "$value" "$unit" "<=" 0 ;;
+      *) row "damaged: $name" "$value" "$unit" ;;
+    esac
+  done < <(AOBUDGET_BUILD=$PWD/build/release build/release/bench/bench_damaged 5000)
 fi
 
 if wanted fetch; then

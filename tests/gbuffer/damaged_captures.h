@@ -80,7 +80,7 @@ static inline json_t *damaged_job(const struct damaged *d)
     return aob_capture_job_to_json(&(struct aob_capture_job){.file = d->file, .out = d->out, .fov_deg = 50});
 }
 
-static inline void damaged_compare(const struct damaged *d)
+static inline const char *damaged_compare(const struct damaged *d)
 {
     struct damaged_totals *totals = &damaged_totals;
     bool both = exr_compare_second(totals->second, d->file);
@@ -91,9 +91,8 @@ static inline void damaged_compare(const struct damaged *d)
     totals->other += answer == EXR_COMPARE_OTHER;
     totals->crashes += answer < 0;
     if (answer == EXR_COMPARE_OTHER)
-        printf("%s: other pixels than %s\n", d->what, both ? "the second reader's" : "before the damage");
-    if (answer < 0)
-        printf("%s: the reader crashed\n", d->what);
+        return both ? "other pixels than the second reader's" : "other pixels than before the damage";
+    return answer < 0 ? "the reader crashed" : both ? "" : NULL;
 }
 
 static inline void damaged_write_parts(const char *file, const struct damaged_kind *kind, const float *planes)
@@ -134,8 +133,8 @@ static inline void damaged_write(const char *file, const struct damaged_kind *ki
         assert_true(exr_second_write(file, &desc));
 }
 
-/* `variants` of each kind; the totals are in damaged_totals. */
-static inline void damaged_captures(int variants, uint32_t seed)
+/* `variants` of each kind; adds up what became of them, and what readers say is in damaged_totals. */
+static inline void damaged_captures(int variants, uint32_t seed, struct damaged_counts *counts)
 {
     char file[64], out[64];
     float *planes = AOB_NEW_ARRAY(float, 4 * DAMAGED_COUNT);
@@ -152,17 +151,17 @@ static inline void damaged_captures(int variants, uint32_t seed)
         char *bytes = aob_file_read(file, 1 << 24, &size, NULL);
         assert_non_null(bytes);
         assert_true(exr_compare_second(damaged_totals.whole, file));
-        damaged_check(&(struct damaged){.what = damaged_kinds[k].name,
-                                        .file = file,
-                                        .out = out,
-                                        .job = damaged_job,
-                                        .answer = "width",
-                                        .timeout_s = 30,
-                                        .memory_limit = (size_t)4 << 30,
-                                        .damage = damaged_variant,
-                                        .variants = variants,
-                                        .loaded = damaged_compare},
-                      bytes, size);
+        damaged_run(&(struct damaged){.what = damaged_kinds[k].name,
+                                      .file = file,
+                                      .out = out,
+                                      .job = damaged_job,
+                                      .answer = "width",
+                                      .timeout_s = 30,
+                                      .memory_limit = (size_t)4 << 30,
+                                      .damage = damaged_variant,
+                                      .variants = variants,
+                                      .judge = damaged_compare},
+                    bytes, size, counts);
         damaged_totals.files += (size_t)variants;
         free(bytes);
     }

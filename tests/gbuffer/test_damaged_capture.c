@@ -4,7 +4,10 @@
 static void test_damaged_captures(void **state)
 {
     (void)state;
-    damaged_captures(36, 1);
+    struct damaged_counts counts = {0};
+    damaged_captures(36, 1, &counts);
+    damaged_print("captures", &counts);
+    assert_int_equal(counts.faults, 0);
     printf("%zu files, %zu load: %zu alike for both readers, %zu as before the damage\n",
            damaged_totals.files, damaged_totals.loaded, damaged_totals.alike, damaged_totals.mended);
     assert_int_equal(damaged_totals.other, 0);
