@@ -120,6 +120,13 @@ static void kills_at_the_time_limit(void **state)
     aob_text_finish(&lines.text);
 }
 
+/* It would end by itself before 20 limits have gone by. */
+static void kills_a_child_that_sleeps(void **state)
+{
+    (void)state;
+    assert_true(run_shell("exec sleep 15", (struct aob_child_desc){.timeout_s = 1}, NULL).timed_out);
+}
+
 static void kills_a_child_that_closed_its_outputs(void **state)
 {
     (void)state;
@@ -127,7 +134,8 @@ static void kills_a_child_that_closed_its_outputs(void **state)
     assert_true(run_shell("exec >&- 2>&-; sleep 100", desc, NULL).timed_out);
 }
 
-/* The time limit is there for the test's sake; none of these gets near it. */
+/* The time limit is there for the test's sake; none of these gets near it. base/limits holds what this process
+ * takes meanwhile. */
 static void stops_a_child_that_writes_too_much(void **state)
 {
     (void)state;
@@ -140,7 +148,7 @@ static void stops_a_child_that_writes_too_much(void **state)
         {"exec yes >&2", "more than 64 MiB on standard error"},
     };
     for (size_t i = 0; i < AOB_COUNT(rows); i++) {
-        struct aob_child_desc desc = {.timeout_s = 600};
+        struct aob_child_desc desc = {.timeout_s = 60};
         struct aob_child_result result = run_shell(rows[i].script, desc, NULL);
         assert_string_equal(result.excess, rows[i].excess);
         assert_false(result.timed_out);
@@ -150,7 +158,7 @@ static void stops_a_child_that_writes_too_much(void **state)
         assert_string_equal(text, wanted);
     }
     struct aob_child_result result =
-        run_shell("exec yes", (struct aob_child_desc){.timeout_s = 600, .output_limit = 4 << 20}, NULL);
+        run_shell("exec yes", (struct aob_child_desc){.timeout_s = 60, .output_limit = 4 << 20}, NULL);
     assert_string_equal(result.excess, "more than 4 MiB on standard output");
 }
 
@@ -303,6 +311,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(empty_input_ends_at_once),
         cmocka_unit_test(sets_environment),
         cmocka_unit_test(kills_at_the_time_limit),
+        cmocka_unit_test(kills_a_child_that_sleeps),
         cmocka_unit_test(kills_a_child_that_closed_its_outputs),
         cmocka_unit_test(stops_a_child_that_writes_too_much),
         cmocka_unit_test(does_not_count_the_load_of_the_machine),

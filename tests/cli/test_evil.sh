@@ -32,7 +32,7 @@ named evil_constant invalid 'draws nothing: 0.69970'
 named evil_nan invalid 'must be finite'
 named evil_shader failed 'syntax error|unexpected'
 named evil_words failed 'error: caf\\\\xe9 \\\\u001b\[1m'
-named evil_flood failed 'wrote a line of more than 16 MiB on standard (error|output), and was stopped'
+named evil_flood failed 'wrote a line of more than 16 MiB on standard error, and was stopped'
 check "no process is left over" test -z "$(pgrep -f "^$program worker")"
 # What a module does to its process is done to its neighbours too: to all that share its worker, in this order.
 cat >shared.yaml <<EOF

@@ -151,7 +151,7 @@ static void test_a_file_that_is_taken_away_is_noticed(void **state)
     (void)state;
     char other[sizeof path + 8];
     snprintf(other, sizeof other, "%s.other", path);
-    for (int how = 0; how < 5; how++) {
+    for (int how = 0; how < 6; how++) {
         struct aob_journal journal;
         struct aob_error error = {{0}};
         unlink(path);
@@ -159,8 +159,8 @@ static void test_a_file_that_is_taken_away_is_noticed(void **state)
         append(&journal, "a", 1);
         append(&journal, "b", 1);
         assert_true(aob_journal_check(&journal, &error));
-        static const char *const told[] = {"deleted or replaced", "moved", "deleted or replaced",
-                                           "cut it from", "cut it from"};
+        static const char *const told[] = {"deleted or replaced", "moved",       "deleted or replaced",
+                                           "cut it from",         "cut it from", "moved"};
         if (how == 0)
             unlink(path);
         if (how == 1)
@@ -169,7 +169,11 @@ static void test_a_file_that_is_taken_away_is_noticed(void **state)
             assert_true(aob_file_copy(path, other, NULL));
             rename(other, path);
         }
-        if (how >= 3)
+        if (how == 5) { /* another one in its place, and longer */
+            rename(path, other);
+            assert_true(aob_file_write(path, other, sizeof other, NULL));
+        }
+        if (how == 3 || how == 4)
             assert_int_equal(truncate(path, how == 3 ? 0 : 21), 0);
         json_t *record = json_pack("{s:s}", "key", "c");
         assert_false(aob_journal_check(&journal, &error));
