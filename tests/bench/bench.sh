@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, papers, demo, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, damaged, cases, linear, divided, split, volumes, papers, demo, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -49,6 +49,15 @@ EOF
   row "fetch: sampled gtao 3x6 720p / fixed pass" "$(cost sampled)" ratio
   row "fetch: storage gtao 3x6 720p / fixed pass" "$(cost storage)" ratio
   row "fetch: sampled / storage ($rounds rounds)" "$(awk -v a="$(cost sampled)" -v b="$(cost storage)" 'BEGIN { printf "%.3f", a / b }')" ratio ">=" 1.3
+fi
+
+if wanted damaged; then
+  while read -r name value unit; do
+    case $name in
+      damaged_captures_other | damaged_captures_crashes) row "$name" "$value" "$unit" "<=" 0 ;;
+      *) row "$name" "$value" "$unit" ;;
+    esac
+  done < <(AOBUDGET_BUILD=build/release build/release/bench/bench_damaged_capture 2>&1 >/dev/null | grep '^damaged_captures')
 fi
 
 source tests/bench/cases.sh
