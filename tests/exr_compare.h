@@ -35,7 +35,7 @@ static inline int exr_compare_apart(int (*read)(struct exr_second_image *image, 
     pid_t child = fork();
     assert_true(child >= 0);
     if (!child) {
-        alarm(30);
+        alarm(120);
         _exit(FIRST + read(image, path));
     }
     assert_int_equal(waitpid(child, &status, 0), child);

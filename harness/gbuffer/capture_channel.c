@@ -207,16 +207,16 @@ static bool has_layer(const struct candidates *list, const char *layer)
 }
 
 /* The best by rank, of several the first whose layer is among `near`. A depth may be stored as a colour (R, G, B), whose
- * other channels are no other depths: those with the stem of `not` are left out (NULL: none are). */
+ * other channels are no other depths: those with the stem of `except` are left out (NULL: none are). */
 static const struct candidate *choose_depth(const struct candidates *depths, const struct candidates *near,
-                                            const char *const *names, const char * not )
+                                            const char *const *names, const char *except)
 {
     const struct candidate *best = NULL;
     for (size_t i = 0; i < depths->count; i++) {
         const struct candidate *c = &depths->all[i];
         size_t stem = stem_of(names[c->at]);
-        if (not &&(strcmp(names[c->at], not ) == 0 ||
-                   (stem && stem_of(not ) == stem && strncmp(names[c->at], not, stem) == 0)))
+        if (except && (strcmp(names[c->at], except) == 0 ||
+                       (stem && stem_of(except) == stem && strncmp(names[c->at], except, stem) == 0)))
             continue;
         bool nearer =
             best && c->rank == best->rank && has_layer(near, c->layer) && !has_layer(near, best->layer);
@@ -226,15 +226,15 @@ static const struct candidate *choose_depth(const struct candidates *depths, con
     return best;
 }
 
-/* Of the layer, where there is one, the best by rank; `not` is left out (NULL: none is). */
+/* Of the layer, where there is one, the best by rank; `except` is left out (NULL: none is). */
 static const struct candidate *choose_normal(const struct candidates *normals, const char *layer,
-                                             const struct candidate * not )
+                                             const struct candidate *except)
 {
     const struct candidate *best = NULL;
     for (size_t i = 0; i < normals->count; i++) {
         const struct candidate *c = &normals->all[i];
         bool same = strcmp(c->layer, layer) == 0, best_same = best && strcmp(best->layer, layer) == 0;
-        if (c != not &&(!best || same > best_same || (same == best_same && c->rank < best->rank)))
+        if (c != except && (!best || same > best_same || (same == best_same && c->rank < best->rank)))
             best = c;
     }
     return best;

@@ -14,6 +14,13 @@ check "compared with the screen-space bound" grep -q '"reference": "screen"' one
 check "by the default of rays" grep -q '"spp": 256' one.json
 check "by flags" "${capture[@]}" --depth distance --far 50 --normals world --handed left --up 0,1,1 --eye 0,1,4 --target 0,1,0 --fov 40
 
+# What looks like no depth is doubted in one line, unless the convention is stated or the file is of this program.
+LC_ALL=C sed 's/aobudget\.fov_deg/aobudget.fov_dex/' F.exr >M.exr
+doubtful=("$program" shot --technique none --backend null --reference-spp 2 --scene capture:M.exr --fov 50 --normals derived)
+expect 0 "M.exr: every depth lies within 0..1 (" "${doubtful[@]}" --depth-channel reference.AO
+check "no word if it is stated" bash -c '"$@" 2>err && ! test -s err' - "${doubtful[@]}" --depth-channel reference.AO --depth planar
+check "nor of a depth" bash -c '"$@" 2>err && ! test -s err' - "${doubtful[@]}"
+
 expect 2 "nowhere.exr: cannot open" "$program" shot --technique none --backend null --scene capture:nowhere.exr
 echo rubbish >rubbish.exr
 expect 2 "rubbish.exr: cannot read the image" "$program" shot --technique none --backend null --scene capture:rubbish.exr

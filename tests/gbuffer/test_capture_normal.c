@@ -141,6 +141,28 @@ static void test_coarse_depth(void **state)
     free(planes);
 }
 
+/* Without normals in the file, both sides of a crease and of a step have those of their own planes, to the pixel. */
+static void test_crease(void **state)
+{
+    enum { W = 64, H = 48, COUNT = W * H };
+    (void)state;
+    double s = 2 * tan(FLOOR_FOV * M_PI / 360) / H;
+    float *planes = AOB_NEW_ARRAY(float, 4 * COUNT);
+    for (int i = 0; i < COUNT; i++) {
+        double up = -(i / W + 0.5 - H / 2.0) * s, floor = up < 0 ? 0.5 / -up : INFINITY;
+        planes[i] = (float)fmin(floor, i % W < 30 ? 3 : 4);
+    }
+    struct aob_capture capture = capture_of_planes(planes, W, H, EXR_PIXEL_FLOAT);
+    for (int i = 0; i < COUNT; i++) {
+        bool wall = planes[i] >= (i % W < 30 ? 3 : 4);
+        struct aob_vec3 n = wall ? aob_vec(0, 0, 1) : aob_vec(0, 1, 0);
+        assert_near(aob_vec_length(aob_vec_sub(vector(capture.hits.normal[i]), n)), 0, 1e-4);
+    }
+    assert_int_equal(capture.derived, COUNT);
+    aob_capture_finish(&capture);
+    free(planes);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -148,6 +170,7 @@ int main(void)
         cmocka_unit_test(test_truth_of_an_open_floor),
         cmocka_unit_test(test_turned_round),
         cmocka_unit_test(test_coarse_depth),
+        cmocka_unit_test(test_crease),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
