@@ -26,7 +26,7 @@ static size_t damage(char *bytes, size_t size, int variant)
 
 static json_t *job(const struct damaged *d)
 {
-    return aob_mesh_job_to_json(&(struct aob_mesh_job){d->file, d->out});
+    return aob_mesh_job_to_json(&(struct aob_mesh_job){.file = d->file, .out = d->out});
 }
 
 static void check_file(const char *bytes, size_t size, const char *ending)
