@@ -1,7 +1,9 @@
 /* The program: its commands and the jobs of its workers, each a row of an array. */
+#include <fcntl.h>
 #include <jansson.h>
 #include <signal.h>
 #include <string.h>
+#include <unistd.h>
 #include "base/output.h"
 #include "base/text.h"
 #include "command/command.h"
@@ -12,8 +14,9 @@ static const struct aob_command *const commands[] = {
     &aob_command_report, &aob_command_papers, &aob_command_doctor,     NULL,
 };
 static const struct aob_worker_job *const jobs[] = {
-    &aob_worker_describe, &aob_worker_probe, &aob_worker_layout, &aob_worker_mesh,
-    &aob_worker_capture,  &aob_worker_view,  &aob_worker_block,  NULL,
+    &aob_worker_describe, &aob_worker_probe,   &aob_worker_layout,
+    &aob_worker_mesh,     &aob_worker_capture, &aob_worker_check,
+    &aob_worker_view,     &aob_worker_block,   NULL,
 };
 
 static enum aob_exit write_text(struct aob_text *text, struct aob_error *error)
@@ -70,10 +73,24 @@ static enum aob_exit run(int argc, char **argv, struct aob_error *error)
     return AOB_EXIT_USAGE;
 }
 
+/* A file that is opened while one of the first three descriptors is closed takes its number, and gets what is meant for
+ * it. What is written to these fails, as it does where there is nothing. */
+static void hold_descriptors(void)
+{
+    int file;
+    do
+        file = open("/dev/null", O_RDONLY);
+    while (file >= 0 && file <= STDERR_FILENO);
+    if (file >= 0)
+        close(file);
+}
+
 int main(int argc, char **argv)
 {
     struct aob_error error = {{0}};
+    hold_descriptors();
     signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is an error with a line, as a full disk is */
     if (argc > 1 && strcmp(argv[1], "worker") == 0)
         return aob_worker_main(jobs);
     enum aob_exit code = run(argc, argv, &error);

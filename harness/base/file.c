@@ -37,6 +37,18 @@ char *aob_file_read(const char *path, size_t limit, size_t *size, struct aob_err
     return bytes;
 }
 
+/* A disk that fills up takes a part first, and says why it takes no more when it is asked again. */
+bool aob_file_send(int file, const void *bytes, size_t size)
+{
+    for (size_t sent = 0; sent < size;) {
+        ssize_t count = write(file, (const char *)bytes + sent, size - sent);
+        if (count < 0 && errno != EINTR)
+            return false;
+        sent += count > 0 ? (size_t)count : 0;
+    }
+    return true;
+}
+
 static bool is_special(const char *path)
 {
     struct stat info;
@@ -169,6 +181,14 @@ char *aob_path_beside(const char *file, const char *path)
     memcpy(joined, file, folder);
     strcpy(joined + folder, path);
     return joined;
+}
+
+char *aob_path_absolute(const char *path)
+{
+    char *folder = *path == '/' ? NULL : getcwd(NULL, 0);
+    char *absolute = folder ? aob_path_join(folder, path) : aob_strdup(path);
+    free(folder);
+    return absolute;
 }
 
 char *aob_path_program(void)

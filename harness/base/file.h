@@ -19,6 +19,9 @@ struct aob_piece { /* a stretch of bytes; borrowed */
 bool aob_file_write_pieces(const char *path, const struct aob_piece *pieces, size_t count,
                            struct aob_error *error); /* one after the other */
 
+/* Writes all of it to an open file, however many calls that takes. False with errno, of which nothing else tells. */
+bool aob_file_send(int file, const void *bytes, size_t size);
+
 /* Checks that `path` can be written, so that a long job fails at its start and not at its end. It leaves nothing
  * behind. */
 bool aob_file_check(const char *path, struct aob_error *error);
@@ -38,6 +41,10 @@ char *aob_path_join(const char *folder, const char *name);
 
 /* Returns the path that `path` means in a text of `file`: relative ones are seen from the file's folder; free() it. */
 char *aob_path_beside(const char *file, const char *path);
+
+/* Returns the path from the root, seen from the working folder; free() it. Nothing in it is resolved, so a text that names
+ * it holds `path` as well. */
+char *aob_path_absolute(const char *path);
 
 /* The folder of the running program, without a trailing slash; free() it. */
 char *aob_path_program_folder(void);

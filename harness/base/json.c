@@ -6,6 +6,7 @@
 #include "file.h"
 #include "memory.h"
 #include "output.h"
+#include "text.h"
 
 json_t *aob_json_number(double value)
 {
@@ -38,6 +39,23 @@ bool aob_json_to_vector(const json_t *array, double *values, size_t count)
             return false;
     }
     return json_array_size(array) == count;
+}
+
+json_t *aob_json_text(const char *text)
+{
+    struct aob_text shown = {0};
+    aob_text_add_shown(&shown, text, strlen(text), false);
+    json_t *value = json_stringn(shown.data ? shown.data : "", shown.size);
+    aob_text_finish(&shown);
+    return value;
+}
+
+json_t *aob_json_path(const char *path)
+{
+    char *absolute = path ? aob_path_absolute(path) : NULL;
+    json_t *value = absolute ? json_string(absolute) : json_null();
+    free(absolute);
+    return value ? value : json_string(path);
 }
 
 char *aob_json_line(const json_t *value, int digits)

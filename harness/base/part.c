@@ -78,15 +78,7 @@ bool aob_part_create(struct aob_part *part, const char *target, struct aob_error
 
 bool aob_part_write(struct aob_part *part, const void *bytes, size_t size, struct aob_error *error)
 {
-    const char *at = bytes;
-    while (size) {
-        ssize_t count = write(part->file, at, size);
-        if (count < 0 && errno != EINTR)
-            return fail(part, error);
-        at += count > 0 ? count : 0;
-        size -= count > 0 ? (size_t)count : 0;
-    }
-    return true;
+    return aob_file_send(part->file, bytes, size) || fail(part, error);
 }
 
 /* A new name is on disk when its folder is. Some file systems cannot say that of a folder, and one that may not be read

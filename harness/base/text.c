@@ -107,9 +107,18 @@ void aob_text_finish(struct aob_text *text)
 void aob_line_print_list(char *line, size_t size, const char *format, va_list args)
 {
     static const char mark[] = "...";
-    int wanted = vsnprintf(line, size, format, args);
-    if (wanted >= 0 && (size_t)wanted >= size && size >= sizeof mark)
-        memcpy(line + size - sizeof mark, mark, sizeof mark);
+    struct aob_text raw = {0}, shown = {0};
+    add_list(&raw, format, args);
+    aob_text_add_shown(&shown, raw.data, raw.size, false);
+    size_t kept = shown.size;
+    if (kept >= size && size >= sizeof mark) {
+        kept = size - sizeof mark;
+        while (kept && ((unsigned char)shown.data[kept] & 0xc0) == 0x80) /* within a character */
+            kept--;
+    }
+    snprintf(line, size, "%.*s%s", (int)kept, kept ? shown.data : "", kept < shown.size ? mark : "");
+    aob_text_finish(&raw);
+    aob_text_finish(&shown);
 }
 
 void aob_line_print(char *line, size_t size, const char *format, ...)

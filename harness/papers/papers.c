@@ -102,7 +102,7 @@ static bool measure(struct papers *papers, const struct aob_paper_row *row, stru
     char *folder = aob_path_join(papers->out, row->config), *journal = aob_path_join(folder, "journal.jsonl");
     struct aob_paper_run run = {.folder = folder};
     json_t *records =
-        run_config(papers, row->config, folder, error) ? aob_journal_read(journal, error) : NULL;
+        run_config(papers, row->config, folder, error) ? aob_journal_read(journal, NULL, error) : NULL;
     run.records = records;
     bool ok = records && row->measure(&run, result, error);
     for (size_t i = 0; i < row->count && ok; i++)

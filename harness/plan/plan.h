@@ -20,7 +20,8 @@ struct aob_plan_scene {                /* one view of one scene */
         view; /* "front", "camera", "camera-2", "capture" or "framed" (from the mesh's box, once it is loaded) */
     struct aob_camera camera; /* unset while framed */
     bool framed;
-    bool loaded; /* by this run: its warnings are printed, its framing is known */
+    bool loaded;  /* by this run: its warnings are printed, its framing is known */
+    bool checked; /* by this run: run/check.h */
     double metres_per_unit;
     char geometry[AOB_KEY_SIZE]; /* of the geometry's source, the same for every build of the program */
     char digest[AOB_KEY_SIZE];   /* of that and the version of what reads it */

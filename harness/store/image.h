@@ -39,12 +39,12 @@ bool aob_image_write(const struct aob_image *image, const char *path, struct aob
  * line, unseen. It refuses more than 2^28 pixels x channels. */
 bool aob_image_read(struct aob_image *image, const char *path, struct aob_error *error);
 
-/* Reads some channels of another program's file, scan lines or tiles (their first level), from any of its parts, as float
- * (half and uint are converted), and attributes of one or three numbers and strings. `choose` marks what it wants among all names,
- * or fails with a line. A name in a file with several parts is PART.CHANNEL, unless it begins with its part's name
- * already. The image is the display window of the first part, and NAN where a channel has no pixels; attributes are
- * the first part's. It refuses, with one line, deep and damaged files, more than 2^28 pixels x channels of the chosen
- * ones, pixels that are not square, and sizes beyond these. */
+/* Reads some channels of another program's file, scan lines or tiles (their first level), from any of its parts, as
+ * float (half and uint are converted), and attributes of one or three numbers and strings. `choose` marks what it wants
+ * among all names, or fails with a line. A name in a file with several parts is PART.CHANNEL, unless it begins with its
+ * part's name already. The image is the display window of the first part, and NAN where a channel has no pixels;
+ * attributes are the first part's. It refuses, with one line, deep and damaged files, the compressions B44, B44A, DWAA
+ * and DWAB, more than 2^28 pixels x channels of the chosen ones, pixels that are not square, and sizes beyond these. */
 enum { AOB_LAYERS_MAX_SIDE = 16384, AOB_LAYERS_MAX_PIXELS = 40000000 };
 typedef bool aob_image_choose(void *user, const char *const *names, size_t count, bool *wanted,
                               struct aob_error *error);
