@@ -19,6 +19,8 @@ struct damaged {
     size_t (*damage)(char *bytes, size_t size, int variant); /* gives how many bytes are left */
     int variants;
     bool may_crash; /* the reader may: its worker alone dies of it */
+    void (*loaded)(
+        const struct damaged *damaged); /* a damaged file that was loaded lies there; NULL: nobody asks */
 };
 
 struct damaged_answers {
@@ -64,7 +66,10 @@ static inline void damaged_check(const struct damaged *d, const char *bytes, siz
         memcpy(copy, bytes, size);
         size_t left = d->damage(copy, size, v);
         assert_true(aob_file_write(d->file, copy, left, NULL));
-        loaded += damaged_load(d, &dispatch);
+        bool ok = damaged_load(d, &dispatch);
+        loaded += ok;
+        if (ok && d->loaded)
+            d->loaded(d);
     }
     printf("%s: of %d damaged files %d load, %d are refused in one line\n", d->what, d->variants, loaded,
            d->variants - loaded);

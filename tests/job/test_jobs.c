@@ -127,6 +127,7 @@ static void a_block_job(void **state)
                                       .triangles = true,
                                       .error = true,
                                       .seconds = 0.75,
+                                      .narrow = 0.015,
                                       .targets = targets,
                                       .target_count = 2,
                                       .cases = cases,
@@ -142,6 +143,7 @@ static void a_block_job(void **state)
     assert_string_equal(job.backend, "gl-egl");
     assert_true(job.validate && !job.raster && job.triangles && !job.time && job.error);
     assert_true(job.seconds == 0.75);
+    assert_true(job.narrow == 0.015);
     assert_int_equal(job.target_count, 2);
     assert_true(job.targets[0].radius == 0.25 && !job.targets[0].uniform && job.targets[0].bent);
     assert_path(job.targets[0].truth, "t.exr");
