@@ -187,15 +187,18 @@ static void test_a_cleaner_between_the_file_and_its_lock(void **state)
 static void test_only_parts_are_cleaned(void **state)
 {
     (void)state;
-    static const char *const kept[] = {"a.part", ".aobudget-1.part", ".aobudget-00000000000000AB.part",
+    static const char *const kept[] = {"a.part",
+                                       ".aobudget-1.part",
+                                       ".aobudget-00000000000000AB.part",
                                        ".aobudget-0000000000000001.part~",
+                                       ".aobudgetX0000000000000001.part",
                                        "x.aobudget-0000000000000001.part"};
     for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
         assert_int_equal(close(open(path_of(kept[i]), O_CREAT | O_WRONLY, 0600)), 0);
     assert_int_equal(close(open(part_of(7), O_CREAT | O_WRONLY, 0600)), 0);
     assert_int_equal(mkdir(part_of(8), 0700), 0);
     aob_part_clean(folder);
-    assert_int_equal(count_files(), 6);
+    assert_int_equal(count_files(), 7);
     assert_false(aob_file_exists(part_of(7)));
     aob_part_clean("/nonexistent");
 }

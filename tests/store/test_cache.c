@@ -153,7 +153,7 @@ static void test_a_planted_fallback_is_refused(void **state)
     (void)state;
     char path[64];
     struct stat info;
-    uid_t user = geteuid() == 0 ? 54321 : geteuid();
+    uid_t user = geteuid() == 0 ? 100000 + (uid_t)getpid() : geteuid();
     snprintf(path, sizeof path, "/tmp/aobudget-%ld", (long)user);
     if (user == geteuid() && lstat(path, &info) == 0) /* this user's own, in use */
         return assert_int_equal(open_fallback(user), info.st_mode & 022 ? 2 : 0);
