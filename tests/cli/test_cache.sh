@@ -158,4 +158,12 @@ for i in 1 2 3 4 5 6; do
   check "nothing was discarded" test ! -s said
   check "all is there as it was" diff -r mesh.files cache
 done
+
+# A page draws no picture of an image that is damaged, and says why.
+sed 's/images: false/images: true/' moving.yaml >pictures.yaml
+check "a run with images" "$program" run pictures.yaml --out pictures --quiet
+image=$(jq -r .image pictures/journal.jsonl)
+truncate -s -1 "pictures/$image"
+"$program" report pictures --out page --quiet
+check "the page names it" grep -q "pictures/$image: it does not end with" page/index.html
 finish

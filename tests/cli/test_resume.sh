@@ -81,8 +81,6 @@ check "their cases are measured again" test "$(wc -l <kept/journal.jsonl)" -gt "
 good=$(jq -rs '.[1].image' kept/journal.jsonl)
 lines=$(wc -l <kept/journal.jsonl)
 printf '\377' | dd of="kept/$good" bs=1 seek=400 conv=notrunc status=none
-check "a page of it" "$program" report kept --out page --quiet
-check "says why there is no picture" grep -q "not drawn: kept/$good: it is damaged" page/index.html
 check "with an image damaged" "$program" run wish.yaml --out kept --quiet --filter slices=1
 check "its case is measured again" test "$(tail -n +$((lines + 1)) kept/journal.jsonl | jq -r .image)" = "$good"
 truth=$(jq -rs '.[5].error.truth' kept/journal.jsonl)
