@@ -81,7 +81,7 @@ static inline bool damaged_load(const struct damaged *d, const struct aob_dispat
     if (fault) {
         struct aob_text kept = {0};
         aob_text_add(&kept, "%s.fault-%d", d->file, counts->faults++);
-        aob_file_copy(d->file, kept.data, NULL);
+        rename(d->file, kept.data);
         printf("FAULT: %s: %s; the file is %s\n", fault, error.text, kept.data);
         aob_text_finish(&kept);
     }

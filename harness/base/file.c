@@ -1,5 +1,6 @@
 #include "file.h"
 #include "memory.h"
+#include "part.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -48,12 +49,6 @@ bool aob_file_send(int file, const void *bytes, size_t size)
     return true;
 }
 
-static bool write_and_sync(FILE *file, const void *bytes, size_t size)
-{
-    bool ok = fwrite(bytes, 1, size, file) == size && fflush(file) == 0 && fsync(fileno(file)) == 0;
-    return fclose(file) == 0 && ok;
-}
-
 static bool is_special(const char *path)
 {
     struct stat info;
@@ -78,29 +73,16 @@ char *aob_file_target(const char *path, struct aob_error *error)
     return NULL;
 }
 
-static bool write_into(const char *path, const void *bytes, size_t size, struct aob_error *error)
+static bool write_into(const char *path, const struct aob_piece *pieces, size_t count,
+                       struct aob_error *error)
 {
     FILE *file = fopen(path, "wb");
-    bool ok = file && fwrite(bytes, 1, size, file) == size;
+    bool ok = file != NULL;
+    for (size_t i = 0; i < count && ok; i++)
+        ok = fwrite(pieces[i].bytes, 1, pieces[i].size, file) == pieces[i].size;
     if (file)
         ok = fclose(file) == 0 && ok;
     return ok || aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
-}
-
-static char *part_of(const char *target)
-{
-    char *part = aob_alloc(strlen(target) + 32, 1);
-    sprintf(part, "%s.%ld.part", target, (long)getpid());
-    return part;
-}
-
-bool aob_file_copy(const char *from, const char *to, struct aob_error *error)
-{
-    size_t size;
-    char *bytes = aob_file_read(from, (size_t)1 << 40, &size, error);
-    bool ok = bytes && aob_file_write(to, bytes, size, error);
-    free(bytes);
-    return ok;
 }
 
 /* A pipe is not opened here, because its reader would see the end of its input. */
@@ -113,35 +95,41 @@ bool aob_file_check(const char *path, struct aob_error *error)
     char *target = aob_file_target(path, error);
     if (!target)
         return false;
-    char *part = part_of(target);
-    FILE *file = fopen(part, "wb");
-    if (file)
-        fclose(file);
-    else
-        aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
-    unlink(part);
-    free(part);
+    struct aob_part part;
+    bool ok = aob_part_create(&part, target, error);
+    if (ok)
+        aob_part_drop(&part);
     free(target);
-    return file != NULL;
+    return ok;
+}
+
+static bool replace(const char *target, const struct aob_piece *pieces, size_t count, struct aob_error *error)
+{
+    struct aob_part part;
+    if (!aob_part_create(&part, target, error))
+        return false;
+    for (size_t i = 0; i < count; i++)
+        if (!aob_part_write(&part, pieces[i].bytes, pieces[i].size, error)) {
+            aob_part_drop(&part);
+            return false;
+        }
+    return aob_part_keep(&part, error);
+}
+
+bool aob_file_write_pieces(const char *path, const struct aob_piece *pieces, size_t count,
+                           struct aob_error *error)
+{
+    if (is_special(path))
+        return write_into(path, pieces, count, error);
+    char *target = aob_file_target(path, error);
+    bool ok = target && replace(target, pieces, count, error);
+    free(target);
+    return ok;
 }
 
 bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob_error *error)
 {
-    if (is_special(path))
-        return write_into(path, bytes, size, error);
-    char *target = aob_file_target(path, error);
-    if (!target)
-        return false;
-    char *part = part_of(target);
-    FILE *file = fopen(part, "wb");
-    bool ok = file && write_and_sync(file, bytes, size) && rename(part, target) == 0;
-    if (!ok) {
-        aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
-        unlink(part);
-    }
-    free(part);
-    free(target);
-    return ok;
+    return aob_file_write_pieces(path, &(struct aob_piece){bytes, size}, 1, error);
 }
 
 bool aob_file_exists(const char *path)
@@ -218,18 +206,4 @@ char *aob_path_program_folder(void)
     if (slash)
         *slash = '\0';
     return path;
-}
-
-char *aob_path_cache_folder(void)
-{
-    const char *own = getenv("AOBUDGET_CACHE"), *xdg = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
-    if (own && *own)
-        return aob_strdup(own);
-    if (xdg && *xdg)
-        return aob_path_join(xdg, "aobudget");
-    if (home && *home)
-        return aob_path_join(home, ".cache/aobudget");
-    char path[64];
-    snprintf(path, sizeof path, "/tmp/aobudget-%ld", (long)getuid());
-    return aob_strdup(path);
 }

@@ -8,15 +8,19 @@
 /* Returns the file's bytes with a NUL behind them; free() them. A file of more than `limit` bytes is an error. */
 char *aob_file_read(const char *path, size_t limit, size_t *size, struct aob_error *error);
 
-/* Writes a file beside `path`, flushes it to disk and renames it, so a reader sees the old file or the new one. A
+/* Writes a file beside `path`, flushes it to disk and renames it (part.h), so a reader sees the old file or the new one. A
  * link stays a link. What is no regular file (a device, a pipe) is written into and not replaced. */
 bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob_error *error);
 
+struct aob_piece { /* a stretch of bytes; borrowed */
+    const void *bytes;
+    size_t size;
+};
+bool aob_file_write_pieces(const char *path, const struct aob_piece *pieces, size_t count,
+                           struct aob_error *error); /* one after the other */
+
 /* Writes all of it to an open file, however many calls that takes. False with errno, of which nothing else tells. */
 bool aob_file_send(int file, const void *bytes, size_t size);
-
-/* Copies the whole of one file into another, as aob_file_write writes it. */
-bool aob_file_copy(const char *from, const char *to, struct aob_error *error);
 
 /* Checks that `path` can be written, so that a long job fails at its start and not at its end. It leaves nothing
  * behind. */
@@ -47,8 +51,4 @@ char *aob_path_program_folder(void);
 
 /* The file of the running program; free() it. */
 char *aob_path_program(void);
-
-/* $AOBUDGET_CACHE, else $XDG_CACHE_HOME/aobudget, else $HOME/.cache/aobudget, else /tmp/aobudget-UID; free()
- * it. */
-char *aob_path_cache_folder(void);
 #endif

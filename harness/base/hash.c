@@ -22,6 +22,25 @@ void aob_hash_text(const char *text, char key[AOB_KEY_SIZE])
     aob_hash_bytes(text, strlen(text), key);
 }
 
+void aob_hash_begin(struct aob_hash *hash)
+{
+    hash->state = XXH3_createState();
+    XXH3_128bits_reset(hash->state);
+}
+
+void aob_hash_add(struct aob_hash *hash, const void *bytes, size_t size)
+{
+    if (size)
+        XXH3_128bits_update(hash->state, bytes, size);
+}
+
+void aob_hash_end(struct aob_hash *hash, char key[AOB_KEY_SIZE])
+{
+    write_key(XXH3_128bits_digest(hash->state), key);
+    XXH3_freeState(hash->state);
+    hash->state = NULL;
+}
+
 bool aob_hash_file(const char *path, char key[AOB_KEY_SIZE], struct aob_error *error)
 {
     struct stat info; /* before it is opened: a pipe would wait for its writer, a device would never end */
@@ -32,15 +51,14 @@ bool aob_hash_file(const char *path, char key[AOB_KEY_SIZE], struct aob_error *e
     FILE *file = fopen(path, "rb");
     if (!file)
         return aob_fail(error, "%s: cannot open: %s", path, strerror(errno));
-    XXH3_state_t *state = XXH3_createState();
-    XXH3_128bits_reset(state);
+    struct aob_hash hash;
+    aob_hash_begin(&hash);
     char block[65536];
     size_t got;
     while ((got = fread(block, 1, sizeof block, file)) > 0)
-        XXH3_128bits_update(state, block, got);
+        aob_hash_add(&hash, block, got);
     bool ok = !ferror(file);
     fclose(file);
-    write_key(XXH3_128bits_digest(state), key);
-    XXH3_freeState(state);
+    aob_hash_end(&hash, key);
     return ok || aob_fail(error, "%s: cannot read: is it a file?", path);
 }

@@ -12,4 +12,12 @@ void aob_hash_text(const char *text, char key[AOB_KEY_SIZE]);
 
 /* Hashes a file's bytes, which it reads as a stream. */
 bool aob_hash_file(const char *path, char key[AOB_KEY_SIZE], struct aob_error *error);
+
+/* The same in pieces. aob_hash_end gives the key and frees. */
+struct aob_hash {
+    void *state;
+};
+void aob_hash_begin(struct aob_hash *hash);
+void aob_hash_add(struct aob_hash *hash, const void *bytes, size_t size);
+void aob_hash_end(struct aob_hash *hash, char key[AOB_KEY_SIZE]);
 #endif

@@ -9,6 +9,7 @@
 #include "command.h"
 #include "gpu/gpu.h"
 #include "scene/scene.h"
+#include "store/cache.h"
 
 struct checkup {
     const struct aob_dispatch *dispatch;
@@ -65,15 +66,15 @@ static void check_program(struct checkup *checkup)
 {
     struct aob_error error = {{0}};
     char *folder = aob_path_program_folder(), *plot = aob_path_join(folder, "aobudget-plot");
-    char *cache = aob_path_cache_folder();
+    struct aob_cache cache = {0};
     find(checkup, "pictures", "aobudget-plot", aob_file_exists(plot), plot,
          "build the whole project: ./dev build");
-    bool ok = aob_folder_create(cache, &error);
-    find(checkup, "cache", "folder", ok, ok ? cache : error.text,
-         "set AOBUDGET_CACHE to a folder that can be written");
+    bool ok = aob_cache_open(&cache, &error);
+    find(checkup, "cache", "folder", ok, ok ? cache.folder : error.text,
+         "set AOBUDGET_CACHE to a folder of your own");
     free(plot);
     free(folder);
-    free(cache);
+    aob_cache_close(&cache);
 }
 
 static void print_findings(const struct checkup *checkup, struct aob_text *out)

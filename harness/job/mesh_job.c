@@ -4,13 +4,15 @@
 
 json_t *aob_mesh_job_to_json(const struct aob_mesh_job *job)
 {
-    return json_pack("{s:s, s:s, s:o}", "job", "mesh", "file", job->file, "out", aob_json_path(job->out));
+    return json_pack("{s:s, s:s, s:o, s:b}", "job", "mesh", "file", job->file, "out", aob_json_path(job->out),
+                     "cached", job->cached);
 }
 
 bool aob_mesh_job_from_json(const json_t *object, struct aob_mesh_job *job, struct aob_error *error)
 {
     *job = (struct aob_mesh_job){json_string_value(json_object_get(object, "file")),
-                                 json_string_value(json_object_get(object, "out"))};
+                                 json_string_value(json_object_get(object, "out")),
+                                 json_is_true(json_object_get(object, "cached"))};
     return (job->file && job->out) || aob_fail(error, "a mesh job needs file and out");
 }
 

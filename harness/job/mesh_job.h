@@ -8,6 +8,7 @@
 
 struct aob_mesh_job {
     const char *file, *out; /* the user's mesh; the flat one, in the cache */
+    bool cached;            /* the flat one is there to be used; else it is made */
 };
 json_t *aob_mesh_job_to_json(const struct aob_mesh_job *job);
 bool aob_mesh_job_from_json(const json_t *object, struct aob_mesh_job *job, struct aob_error *error);

@@ -32,9 +32,9 @@ bool aob_job_view_from_json(const json_t *job, struct aob_job_view *view, struct
     return aob_camera_from_json(json_object_get(job, "camera"), &view->camera, error);
 }
 
-json_t *aob_view_job_to_json(const struct aob_job_view *view, int spp, json_t *terms)
+json_t *aob_view_job_to_json(const struct aob_job_view *view, int spp, bool cast, json_t *terms)
 {
-    json_t *job = json_pack("{s:s, s:i, s:o}", "job", "view", "spp", spp, "terms", terms);
+    json_t *job = json_pack("{s:s, s:i, s:b, s:o}", "job", "view", "spp", spp, "cast", cast, "terms", terms);
     aob_job_view_to_json(view, job);
     return job;
 }
@@ -57,7 +57,8 @@ static bool read_terms(const json_t *array, struct aob_view_job *job, struct aob
 
 bool aob_view_job_from_json(const json_t *object, struct aob_view_job *job, struct aob_error *error)
 {
-    *job = (struct aob_view_job){.spp = (int)json_integer_value(json_object_get(object, "spp"))};
+    *job = (struct aob_view_job){.spp = (int)json_integer_value(json_object_get(object, "spp")),
+                                 .cast = json_is_true(json_object_get(object, "cast"))};
     if (aob_job_view_from_json(object, &job->view, error) &&
         read_terms(json_object_get(object, "terms"), job, error))
         return true;

@@ -27,11 +27,12 @@ struct aob_view_term {
 struct aob_view_job {
     struct aob_job_view view;
     int spp;                     /* rays a pixel; even */
+    bool cast;                   /* the G-buffer is to be made */
     struct aob_view_term *terms; /* term_count */
     size_t term_count;
 };
-/* `terms`: an array of terms, each with its file as the member "out"; the reference is taken. */
-json_t *aob_view_job_to_json(const struct aob_job_view *view, int spp, json_t *terms);
+/* `terms`: an array of terms, each with the file to write as the member "out"; the reference is taken. */
+json_t *aob_view_job_to_json(const struct aob_job_view *view, int spp, bool cast, json_t *terms);
 
 /* Allocates; aob_view_job_finish frees. */
 bool aob_view_job_from_json(const json_t *object, struct aob_view_job *job, struct aob_error *error);

@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/sealed.h"
 #include "gpu/gpu.h"
 #include "job/block_job.h"
 #include "measurement.h"
@@ -56,7 +57,9 @@ static void keep_truths(struct block *block)
     for (size_t t = 0; t < AOB_COUNT(block->truths) && block->truths[t]; t++) {
         struct aob_error error = {{0}};
         char *path = aob_path_join(block->m->folder, block->truths[t]);
-        if (!aob_file_exists(path) && !aob_file_copy(block->files->truth[t], path, &error))
+        enum aob_sealed state = aob_sealed_judge(path, &error);
+        bool lacks = state == AOB_SEALED_NONE || state == AOB_SEALED_WRONG;
+        if (state == AOB_SEALED_SHUT || (lacks && !aob_sealed_copy(block->files->truth[t], path, &error)))
             aob_warn("%s", error.text);
         free(path);
     }

@@ -1,10 +1,9 @@
 #include "captures.h"
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
 #include "gbuffer/capture.h"
 #include "job/capture_job.h"
+#include "store/cache.h"
 
 /* Everything that the G-buffer is made of. */
 static bool make_digest(struct aob_scene_choice *choice, struct aob_error *error)
@@ -23,16 +22,6 @@ static bool make_digest(struct aob_scene_choice *choice, struct aob_error *error
     aob_hash_text(text.data, choice->digest);
     aob_text_finish(&text);
     return true;
-}
-
-static char *make_path(const struct aob_scene_choice *choice, struct aob_error *error)
-{
-    char name[AOB_KEY_SIZE + 16], *folder = aob_path_cache_folder(), *path = NULL;
-    snprintf(name, sizeof name, "capture-%s.exr", choice->digest);
-    if (aob_folder_create(folder, error))
-        path = aob_path_join(folder, name);
-    free(folder);
-    return path;
 }
 
 static void take_answer(void *user, const json_t *object)
@@ -68,14 +57,12 @@ static json_t *make_job(const struct aob_scene_choice *choice)
 }
 
 /* A frame of 40 million pixels takes about 2.5 GB, and a damaged header may claim one. */
-static bool load(struct aob_scene_choice *choice, const struct aob_dispatch *dispatch,
-                 struct aob_error *error)
+static bool load(struct aob_scene_choice *choice, const struct aob_cache *cache,
+                 const struct aob_dispatch *dispatch, struct aob_error *error)
 {
     if (!make_digest(choice, error))
         return false;
-    choice->gbuffer = make_path(choice, error);
-    if (!choice->gbuffer)
-        return false;
+    choice->gbuffer = aob_cache_path(cache, "capture", choice->digest, ".exr");
     struct aob_job_desc desc = {.job = make_job(choice),
                                 .timeout_s = 60 + 2e-6 * (double)aob_file_size(choice->capture),
                                 .memory_limit = (size_t)4 << 30,
@@ -88,15 +75,24 @@ static bool load(struct aob_scene_choice *choice, const struct aob_dispatch *dis
                       : aob_fail_in(error, "%s: the reader of captures", choice->capture));
 }
 
+static bool load_in(struct aob_config *config, struct aob_scene_choice *choice,
+                    const struct aob_dispatch *dispatch, struct aob_error *error)
+{
+    struct aob_cache cache = {0};
+    if (!aob_cache_open(&cache, error))
+        return false;
+    bool ok = load(choice, &cache, dispatch, error);
+    aob_cache_close(&cache);
+    if (!ok && config->path)
+        aob_fail_in(error, "%s:%d:%d", config->path, choice->line, choice->column);
+    return ok;
+}
+
 bool aob_captures_load(struct aob_config *config, const struct aob_dispatch *dispatch,
                        struct aob_error *error)
 {
-    for (size_t i = 0; i < config->scene_count; i++) {
-        struct aob_scene_choice *choice = &config->scenes[i];
-        if (!choice->capture || load(choice, dispatch, error))
-            continue;
-        return config->path ? aob_fail_in(error, "%s:%d:%d", config->path, choice->line, choice->column)
-                            : false;
-    }
+    for (size_t i = 0; i < config->scene_count; i++)
+        if (config->scenes[i].capture && !load_in(config, &config->scenes[i], dispatch, error))
+            return false;
     return true;
 }

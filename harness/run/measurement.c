@@ -1,6 +1,5 @@
 #include "measurement.h"
 #include <stdlib.h>
-#include "base/file.h"
 #include "base/memory.h"
 
 /* Cases of one view and guard band together, else in the plan's order. */
@@ -36,13 +35,11 @@ static void sort_by_view(struct aob_measurement *m)
 bool aob_measurement_init(struct aob_measurement *m, const struct aob_dispatch *dispatch,
                           struct aob_plan *plan, struct aob_error *error)
 {
-    *m = (struct aob_measurement){
-        .dispatch = dispatch, .plan = plan, .cache = aob_path_cache_folder(), .failed_views = json_object()};
+    *m = (struct aob_measurement){.dispatch = dispatch, .plan = plan, .failed_views = json_object()};
     m->states = AOB_NEW_ARRAY(struct aob_state, plan->case_count);
     sort_by_view(m);
-    if (aob_folder_create(m->cache, error))
+    if (aob_cache_open(&m->cache, error))
         return true;
-    aob_fail_in(error, "cache (set AOBUDGET_CACHE to move it)");
     aob_measurement_finish(m);
     return false;
 }
@@ -55,6 +52,6 @@ void aob_measurement_finish(struct aob_measurement *m)
     free(m->by_view);
     free(m->place);
     json_decref(m->failed_views);
-    free(m->cache);
+    aob_cache_close(&m->cache);
     *m = (struct aob_measurement){0};
 }

@@ -7,6 +7,7 @@
 #include "dispatch.h"
 #include "plan/plan.h"
 #include "state.h"
+#include "store/cache.h"
 
 struct aob_shares { /* seconds of wall time */
     double reference, measured, warmup, images;
@@ -19,9 +20,9 @@ struct aob_measurement {
         by_view; /* the cases' indices, those of one view (scene, size, guard band) together, in the plan's order */
     size_t *place;        /* where a case stands in by_view */
     json_t *failed_views; /* what could not be cast or traced: its first place in by_view -> why */
-    char *cache;          /* folder */
-    const char *folder;   /* of the run: images go to its images/; NULL: none are kept */
-    const char *image;    /* in place of that: the file for the image of a plan's only case */
+    struct aob_cache cache;
+    const char *folder; /* of the run: images go to its images/; NULL: none are kept */
+    const char *image;  /* in place of that: the file for the image of a plan's only case */
     struct aob_shares shares;
     void (*on_work)(void *user, size_t index,
                     const char *work); /* "tracing", of the case's view; NULL: nobody asks */

@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "base/sealed.h"
 #include "info.h"
 #include "measurement.h"
 #include "progress.h"
@@ -79,15 +80,15 @@ static void count(struct run *run, const json_t *record)
         run->counts[i] += strcmp(status, status_names[i]) == 0;
 }
 
-/* Below the run's folder. */
+/* Below the run's folder: a file that is there and not known to be wrong. One that cannot be read may be good. */
 static bool has_file(const struct run *run, const json_t *name)
 {
     if (!json_is_string(name))
         return false;
     char *path = aob_path_join(run->folder.path, json_string_value(name));
-    bool exists = aob_file_exists(path);
+    enum aob_sealed state = aob_sealed_judge(path, NULL);
     free(path);
-    return exists;
+    return state == AOB_SEALED_GOOD || state == AOB_SEALED_SHUT;
 }
 
 /* Cases with a verdict stay; failed and unsupported ones get another chance, and so does one that lacks what is wanted. */

@@ -15,15 +15,6 @@
 #include "reference/bound.h"
 #include "reference/tracer.h"
 
-static char *cache_path(const struct aob_measurement *m, const char *kind, const char *what,
-                        const char *suffix)
-{
-    char key[AOB_KEY_SIZE], name[AOB_KEY_SIZE + 32];
-    aob_hash_text(what, key);
-    snprintf(name, sizeof name, "%s-%s%s", kind, key, suffix);
-    return aob_path_join(m->cache, name);
-}
-
 struct box {
     struct aob_vec3 low, high;
 };
@@ -45,9 +36,12 @@ static void take_box(void *user, const json_t *object)
 static bool import_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, const char *path,
                         struct aob_error *error)
 {
+    struct aob_mesh_job job = {.file = scene->file, .out = path};
     struct box box = {aob_vec(0, 0, 0), aob_vec(0, 0, 0)};
     size_t size = aob_file_size(scene->file);
-    struct aob_job_desc desc = {.job = aob_mesh_job_to_json(&(struct aob_mesh_job){scene->file, path}),
+    if (!aob_cache_has(path, &job.cached, error))
+        return false;
+    struct aob_job_desc desc = {.job = aob_mesh_job_to_json(&job),
                                 .timeout_s = 10 + 2e-6 * (double)size,
                                 .memory_limit = ((size_t)1 << 30) + 64 * size,
                                 .on_answer = take_box,
@@ -63,7 +57,10 @@ static bool import_mesh(struct aob_measurement *m, struct aob_plan_scene *scene,
 
 static char *load_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, struct aob_error *error)
 {
-    char *path = cache_path(m, "mesh", scene->digest, ".mesh");
+    struct aob_text text = {0};
+    aob_text_add(&text, "%s %s", scene->digest, aob_mesh_flat_version);
+    char *path = aob_cache_path(&m->cache, "mesh", text.data, ".mesh");
+    aob_text_finish(&text);
     if (scene->loaded || import_mesh(m, scene, path, error))
         return path;
     free(path);
@@ -85,7 +82,7 @@ static char *term_path(const struct aob_measurement *m, const struct aob_case *c
     /* Neither guard band nor motion changes the truth; the screen-space bound ends with the guard band. */
     describe_view(c, screen ? aob_case_options(c).guard_band : 0, false, &text);
     aob_text_add(&text, " %d %s %s", m->plan->config->spp, screen ? aob_bound_version : "", line);
-    char *path = cache_path(m, "visibility", text.data, ".exr");
+    char *path = aob_cache_path(&m->cache, "visibility", text.data, ".exr");
     free(line);
     aob_text_finish(&text);
     return path;
@@ -98,9 +95,11 @@ static void bind_to_screen(const struct aob_measurement *m, json_t *term)
     aob_term_set_bound(term, thickness < 0 ? aob_json_to_number(json_object_get(term, "radius")) : thickness);
 }
 
-/* The terms that a view's job is to trace; the files that they go to are the keys of `known`. */
+/* The terms that a view's job is to trace. `known`: which files have been looked for; `shut`: the last of them that could
+ * not be read. */
 struct missing {
     json_t *terms, *known;
+    struct aob_error shut;
 };
 
 /* Adds the term to the view's job unless its file is there already; returns that file. Takes the term. */
@@ -108,10 +107,11 @@ static char *want_term(struct aob_measurement *m, const struct aob_case *c, json
                        struct missing *missing)
 {
     char *path = term_path(m, c, term);
-    if (!json_object_get(missing->known, path) && !aob_file_exists(path)) {
+    bool known = json_object_get(missing->known, path), has;
+    json_object_set_new(missing->known, path, json_true());
+    if (!known && aob_cache_has(path, &has, &missing->shut) && !has) {
         json_object_set_new(term, "out", aob_json_path(path));
         json_array_append(missing->terms, term);
-        json_object_set_new(missing->known, path, json_true());
     }
     json_decref(term);
     return path;
@@ -167,14 +167,14 @@ static size_t memory_limit(void)
 }
 
 static bool trace_view(struct aob_measurement *m, const struct aob_case *c,
-                       const struct aob_view_files *files, json_t *terms, struct aob_error *error)
+                       const struct aob_view_files *files, bool cast, json_t *terms, struct aob_error *error)
 {
     int spp = m->plan->config->spp;
     if (m->on_work)
         m->on_work(m->user, (size_t)(c - m->plan->cases), "tracing");
     double rays = (double)c->width * c->height * spp;
     struct aob_job_view view = aob_job_view_of(c, files);
-    struct aob_job_desc desc = {.job = aob_view_job_to_json(&view, spp, json_incref(terms)),
+    struct aob_job_desc desc = {.job = aob_view_job_to_json(&view, spp, cast, json_incref(terms)),
                                 .timeout_s = 300 + rays / 1e5 * (double)json_array_size(terms),
                                 .memory_limit = memory_limit()};
     return aob_dispatch_job(m->dispatch, &desc, error) || aob_fail_in(error, "scene '%s'", c->scene->name);
@@ -222,7 +222,7 @@ static char *gbuffer_path(const struct aob_measurement *m, const struct aob_case
     if (c->scene->gbuffer)
         return aob_strdup(c->scene->gbuffer);
     describe_view(c, aob_case_options(c).guard_band, true, &text);
-    char *path = cache_path(m, "gbuffer", text.data, ".exr");
+    char *path = aob_cache_path(&m->cache, "gbuffer", text.data, ".exr");
     aob_text_finish(&text);
     return path;
 }
@@ -231,6 +231,11 @@ static bool make_files(struct aob_measurement *m, const size_t *indices, struct 
                        struct missing *missing, struct aob_error *error)
 {
     const struct aob_case *c = &m->plan->cases[indices[0]];
+    bool has;
+    if (!aob_cache_has(files->gbuffer, &has, error))
+        return false;
+    if (!has && c->scene->gbuffer)
+        return aob_fail(error, "%s: what was read of the capture is lost: run again", files->gbuffer);
     for (size_t t = 0; t < files->target_count; t++)
         files->truth[t] = want_truth(m, c, &c->scene->targets[t], files->bent, missing);
     for (size_t i = 0; i < files->count && files->target_count; i++) {
@@ -239,9 +244,9 @@ static bool make_files(struct aob_measurement *m, const size_t *indices, struct 
     }
     if (json_array_size(missing->terms))
         want_whole_view(m, indices[0], missing);
-    else if (aob_file_exists(files->gbuffer))
-        return true;
-    return trace_view(m, c, files, missing->terms, error);
+    if (*missing->shut.text)
+        return aob_fail(error, "%s", missing->shut.text);
+    return (has && !json_array_size(missing->terms)) || trace_view(m, c, files, !has, missing->terms, error);
 }
 
 static bool prepare(struct aob_measurement *m, const size_t *indices, size_t count,
@@ -252,7 +257,7 @@ static bool prepare(struct aob_measurement *m, const size_t *indices, size_t cou
     char *mesh = scene->file ? load_mesh(m, scene, error) : NULL;
     if (scene->file && !mesh)
         return false;
-    struct missing missing = {json_array(), json_object()};
+    struct missing missing = {.terms = json_array(), .known = json_object()};
     *files = (struct aob_view_files){.mesh = mesh,
                                      .gbuffer = gbuffer_path(m, c),
                                      .truth = AOB_NEW_ARRAY(char *, scene->target_count),

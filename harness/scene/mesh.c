@@ -1,9 +1,10 @@
 #include "mesh.h"
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/file.h"
 #include "base/memory.h"
+#include "base/sealed.h"
 #include "base/text.h"
 
 /* A flat file holds this header, positions, normals if any, triangles, and materials and their indices if any.
@@ -12,10 +13,8 @@ struct flat_header {
     char magic[8];
     uint64_t vertex_count, triangle_count, has_normals, source_bytes, material_count, note_count;
     struct aob_mesh_note notes[AOB_MESH_NOTES];
-    char key[40]; /* of all: a file changed by one byte is refused */
 };
-static const char flat_magic[8] = "aobmsh4";
-enum { FLAT_LIMIT_BITS = 40 };
+const char aob_mesh_flat_version[8] = "aobmsh5";
 
 void aob_mesh_finish(struct aob_mesh *mesh)
 {
@@ -89,16 +88,6 @@ void aob_mesh_digest(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE])
     aob_hash_text(parts, key);
 }
 
-static void flat_key(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE])
-{
-    struct aob_text text = {0};
-    aob_mesh_digest(mesh, key);
-    aob_text_add(&text, "%s %zu %zu ", key, mesh->source_bytes, mesh->note_count);
-    aob_text_add_bytes(&text, (const char *)mesh->notes, sizeof mesh->notes);
-    aob_hash_bytes(text.data, text.size, key);
-    aob_text_finish(&text);
-}
-
 bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_error *error)
 {
     struct flat_header header = {.vertex_count = mesh->vertex_count,
@@ -108,33 +97,20 @@ bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_err
                                  .material_count = mesh->material_count,
                                  .note_count = mesh->note_count};
     memcpy(header.notes, mesh->notes, sizeof header.notes);
-    memcpy(header.magic, flat_magic, sizeof header.magic);
-    flat_key(mesh, header.key);
-    const void *parts[] = {&header,         mesh->positions, mesh->normals,
-                           mesh->triangles, mesh->materials, mesh->material_of};
-    const size_t sizes[] = {sizeof header,
-                            mesh->vertex_count * sizeof *mesh->positions,
-                            mesh->normals ? mesh->vertex_count * sizeof *mesh->normals : 0,
-                            mesh->triangle_count * sizeof *mesh->triangles,
-                            mesh->material_count * sizeof *mesh->materials,
-                            mesh->materials ? mesh->triangle_count * sizeof *mesh->material_of : 0};
-    size_t total = 0;
-    for (size_t i = 0; i < AOB_COUNT(sizes); i++)
-        total += sizes[i];
-    char *bytes = aob_alloc(total, 1), *at = bytes;
-    for (size_t i = 0; i < AOB_COUNT(sizes); i++) {
-        if (sizes[i])
-            memcpy(at, parts[i], sizes[i]);
-        at += sizes[i];
-    }
-    bool ok = aob_file_write(path, bytes, total, error);
-    free(bytes);
-    return ok;
+    memcpy(header.magic, aob_mesh_flat_version, sizeof header.magic);
+    const struct aob_piece pieces[] = {
+        {&header, sizeof header},
+        {mesh->positions, mesh->vertex_count * sizeof *mesh->positions},
+        {mesh->normals, mesh->normals ? mesh->vertex_count * sizeof *mesh->normals : 0},
+        {mesh->triangles, mesh->triangle_count * sizeof *mesh->triangles},
+        {mesh->materials, mesh->material_count * sizeof *mesh->materials},
+        {mesh->material_of, mesh->materials ? mesh->triangle_count * sizeof *mesh->material_of : 0}};
+    return aob_sealed_write(path, pieces, AOB_COUNT(pieces), error);
 }
 
 static bool header_fits(const struct flat_header *header, size_t size)
 {
-    if (memcmp(header->magic, flat_magic, sizeof header->magic) || header->has_normals > 1 ||
+    if (memcmp(header->magic, aob_mesh_flat_version, sizeof header->magic) || header->has_normals > 1 ||
         header->note_count > AOB_MESH_NOTES)
         return false;
     if (header->vertex_count > size || header->triangle_count > size ||
@@ -160,12 +136,12 @@ static void *take(const char **at, size_t count, size_t size)
 bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error *error)
 {
     size_t size = 0;
-    char *bytes = aob_file_read(path, (size_t)1 << FLAT_LIMIT_BITS, &size, error);
+    char *bytes = aob_sealed_read(path, &size, error);
+    *mesh = (struct aob_mesh){0};
     if (!bytes)
         return false;
     struct flat_header header = {.magic = ""};
     memcpy(&header, bytes, size < sizeof header ? size : sizeof header);
-    *mesh = (struct aob_mesh){0};
     bool ok = size >= sizeof header && header_fits(&header, size);
     if (ok) {
         const char *at = bytes + sizeof header;
@@ -184,17 +160,12 @@ bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error 
             mesh->material_of_capacity = mesh->triangle_count;
             mesh->material_of = take(&at, mesh->triangle_count, sizeof *mesh->material_of);
         }
-        char key[sizeof header.key] = "";
-        flat_key(mesh, key);
-        ok = !memcmp(key, header.key, sizeof key);
     }
     free(bytes);
     if (ok && aob_mesh_check(mesh, path, error))
         return true;
     aob_mesh_finish(mesh);
-    return ok ? false
-              : aob_fail(error, "%s: it is not a whole mesh file of this program: delete it and load again",
-                         path);
+    return ok ? false : aob_fail(error, "%s: it is not a flat mesh of this version", path);
 }
 
 void aob_mesh_note(struct aob_mesh *mesh, const char *format, ...)

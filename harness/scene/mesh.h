@@ -60,10 +60,12 @@ bool aob_mesh_check(const struct aob_mesh *mesh, const char *name, struct aob_er
  * is the part of a cache key that says which geometry. */
 void aob_mesh_digest(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE]);
 
-/* Writes and reads the flat file in which a loaded mesh passes from the loader's process to the others. The file is
- * written whole or not at all; a truncated or foreign file is refused. */
+/* Writes and reads the flat file in which a loaded mesh passes from the loader's process to the others. It is sealed
+ * (base/sealed.h), so what is read is what was written. */
 bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_error *error);
 bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error *error);
+extern const char
+    aob_mesh_flat_version[8]; /* of the form of these files; a part of their names in the cache */
 
 /* Notes a thing that is left out of the mesh. The same line counts once; what is beyond AOB_MESH_NOTES is dropped. */
 void aob_mesh_note(struct aob_mesh *mesh, const char *format, ...) __attribute__((format(printf, 2, 3)));

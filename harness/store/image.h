@@ -32,19 +32,19 @@ void aob_image_set_vec3(struct aob_image *image, const char *name, const double 
 void aob_image_set_text(struct aob_image *image, const char *name, const char *text);
 void aob_image_finish(struct aob_image *image);
 
-/* Writes the file whole or not at all: it is written beside its place and renamed. */
+/* Writes a sealed file (base/sealed.h) whole or not at all. Other readers of OpenEXR do not see the seal. */
 bool aob_image_write(const struct aob_image *image, const char *path, struct aob_error *error);
 
-/* Reads all channels as float (half and uint are converted) of a scan-line or tiled file (its first level), and
- * attributes of one or three numbers and strings. It refuses more than 2^28 pixels x channels, deep files,
- * the compressions B44, B44A, DWAA and DWAB, and damaged files, with one line. If a file has several parts, it reads the first. */
+/* Reads all channels and attributes of a file that aob_image_write wrote under this name; any other is refused with one
+ * line, unseen. It refuses more than 2^28 pixels x channels. */
 bool aob_image_read(struct aob_image *image, const char *path, struct aob_error *error);
 
-/* Reads some channels of another program's file, from any of its parts. `choose` marks what it wants among all names,
- * or fails with a line. A name in a file with several parts is PART.CHANNEL, unless it begins with its part's name
- * already. The image is the display window of the first part, and NAN where a channel has no pixels; attributes are
- * the first part's. It refuses what aob_image_read refuses of the chosen channels, pixels that are not square, and
- * sizes beyond these. */
+/* Reads some channels of another program's file, scan lines or tiles (their first level), from any of its parts, as
+ * float (half and uint are converted), and attributes of one or three numbers and strings. `choose` marks what it wants
+ * among all names, or fails with a line. A name in a file with several parts is PART.CHANNEL, unless it begins with its
+ * part's name already. The image is the display window of the first part, and NAN where a channel has no pixels;
+ * attributes are the first part's. It refuses, with one line, deep and damaged files, the compressions B44, B44A, DWAA
+ * and DWAB, more than 2^28 pixels x channels of the chosen ones, pixels that are not square, and sizes beyond these. */
 enum { AOB_LAYERS_MAX_SIDE = 16384, AOB_LAYERS_MAX_PIXELS = 40000000 };
 typedef bool aob_image_choose(void *user, const char *const *names, size_t count, bool *wanted,
                               struct aob_error *error);

@@ -1,5 +1,6 @@
 #include "image_reader.h"
 #include "base/memory.h"
+#include "base/sealed.h"
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -248,10 +249,33 @@ static bool read_pixels(struct aob_image_reader *r)
     return r->storage == EXR_STORAGE_TILED ? read_tiles(r) : read_scanlines(r);
 }
 
+static int64_t read_bytes(exr_const_context_t context, void *user, void *into, uint64_t size, uint64_t offset,
+                          exr_stream_error_func_ptr_t fail)
+{
+    const struct aob_image_reader *r = user;
+    (void)context;
+    (void)fail;
+    uint64_t left = offset < r->size ? r->size - offset : 0;
+    memcpy(into, r->bytes + (left ? offset : 0), size < left ? size : left);
+    return (int64_t)(size < left ? size : left);
+}
+
+static int64_t count_bytes(exr_const_context_t context, void *user)
+{
+    const struct aob_image_reader *r = user;
+    (void)context;
+    return (int64_t)r->size;
+}
+
 bool aob_image_reader_open(struct aob_image_reader *r)
 {
     exr_context_initializer_t init = EXR_DEFAULT_CONTEXT_INITIALIZER;
     init.error_handler_fn = ignore_message;
+    if (r->bytes) {
+        init.user_data = r;
+        init.read_fn = read_bytes;
+        init.size_fn = count_bytes;
+    }
     /* Otherwise the library steps over what it cannot read in a header, and assumes the rest: a window, a compression. */
     init.flags = EXR_CONTEXT_FLAG_STRICT_HEADER;
     exr_result_t rc = exr_start_read(&r->file, r->path, &init);
@@ -277,10 +301,14 @@ bool aob_image_read(struct aob_image *image, const char *path, struct aob_error 
 {
     *image = (struct aob_image){0};
     struct aob_image_reader r = {.path = path, .image = image, .error = error};
-    if (!aob_image_reader_open(&r))
-        return false;
-    bool ok = aob_image_reader_part(&r);
-    exr_finish(&r.file);
+    char *bytes = aob_sealed_read(path, &r.size, error);
+    r.bytes = bytes;
+    bool ok = bytes && aob_image_reader_open(&r);
+    if (ok) {
+        ok = aob_image_reader_part(&r);
+        exr_finish(&r.file);
+    }
+    free(bytes);
     if (!ok)
         aob_image_finish(image);
     return ok;

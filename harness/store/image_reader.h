@@ -6,6 +6,8 @@
 
 struct aob_image_reader {
     const char *path;
+    const char *bytes; /* the file's content; NULL: it is read from the file */
+    size_t size;       /* of that */
     struct aob_image *image;
     struct aob_error *error;
     exr_context_t file;
@@ -19,7 +21,7 @@ struct aob_image_reader {
 };
 
 bool aob_image_reader_open(
-    struct aob_image_reader *r); /* `path` and `error` set; close by exr_finish(&r->file) */
+    struct aob_image_reader *r); /* `path`, `bytes` and `error` set; close by exr_finish(&r->file) */
 
 /* False after a line "PATH: cannot read the WHAT: ..." unless rc is success. */
 bool aob_image_reader_check(struct aob_image_reader *r, exr_result_t rc, const char *what);

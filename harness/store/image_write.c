@@ -1,11 +1,9 @@
 #include "image.h"
-#include "base/file.h"
 #include "base/memory.h"
+#include "base/sealed.h"
 #include <OpenEXR/openexr.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { SHORT_NAME = 31 }; /* longer names need a flag in the file */
 
@@ -16,6 +14,30 @@ struct writer {
     int part;
     bool encoding; /* the pipeline is initialised */
 };
+
+/* The file's bytes. The library would create a file by its name, through whatever link lies there. */
+struct bytes {
+    char *data;
+    size_t size, room;
+};
+
+static int64_t write_bytes(exr_const_context_t context, void *user, const void *from, uint64_t size,
+                           uint64_t offset, exr_stream_error_func_ptr_t fail)
+{
+    struct bytes *bytes = user;
+    (void)context;
+    (void)fail;
+    if (offset + size > bytes->room) {
+        bytes->room = 2 * (offset + size);
+        bytes->data = aob_realloc(bytes->data, bytes->room, 1);
+    }
+    if (offset > bytes->size) /* the table of places is filled in at the end */
+        memset(bytes->data + bytes->size, 0, offset - bytes->size);
+    memcpy(bytes->data + offset, from, size);
+    if (offset + size > bytes->size)
+        bytes->size = offset + size;
+    return (int64_t)size;
+}
 
 /* OpenEXRCore prints to standard error unless it has a handler, and an error must be one line of ours. */
 static void ignore_message(exr_const_context_t context, exr_result_t code, const char *message)
@@ -108,13 +130,15 @@ static exr_result_t write_pixels(struct writer *w)
     return rc;
 }
 
-static exr_result_t write_file(const struct aob_image *image, const char *path)
+static exr_result_t encode(const struct aob_image *image, const char *name, struct bytes *bytes)
 {
     struct writer w = {.image = image};
     exr_context_initializer_t init = EXR_DEFAULT_CONTEXT_INITIALIZER;
     init.error_handler_fn = ignore_message;
+    init.user_data = bytes;
+    init.write_fn = write_bytes;
     init.zip_level = 1; /* level 1 gives files as small as level 9 on such data, in two thirds of the time */
-    exr_result_t rc = exr_start_write(&w.file, path, EXR_WRITE_FILE_DIRECTLY, &init);
+    exr_result_t rc = exr_start_write(&w.file, name, EXR_WRITE_FILE_DIRECTLY, &init);
     if (rc != EXR_ERR_SUCCESS)
         return rc;
     rc = write_header(&w);
@@ -128,22 +152,14 @@ static exr_result_t write_file(const struct aob_image *image, const char *path)
 
 bool aob_image_write(const struct aob_image *image, const char *path, struct aob_error *error)
 {
+    struct bytes bytes = {0};
     if (image->width < 1 || image->height < 1 || image->channel_count == 0)
         return aob_fail(error, "%s: cannot write an image without pixels or channels", path);
-    char *target = aob_file_target(path, error);
-    if (!target)
-        return false;
-    size_t room = strlen(target) + 32;
-    char *part = aob_alloc(room, 1);
-    snprintf(part, room, "%s.%ld.part", target, (long)getpid());
-    exr_result_t rc = write_file(image, part);
-    bool ok = rc == EXR_ERR_SUCCESS && rename(part, target) == 0;
-    if (!ok) {
-        aob_fail(error, "%s: cannot write the image: %s", path,
-                 rc == EXR_ERR_SUCCESS ? "the folder is not writable" : exr_get_default_error_message(rc));
-        unlink(part);
-    }
-    free(target);
-    free(part);
+    exr_result_t rc = encode(image, path, &bytes);
+    bool ok =
+        rc == EXR_ERR_SUCCESS
+            ? aob_sealed_write(path, &(struct aob_piece){bytes.data, bytes.size}, 1, error)
+            : aob_fail(error, "%s: cannot encode the image: %s", path, exr_get_default_error_message(rc));
+    free(bytes.data);
     return ok;
 }

@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/part.h"
 #include "base/text.h"
 
 static bool same_text(const json_t *a, const json_t *b, const char *name)
@@ -109,6 +110,17 @@ static bool discard_earlier_run(struct aob_run_folder *folder, const char *image
     return aob_journal_clear(&folder->journal, error);
 }
 
+/* What a killed run left half-written. */
+static void clean_parts(const char *path)
+{
+    static const char *const folders[] = {".", "images", "truths", "graphs", "report", NULL};
+    for (const char *const *f = folders; *f; f++) {
+        char *folder = aob_path_join(path, *f);
+        aob_part_clean(folder);
+        free(folder);
+    }
+}
+
 bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t *info, bool fresh,
                          struct aob_error *error)
 {
@@ -121,6 +133,8 @@ bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t
               aob_journal_open(&folder->journal, folder->journal_path, error) &&
               (!fresh || discard_earlier_run(folder, images, truths, error)) &&
               aob_run_folder_describe(folder, info, error);
+    if (ok)
+        clean_parts(path);
     free(images);
     free(truths);
     return ok;

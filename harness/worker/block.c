@@ -43,8 +43,7 @@ static bool load_gbuffer(struct aob_block *block, struct aob_error *error)
 {
     const struct aob_job_view *view = &block->job.view;
     const struct aob_gbuffer_desc desc = {&view->camera, view->width, view->height, view->guard};
-    return aob_gbuffer_load(&block->gbuffer, view->gbuffer, &desc, error) ||
-           aob_block_drop_damaged(view->gbuffer, error);
+    return aob_gbuffer_load(&block->gbuffer, view->gbuffer, &desc, error);
 }
 
 static bool same_encoding(const struct aob_options *a, const struct aob_options *b)

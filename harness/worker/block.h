@@ -39,7 +39,4 @@ bool aob_block_score(struct aob_block *block, size_t f, json_t *answer, struct a
 /* Where the job says so: draws the mesh on the block's device into `drawn`, for the techniques to read, and fills
  * `difference`. */
 bool aob_block_draw(struct aob_block *block, struct aob_error *error);
-
-/* What the cache holds can be made again: a damaged file goes, so that the next run makes it. Always false. */
-bool aob_block_drop_damaged(const char *path, struct aob_error *error);
 #endif

@@ -1,13 +1,11 @@
 #include "scene/mesh.h"
-#include "base/file.h"
 #include "job/mesh_job.h"
 #include "worker.h"
 
-/* A cached file that is damaged or of an older form is made again. */
 static bool make_mesh(struct aob_mesh *mesh, const struct aob_mesh_job *job, struct aob_error *error)
 {
-    if (aob_file_exists(job->out) && aob_mesh_restore(mesh, job->out, NULL))
-        return true;
+    if (job->cached)
+        return aob_mesh_restore(mesh, job->out, error);
     return aob_mesh_import(mesh, job->file, error) && aob_mesh_save(mesh, job->out, error);
 }
 

@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "base/clock.h"
 #include "base/json.h"
 #include "base/memory.h"
@@ -14,12 +13,6 @@
 #include "score/split.h"
 #include "score/ssim.h"
 #include "store/image.h"
-
-bool aob_block_drop_damaged(const char *path, struct aob_error *error)
-{
-    unlink(path);
-    return aob_fail_in(error, "the cached file was damaged and is removed; run again");
-}
 
 static size_t pixels_of(const struct aob_block *block)
 {
@@ -69,7 +62,7 @@ static bool load_traced(const char *path, const struct aob_block *block, bool be
     struct aob_image image = {0};
     size_t count = pixels_of(block);
     if (!aob_image_read(&image, path, error))
-        return aob_block_drop_damaged(path, error);
+        return false;
     bool fits = image.width == block->job.view.width && image.height == block->job.view.height;
     if (fits)
         *traced = (struct traced){copy_channel(&image, "AO", count), copy_channel(&image, "SE", count),
@@ -91,16 +84,16 @@ static bool load_claim(const char *path, const struct aob_block *block, float **
     return ok;
 }
 
-/* All files are tried, so that one run removes all damaged ones. */
 static bool load_claims(const struct aob_block *block, const struct aob_block_case *c,
                         struct aob_case_image *image, struct aob_error *error)
 {
-    bool ok = load_claim(c->definition, block, &image->definition, error);
+    if (!load_claim(c->definition, block, &image->definition, error))
+        return false;
     if (!image->definition || !c->screen || strcmp(c->definition, c->screen) != 0)
-        return load_claim(c->screen, block, &image->screen, error) && ok;
+        return load_claim(c->screen, block, &image->screen, error);
     image->screen = AOB_NEW_ARRAY(float, pixels_of(block)); /* nothing is missing: the two are one file */
     memcpy(image->screen, image->definition, pixels_of(block) * sizeof(float));
-    return ok;
+    return true;
 }
 
 static void map_claims(const struct aob_technique *technique, const struct aob_block_case *c, size_t count,
@@ -218,8 +211,8 @@ static bool score_case(const struct aob_block *block, const struct aob_block_cas
 {
     json_t *errors = json_array();
     bool ok = true;
-    for (size_t t = 0; block->job.error && t < block->job.target_count; t++)
-        ok = score_against(block, c, t, image, errors, error) && ok;
+    for (size_t t = 0; ok && block->job.error && t < block->job.target_count; t++)
+        ok = score_against(block, c, t, image, errors, error);
     if (json_array_size(errors))
         json_object_set(answer, "errors", errors);
     json_decref(errors);
@@ -242,17 +235,17 @@ static bool refuse(json_t *answer)
     return false;
 }
 
-/* True: the image is a visibility, and everything that it is to be compared with was there. All files are tried, so that
- * one run finds and removes all that are damaged. */
+/* True: the image is a visibility, and everything that it is to be compared with was there. */
 static bool judge_and_score(const struct aob_block *block, size_t f, struct aob_case_image *image,
                             json_t *answer, struct aob_error *error)
 {
     const struct aob_block_case *c = &block->job.cases[block->case_of_frame[f]];
     if (!judge_values(block, image, error))
         return refuse(answer);
-    bool claims = load_claims(block, c, image, error);
+    if (!load_claims(block, c, image, error))
+        return false;
     map_claims(block->frames[f].graph.technique, c, pixels_of(block), image);
-    if (!score_case(block, c, image, answer, error) || !claims) {
+    if (!score_case(block, c, image, answer, error)) {
         json_object_del(answer, "errors");
         return false;
     }

@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/file.h"
 #include "base/machine.h"
 #include "base/memory.h"
 #include "gbuffer/gbuffer.h"
@@ -36,6 +35,7 @@ struct scene {
     struct aob_mesh mesh;
     struct aob_tracer *tracer; /* NULL of a capture, whose only surfaces are its pixels */
     struct aob_hits hits;
+    bool *traced; /* of each term of the job */
 };
 
 /* At least: 72 bytes a pixel were measured for the hits and their file, and the terms of one trace are held together. What a
@@ -89,8 +89,7 @@ static bool cast_view(struct scene *scene, struct aob_error *error)
     aob_tracer_cast(scene->tracer, &view->camera, &scene->projection, &scene->hits);
     if (!judge_hits(scene, error))
         return false;
-    return aob_file_exists(view->gbuffer) ||
-           aob_gbuffer_store(&scene->hits, &scene->mesh, view->gbuffer, error);
+    return !scene->job->cast || aob_gbuffer_store(&scene->hits, &scene->mesh, view->gbuffer, error);
 }
 
 /* A capture has no geometry: what is seen comes from its G-buffer. */
@@ -115,13 +114,15 @@ struct trace {
     size_t count;
 };
 
-/* Those that go with `first` and whose files are missing. */
-static void get_terms(const struct aob_view_job *job, struct trace *trace)
+/* Those that go with `first`. */
+static void get_terms(const struct scene *scene, struct trace *trace)
 {
+    const struct aob_view_job *job = scene->job;
     for (size_t i = 0; i < job->term_count; i++) {
         const struct aob_term *term = &job->terms[i].term;
-        if (!aob_term_same_trace(term, trace->first) || aob_file_exists(job->terms[i].out))
+        if (!aob_term_same_trace(term, trace->first))
             continue;
+        scene->traced[i] = true;
         trace->paths[trace->count] = job->terms[i].out;
         trace->terms[trace->count++] = (struct aob_visibility_term){.radius = term->radius,
                                                                     .uniform = term->uniform,
@@ -179,15 +180,15 @@ static bool trace_terms(const struct scene *scene, const struct trace *trace, st
     return ok;
 }
 
-/* One trace for all terms that the same rays serve; terms whose files are there by now are left out. */
+/* One trace for all terms that the same rays serve. */
 static bool trace_with(const struct scene *scene, const struct aob_term *first, struct aob_error *error)
 {
     size_t most = scene->job->term_count;
     struct trace trace = {.first = first,
                           .terms = AOB_NEW_ARRAY(struct aob_visibility_term, most),
                           .paths = AOB_NEW_ARRAY(const char *, most)};
-    get_terms(scene->job, &trace);
-    bool ok = !trace.count || trace_terms(scene, &trace, error);
+    get_terms(scene, &trace);
+    bool ok = trace_terms(scene, &trace, error);
     free(trace.terms);
     free(trace.paths);
     return ok;
@@ -200,15 +201,17 @@ static bool view(struct aob_worker *worker, struct aob_error *error)
         return false;
     struct scene scene = {.job = &job,
                           .projection = aob_camera_projection(&job.view.camera, job.view.width,
-                                                              job.view.height, job.view.guard)};
+                                                              job.view.height, job.view.guard),
+                          .traced = AOB_NEW_ARRAY(bool, job.term_count)};
     bool ok = judge_memory(&job, error) &&
               (job.view.captured ? load_view(&scene, error) : cast_view(&scene, error));
     for (size_t i = 0; ok && i < job.term_count; i++)
-        if (!aob_file_exists(job.terms[i].out))
+        if (!scene.traced[i])
             ok = trace_with(&scene, &job.terms[i].term, error);
     aob_hits_finish(&scene.hits);
     aob_tracer_destroy(scene.tracer);
     aob_mesh_finish(&scene.mesh);
+    free(scene.traced);
     aob_view_job_finish(&job);
     return ok;
 }

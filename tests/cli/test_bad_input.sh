@@ -118,13 +118,6 @@ expect 2 "is it a file" "$program" shot --technique none --scene pipe --backend 
 expect 2 "not UTF-8" "$program" shot --technique none --scene "$(printf 'b\377.obj')" --backend null --size 8x8
 expect 2 "40 million pixels" "$program" shot --technique none --scene plane --backend null --size 16384x16384
 
-# A damaged cache heals itself.
-export AOBUDGET_CACHE=$folder/own-cache
-check "a shot fills the cache" "${shot[@]}"
-for file in own-cache/visibility-*.exr; do truncate -s 300 "$file"; done
-expect 2 "was damaged and is removed; run again" "${shot[@]}"
-check "and again" "${shot[@]}"
-
 # No driver.
 config '{name: none}'
 sed -i 's/backends: \[null\]/backends: [vulkan, null]/' config.yaml

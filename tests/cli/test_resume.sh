@@ -78,6 +78,21 @@ lines=$(wc -l <kept/journal.jsonl)
 rm "kept/$(jq -rs '.[0].image' kept/journal.jsonl)" "kept/$(jq -rs '.[5].error.truth' kept/journal.jsonl)"
 check "with an image and a truth lost" "$program" run wish.yaml --out kept --quiet --filter slices=1
 check "their cases are measured again" test "$(wc -l <kept/journal.jsonl)" -gt "$lines"
+good=$(jq -rs '.[1].image' kept/journal.jsonl)
+lines=$(wc -l <kept/journal.jsonl)
+printf '\377' | dd of="kept/$good" bs=1 seek=400 conv=notrunc status=none
+check "with an image damaged" "$program" run wish.yaml --out kept --quiet --filter slices=1
+check "its case is measured again" test "$(tail -n +$((lines + 1)) kept/journal.jsonl | jq -r .image)" = "$good"
+truth=$(jq -rs '.[5].error.truth' kept/journal.jsonl)
+cp "kept/$truth" truth.exr
+truncate -s 300 "kept/$truth"
+check "with a truth damaged" "$program" run wish.yaml --out kept --quiet --filter slices=1
+check "it is whole again" cmp "kept/$truth" truth.exr
+lines=$(wc -l <kept/journal.jsonl)
+touch kept/images/.aobudget-0123456789abcdef.part
+check "once more" "$program" run wish.yaml --out kept --quiet --filter slices=1
+check "nothing is measured" test "$(wc -l <kept/journal.jsonl)" -eq "$lines"
+check "what a killed run left half-written is gone" test -z "$(find kept -name '*.part')"
 check "and all is there" test -z "$(jq -rs '.[] | .image, .errors[].truth' kept/journal.jsonl | sort -u | while read -r f; do [ -f "kept/$f" ] || echo "$f"; done)"
 echo "$kills kills"
 check "at least one kill hit a run" test "$kills" -ge 1

@@ -92,11 +92,12 @@ static void a_view_job(void **state)
     json_object_set_new(term, "out", json_string("b.exr"));
     struct aob_view_job job;
     struct aob_error error = {{0}};
-    json_t *message = send(aob_view_job_to_json(&view, 128, terms));
+    json_t *message = send(aob_view_job_to_json(&view, 128, true, terms));
     assert_string_equal(json_string_value(json_object_get(message, "job")), "view");
     assert_true(aob_view_job_from_json(message, &job, &error));
     check_view(&job.view);
     assert_int_equal(job.spp, 128);
+    assert_true(job.cast);
     assert_int_equal(job.term_count, 2);
     assert_string_equal(job.terms[0].out, "a.exr");
     assert_string_equal(job.terms[1].out, "b.exr");
@@ -307,10 +308,11 @@ static void a_mesh_job(void **state)
     struct aob_mesh_job job;
     struct aob_mesh_answer answer = {{-1, -2, -3}, {1, 2, 3}, 8, 12, NULL}, back;
     struct aob_error error = {{0}};
-    json_t *message = send(aob_mesh_job_to_json(&(struct aob_mesh_job){"a.ply", "a.mesh"}));
+    json_t *message = send(aob_mesh_job_to_json(&(struct aob_mesh_job){"a.ply", "a.mesh", true}));
     assert_true(aob_mesh_job_from_json(message, &job, &error));
     assert_string_equal(job.file, "a.ply");
     assert_path(job.out, "a.mesh");
+    assert_true(job.cached);
     json_object_del(message, "out");
     assert_false(aob_mesh_job_from_json(message, &job, &error));
     json_decref(message);

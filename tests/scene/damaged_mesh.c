@@ -23,7 +23,7 @@ static size_t damage(char *bytes, size_t size, int variant)
 
 static json_t *job(const struct damaged *d)
 {
-    return aob_mesh_job_to_json(&(struct aob_mesh_job){d->file, d->out});
+    return aob_mesh_job_to_json(&(struct aob_mesh_job){.file = d->file, .out = d->out});
 }
 
 static const char *judge(const struct damaged *d)

@@ -2,6 +2,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include <OpenEXR/openexr.h>
+#include <fcntl.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -183,7 +184,18 @@ static void test_files_that_are_no_image(void **state)
     }
 }
 
-/* Reads the bytes as a file; whatever comes of it must not crash, and a failure says why. */
+static bool choose_all(void *user, const char *const *names, size_t count, bool *wanted,
+                       struct aob_error *error)
+{
+    (void)user;
+    (void)names;
+    (void)error;
+    memset(wanted, true, count * sizeof *wanted);
+    return true;
+}
+
+/* Reads the bytes as a file of another program, which has no seal; whatever comes of it must not crash, and a failure
+ * says why. As a file of ours it is refused. */
 static void read_damaged(const char *path, const char *bytes, size_t size)
 {
     struct aob_error error = {0};
@@ -192,10 +204,38 @@ static void read_damaged(const char *path, const char *bytes, size_t size)
     assert_non_null(file);
     fwrite(bytes, 1, size, file);
     fclose(file);
-    if (aob_image_read(&image, path, &error))
+    if (aob_image_read_layers(&image, path, choose_all, NULL, &error))
         aob_image_finish(&image);
     else
         assert_int_not_equal(error.text[0], 0);
+    assert_false(aob_image_read(&image, path, &error));
+    assert_int_equal(image.channel_count, 0);
+}
+
+/* No byte of a file is beyond the seal, those of the header and of unused room neither. */
+static void test_one_changed_bit_is_refused(void **state)
+{
+    (void)state;
+    char path[PATH_SIZE];
+    test_path(path, "bit.exr");
+    struct aob_image image = {.width = 5, .height = 4}, back;
+    fill(aob_image_add(&image, "AO"), 20, 1);
+    assert_true(aob_image_write(&image, path, NULL));
+    aob_image_finish(&image);
+    size_t size;
+    char *bytes = aob_file_read(path, 1 << 24, &size, NULL);
+    int file = open(path, O_WRONLY);
+    for (size_t bit = 0; bit < 8 * size; bit++) {
+        char changed = (char)(bytes[bit / 8] ^ (1 << bit % 8));
+        assert_int_equal(pwrite(file, &changed, 1, (off_t)(bit / 8)), 1);
+        assert_false(aob_image_read(&back, path, NULL));
+        assert_int_equal(pwrite(file, bytes + bit / 8, 1, (off_t)(bit / 8)), 1);
+    }
+    close(file);
+    assert_true(aob_image_read(&back, path, NULL));
+    aob_image_finish(&back);
+    free(bytes);
+    unlink(path);
 }
 
 static void test_damaged_files_never_crash(void **state)
@@ -313,7 +353,7 @@ static void check_foreign(const struct foreign *f, const char *path)
     struct aob_image image;
     struct aob_error error = {0};
     write_foreign(path, f);
-    if (!aob_image_read(&image, path, &error))
+    if (!aob_image_read_layers(&image, path, choose_all, NULL, &error))
         fail_msg("%s", error.text);
     assert_int_equal(image.width, f->width);
     const float *z = aob_image_channel(&image, "Z"), *id = aob_image_channel(&image, "id");
@@ -367,6 +407,7 @@ int main(void)
         cmocka_unit_test(test_failed_write_leaves_the_old_file),
         cmocka_unit_test(test_files_that_are_no_image),
         cmocka_unit_test(test_damaged_files_never_crash),
+        cmocka_unit_test(test_one_changed_bit_is_refused),
         cmocka_unit_test(test_half_and_tiled_files_of_others),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
