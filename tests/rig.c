@@ -71,6 +71,15 @@ static const struct aob_technique *builtin(const char *name)
     exit(1);
 }
 
+const char *aob_rig_text(const char *technique, const char *name)
+{
+    for (const struct aob_shader *s = builtin(technique)->shaders; s->name; s++)
+        if (strcmp(s->name, name) == 0)
+            return s->text;
+    fprintf(stderr, "%s has no text %s\n", technique, name);
+    exit(1);
+}
+
 static void set_params(const struct aob_technique *technique, const char *params, void *values,
                        struct aob_options *options)
 {

@@ -41,6 +41,9 @@ void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *tec
 void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
                    const void *values, const struct aob_options *options, float *pixels);
 
+/* The text of that name of a built-in technique, its steps' among them. Ends the program if there is none. */
+const char *aob_rig_text(const char *technique, const char *name);
+
 /* Traces what that technique claims to compute with those parameters, as a run does. `pixels` holds width x height
  * floats; sky is 1. */
 void aob_rig_definition(const struct aob_rig *rig, const char *technique, const char *params, int spp,

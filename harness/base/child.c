@@ -1,7 +1,9 @@
 #define _GNU_SOURCE 1 /* memfd_create, pipe2, sigdescr_np, strcasestr */
 #include "child.h"
-#include "clock.h"
+#include "deadline.h"
+#include "file.h"
 #include "memory.h"
+#include "stream.h"
 #include "text.h"
 #include <ctype.h>
 #include <errno.h>
@@ -27,16 +29,8 @@ static const bool limits_memory = false;
 static const bool limits_memory = true;
 #endif
 
-enum { READ_SIZE = 1 << 16, DRAIN_READS = 16 };
-
-/* One output of the child. Bytes come in, and whole lines go to `take`. */
-struct stream {
-    int fd; /* -1 after its end */
-    char *data;
-    size_t size, capacity;
-    void (*take)(void *user, const char *line);
-    void *user;
-};
+/* More than any job answers, and so little that this process does not feel it. */
+enum { LINE_LIMIT = 16 << 20, OUTPUT_LIMIT = 64 << 20 };
 
 struct complaint {
     char *text; /* the result's */
@@ -57,61 +51,10 @@ static void take_complaint(void *user, const char *line)
     if (!line[strspn(line, " \t\r")] || (complaint->says_error && !says_error))
         return;
     complaint->says_error = says_error;
-    snprintf(complaint->text, sizeof((struct aob_child_result *)0)->complaint, "%s", line);
+    aob_line_print(complaint->text, sizeof((struct aob_child_result *)0)->complaint, "%s", line);
     for (char *c = complaint->text; *c; c++)
         if (iscntrl((unsigned char)*c))
             *c = ' ';
-}
-
-static void stream_lines(struct stream *stream, size_t searched)
-{
-    char *line = stream->data, *end = stream->data + stream->size, *newline;
-    char *search = stream->data + searched;
-    while (search < end && (newline = memchr(search, '\n', (size_t)(end - search)))) {
-        *newline = '\0';
-        if (stream->take)
-            stream->take(stream->user, line);
-        line = search = newline + 1;
-    }
-    stream->size = (size_t)(end - line);
-    memmove(stream->data, line, stream->size);
-}
-
-/* Returns true if there may be more to read at once. */
-static bool stream_read(struct stream *stream)
-{
-    if (stream->fd < 0)
-        return false;
-    if (stream->capacity - stream->size < READ_SIZE) {
-        stream->capacity = stream->capacity * 2 + READ_SIZE;
-        stream->data = aob_realloc(stream->data, stream->capacity, 1);
-    }
-    ssize_t count = read(stream->fd, stream->data + stream->size, READ_SIZE);
-    if (count < 0 && (errno == EAGAIN || errno == EINTR))
-        return false;
-    if (count <= 0) {
-        close(stream->fd);
-        stream->fd = -1;
-        return false;
-    }
-    size_t searched = stream->size;
-    stream->size += (size_t)count;
-    stream_lines(stream, searched);
-    return true;
-}
-
-/* The child is gone, so a pipe's content is all that is left. The number of reads is limited because a stray
- * grandchild could write for ever. */
-static void stream_finish(struct stream *stream, bool keep_unfinished_line)
-{
-    for (int i = 0; i < DRAIN_READS && stream_read(stream); i++)
-        continue;
-    if (stream->size && keep_unfinished_line && stream->take) {
-        stream->data = aob_realloc(stream->data, stream->size + 1, 1);
-        stream->data[stream->size] = '\0';
-        stream->take(stream->user, stream->data);
-    }
-    free(stream->data);
 }
 
 static bool same_name(const char *a, const char *b)
@@ -148,18 +91,11 @@ static int open_input(const char *input, size_t size)
     if (!input)
         return open("/dev/null", O_RDONLY | O_CLOEXEC);
     int fd = memfd_create("aobudget-input", MFD_CLOEXEC);
-    size_t done = 0;
-    while (fd >= 0 && done < size) {
-        ssize_t count = write(fd, input + done, size - done);
-        if (count < 0 && errno != EINTR) {
-            close(fd);
-            return -1;
-        }
-        done += count > 0 ? (size_t)count : 0;
-    }
+    if (fd >= 0 && aob_file_send(fd, input, size) && lseek(fd, 0, SEEK_SET) == 0)
+        return fd;
     if (fd >= 0)
-        lseek(fd, 0, SEEK_SET);
-    return fd;
+        close(fd);
+    return -1;
 }
 
 static void close_fd(int *fd)
@@ -217,20 +153,29 @@ static bool child_prepare(struct child *child, const struct aob_child_desc *desc
            !fcntl(child->err_pipe[0], F_SETFL, O_NONBLOCK);
 }
 
+/* The user's own limits stand where they are narrower: the soft one was meant, and the hard one cannot be raised. */
+static bool narrow_limit(int resource, rlim_t wanted)
+{
+    struct rlimit limit;
+    if (getrlimit(resource, &limit) != 0)
+        return false;
+    limit.rlim_cur = wanted < limit.rlim_cur ? wanted : limit.rlim_cur;
+    limit.rlim_max = wanted < limit.rlim_max ? wanted : limit.rlim_max;
+    return setrlimit(resource, &limit) == 0;
+}
+
 /* This runs between fork and exec, so nothing here may allocate or lock. */
 static void __attribute__((noreturn)) become(const struct child *child, const struct aob_child_desc *desc)
 {
-    struct rlimit no_core = {0, 0}, memory = {desc->memory_limit, desc->memory_limit};
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    setrlimit(RLIMIT_CORE, &no_core);
-    bool ready =
-        dup2(child->input, 0) >= 0 && dup2(child->out_pipe[1], 1) >= 0 && dup2(child->err_pipe[1], 2) >= 0;
+    bool ready = narrow_limit(RLIMIT_CORE, 0) && dup2(child->input, 0) >= 0 &&
+                 dup2(child->out_pipe[1], 1) >= 0 && dup2(child->err_pipe[1], 2) >= 0;
     if (ready && limits_memory && desc->memory_limit)
-        ready = !setrlimit(RLIMIT_AS, &memory);
+        ready = narrow_limit(RLIMIT_AS, desc->memory_limit);
     if (ready)
         execve(desc->argv[0], (char *const *)desc->argv, child->env);
     int cause = errno;
@@ -280,22 +225,34 @@ static bool has_ended(pid_t pid)
     return waitid(P_PID, (id_t)pid, &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == pid;
 }
 
-/* Waits until the child ends or its time is up, and returns whether it was the time. */
-static bool follow(pid_t pid, double timeout_s, struct stream *out, struct stream *err)
+static bool is_excess(const struct aob_stream *stream, const char *name, char excess[64])
 {
-    int64_t start = aob_clock_wall_ns();
+    char what[40];
+    if (!aob_stream_is_broken(stream, what, sizeof what))
+        return false;
+    snprintf(excess, 64, "%s on standard %s", what, name);
+    return true;
+}
+
+/* Waits until the child ends, its time is up, or it writes too much. */
+static void follow(pid_t pid, double timeout_s, struct aob_stream *out, struct aob_stream *err,
+                   struct aob_child_result *result)
+{
+    struct aob_deadline deadline;
+    aob_deadline_init(&deadline, pid, timeout_s);
     while (!has_ended(pid)) {
-        if (timeout_s > 0 && (double)(aob_clock_wall_ns() - start) * 1e-9 >= timeout_s)
-            return true;
+        result->timed_out = aob_deadline_passed(&deadline);
+        if (result->timed_out || is_excess(out, "output", result->excess) ||
+            is_excess(err, "error", result->excess))
+            return;
         struct pollfd fds[] = {{.fd = out->fd, .events = POLLIN}, {.fd = err->fd, .events = POLLIN}};
         bool closed = out->fd < 0 && err->fd < 0;
         poll(fds, AOB_COUNT(fds), closed ? 1 : 20);
         if (fds[0].revents)
-            stream_read(out);
+            aob_stream_read(out);
         if (fds[1].revents)
-            stream_read(err);
+            aob_stream_read(err);
     }
-    return false;
 }
 
 static void reap(pid_t pid, struct aob_child_result *result)
@@ -317,17 +274,16 @@ bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *r
     if (!child_start(&child, desc, error))
         return false;
     struct complaint complaint = {.text = result->complaint};
-    struct stream out = {.fd = child.out_pipe[0], .take = desc->on_line, .user = desc->user};
-    struct stream err = {.fd = child.err_pipe[0], .take = take_complaint, .user = &complaint};
+    size_t limit = desc->output_limit ? desc->output_limit : OUTPUT_LIMIT;
+    struct aob_stream out = {child.out_pipe[0], LINE_LIMIT, limit, desc->on_line, desc->user, .size = 0};
+    struct aob_stream err = {child.err_pipe[0], LINE_LIMIT, limit, take_complaint, &complaint, .size = 0};
     child.out_pipe[0] = child.err_pipe[0] = -1;
 
-    result->timed_out = follow(child.pid, desc->timeout_s, &out, &err);
+    follow(child.pid, desc->timeout_s, &out, &err, result);
     kill(-child.pid, SIGKILL);
     reap(child.pid, result);
-    stream_finish(&out, !result->signal && !result->timed_out);
-    stream_finish(&err, true);
-    close_fd(&out.fd);
-    close_fd(&err.fd);
+    aob_stream_finish(&out, !result->signal && !result->timed_out);
+    aob_stream_finish(&err, true);
     child_finish(&child);
     return true;
 }
@@ -338,6 +294,8 @@ void aob_child_explain(const struct aob_child_desc *desc, const struct aob_child
     const char *colon = result->complaint[0] ? ": " : "";
     if (result->timed_out) {
         snprintf(text, size, "took longer than %g s", desc->timeout_s);
+    } else if (*result->excess) {
+        snprintf(text, size, "wrote %s, and was stopped", result->excess);
     } else if (result->signal) {
         const char *known = sigdescr_np(result->signal);
         char name[64];

@@ -1,5 +1,5 @@
-/* A program run in a process of its own, with a time and a memory limit. The child leads a process group that
- * is killed whole, at its end or at the limit, so nothing is left over; it also dies with the thread that
+/* A program run in a process of its own, with limits of time, memory and output. The child leads a process group that
+ * is killed whole, at its end or at a limit, so nothing is left over; it also dies with the thread that
  * runs it. Threads: any; each call has its own child. */
 #ifndef AOB_BASE_CHILD_H
 #define AOB_BASE_CHILD_H
@@ -12,8 +12,12 @@ struct aob_child_desc {
     const char *const *env;  /* NULL, or NULL-ended "NAME=value" set on top of this process's environment */
     const char *input;       /* what it reads from standard input; NULL: nothing */
     size_t input_size;
-    double timeout_s;    /* for the whole run; 0: no limit */
-    size_t memory_limit; /* bytes of address space (of resident memory under AddressSanitizer); 0: no limit */
+    double timeout_s; /* of work (deadline.h), for the whole run; 0: no limit */
+    size_t
+        memory_limit; /* bytes of address space (of resident memory under AddressSanitizer); 0: no limit but the
+                            one of this process, which holds in any case */
+    size_t
+        output_limit; /* bytes, of standard output and of standard error each; 0: 64 MiB. A line ends at 16 MiB */
     /* Called with each line of standard output, of any length, without its newline; may be NULL. A last line that
      * lacks its newline counts only if the child exited by itself: a crash may have cut it. */
     void (*on_line)(void *user, const char *line);
@@ -23,6 +27,8 @@ struct aob_child_result {
     int exit_code; /* -1 unless it exited by itself */
     int signal;    /* 0 unless a signal ended it */
     bool timed_out;
+    char excess
+        [64]; /* what it wrote too much, and was killed for: "a line of more than 16 MiB on standard error" */
     char complaint[512]; /* the last line on standard error that says "error", else the last line; may be
                             empty */
 };
@@ -31,7 +37,8 @@ struct aob_child_result {
 bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *result,
                    struct aob_error *error);
 
-/* "crashed (signal 11, segmentation fault): COMPLAINT", "took longer than 20 s", "exit code 2: COMPLAINT". */
+/* "crashed (signal 11, segmentation fault): COMPLAINT", "took longer than 20 s", "wrote EXCESS, and was stopped",
+ * "exit code 2: COMPLAINT". */
 void aob_child_explain(const struct aob_child_desc *desc, const struct aob_child_result *result, char *text,
                        size_t size);
 #endif

@@ -21,9 +21,11 @@ bool aob_fail_in(struct aob_error *error, const char *format, ...)
         return false;
     char cause[sizeof error->text];
     memcpy(cause, error->text, sizeof cause);
+    /* A long prefix, such as a path, leaves two thirds of the line to the cause if that needs them. */
+    size_t least = sizeof cause / 3, rest = sizeof cause - strlen(cause);
     va_list args;
     va_start(args, format);
-    aob_line_print_list(error->text, sizeof error->text, format, args);
+    aob_line_print_list(error->text, rest > least + 2 ? rest - 2 : least, format, args);
     va_end(args);
     size_t used = strlen(error->text);
     aob_line_print(error->text + used, sizeof error->text - used, ": %s", cause);
@@ -32,12 +34,10 @@ bool aob_fail_in(struct aob_error *error, const char *format, ...)
 
 static void print_line(const char *kind, const char *text)
 {
-    char line[2048];
-    aob_line_print(line, sizeof line, "aobudget: %s%s", kind, text);
-    for (char *c = line; *c; c++)
-        if (*c == '\n' || *c == '\r')
-            *c = ' ';
-    fprintf(stderr, "%s\n", line);
+    struct aob_text line = {0};
+    aob_text_add_line(&line, "aobudget: %s%s", kind, text);
+    fputs(line.data, stderr);
+    aob_text_finish(&line);
 }
 
 void aob_error_print(const struct aob_error *error)

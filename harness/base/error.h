@@ -23,7 +23,8 @@ bool aob_fail(struct aob_error *error, const char *format, ...) __attribute__((f
 /* Puts "prefix: " before the line that is already there. Always returns false. */
 bool aob_fail_in(struct aob_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Prints one line on standard error: "aobudget: error: TEXT". Line breaks within the text become spaces. */
+/* Prints one line on standard error: "aobudget: error: TEXT". Line breaks within the text become spaces,
+ * and other control characters escapes (aob_text_add_shown): a text may quote an input. */
 void aob_error_print(const struct aob_error *error);
 
 /* Each prints one line on standard error: "aobudget: warning: TEXT" or "aobudget: TEXT". */

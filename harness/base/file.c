@@ -36,6 +36,18 @@ char *aob_file_read(const char *path, size_t limit, size_t *size, struct aob_err
     return bytes;
 }
 
+/* A disk that fills up takes a part first, and says why it takes no more when it is asked again. */
+bool aob_file_send(int file, const void *bytes, size_t size)
+{
+    for (size_t sent = 0; sent < size;) {
+        ssize_t count = write(file, (const char *)bytes + sent, size - sent);
+        if (count < 0 && errno != EINTR)
+            return false;
+        sent += count > 0 ? (size_t)count : 0;
+    }
+    return true;
+}
+
 static bool write_and_sync(FILE *file, const void *bytes, size_t size)
 {
     bool ok = fwrite(bytes, 1, size, file) == size && fflush(file) == 0 && fsync(fileno(file)) == 0;
@@ -169,6 +181,26 @@ char *aob_path_join(const char *folder, const char *name)
     char *path = aob_alloc(strlen(folder) + strlen(name) + 2, 1);
     sprintf(path, "%s/%s", folder, name);
     return path;
+}
+
+char *aob_path_beside(const char *file, const char *path)
+{
+    const char *slash = strrchr(file, '/');
+    if (*path == '/' || !slash)
+        return aob_strdup(path);
+    size_t folder = (size_t)(slash - file) + 1;
+    char *joined = aob_alloc(folder + strlen(path) + 1, 1);
+    memcpy(joined, file, folder);
+    strcpy(joined + folder, path);
+    return joined;
+}
+
+char *aob_path_absolute(const char *path)
+{
+    char *folder = *path == '/' ? NULL : getcwd(NULL, 0);
+    char *absolute = folder ? aob_path_join(folder, path) : aob_strdup(path);
+    free(folder);
+    return absolute;
 }
 
 char *aob_path_program(void)

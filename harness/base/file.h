@@ -12,6 +12,9 @@ char *aob_file_read(const char *path, size_t limit, size_t *size, struct aob_err
  * link stays a link. What is no regular file (a device, a pipe) is written into and not replaced. */
 bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob_error *error);
 
+/* Writes all of it to an open file, however many calls that takes. False with errno, of which nothing else tells. */
+bool aob_file_send(int file, const void *bytes, size_t size);
+
 /* Copies the whole of one file into another, as aob_file_write writes it. */
 bool aob_file_copy(const char *from, const char *to, struct aob_error *error);
 
@@ -31,6 +34,13 @@ bool aob_folder_create(const char *path, struct aob_error *error);
 
 /* Returns "folder/name"; free() it. */
 char *aob_path_join(const char *folder, const char *name);
+
+/* Returns the path that `path` means in a text of `file`: relative ones are seen from the file's folder; free() it. */
+char *aob_path_beside(const char *file, const char *path);
+
+/* Returns the path from the root, seen from the working folder; free() it. Nothing in it is resolved, so a text that names
+ * it holds `path` as well. */
+char *aob_path_absolute(const char *path);
 
 /* The folder of the running program, without a trailing slash; free() it. */
 char *aob_path_program_folder(void);

@@ -5,6 +5,8 @@
 #include <string.h>
 #include "file.h"
 #include "memory.h"
+#include "output.h"
+#include "text.h"
 
 json_t *aob_json_number(double value)
 {
@@ -39,6 +41,23 @@ bool aob_json_to_vector(const json_t *array, double *values, size_t count)
     return json_array_size(array) == count;
 }
 
+json_t *aob_json_text(const char *text)
+{
+    struct aob_text shown = {0};
+    aob_text_add_shown(&shown, text, strlen(text), false);
+    json_t *value = json_stringn(shown.data ? shown.data : "", shown.size);
+    aob_text_finish(&shown);
+    return value;
+}
+
+json_t *aob_json_path(const char *path)
+{
+    char *absolute = path ? aob_path_absolute(path) : NULL;
+    json_t *value = absolute ? json_string(absolute) : json_null();
+    free(absolute);
+    return value ? value : json_string(path);
+}
+
 char *aob_json_line(const json_t *value, int digits)
 {
     return json_dumps(value, JSON_COMPACT | JSON_REAL_PRECISION((size_t)digits) | JSON_ENCODE_ANY);
@@ -50,10 +69,8 @@ bool aob_json_write(const json_t *document, const char *path, struct aob_error *
     size_t size = strlen(text);
     text = aob_realloc(text, size + 2, 1);
     memcpy(text + size, "\n", 2);
-    bool ok = strcmp(path, "-") == 0 ? fputs(text, stdout) != EOF && fflush(stdout) == 0
+    bool ok = strcmp(path, "-") == 0 ? aob_output_write(text, size + 1, error)
                                      : aob_file_write(path, text, size + 1, error);
-    if (!ok && strcmp(path, "-") == 0)
-        aob_fail(error, "standard output: cannot write");
     free(text);
     return ok;
 }

@@ -25,19 +25,77 @@ void aob_text_add_bytes(struct aob_text *text, const char *bytes, size_t size)
     text->data[text->size] = '\0';
 }
 
-void aob_text_add(struct aob_text *text, const char *format, ...)
+static void add_list(struct aob_text *text, const char *format, va_list args)
 {
-    va_list args, again;
-    va_start(args, format);
+    va_list again;
     va_copy(again, args);
     int size = vsnprintf(NULL, 0, format, args);
-    va_end(args);
     if (size > 0) {
         make_room(text, (size_t)size);
         vsnprintf(text->data + text->size, (size_t)size + 1, format, again);
         text->size += (size_t)size;
     }
     va_end(again);
+}
+
+void aob_text_add(struct aob_text *text, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    add_list(text, format, args);
+    va_end(args);
+}
+
+/* Bytes of the character at the begin of `s`; 0 where it is not UTF-8. The second byte has narrower bounds where the
+ * character could be written shorter, is a surrogate, or lies beyond the last one (RFC 3629, section 4). */
+static size_t utf8_size(const unsigned char *s, size_t left)
+{
+    size_t size = s[0] < 0x80 ? 1 : s[0] < 0xc2 ? 0 : s[0] < 0xe0 ? 2 : s[0] < 0xf0 ? 3 : s[0] < 0xf5 ? 4 : 0;
+    unsigned char low = s[0] == 0xe0 ? 0xa0 : s[0] == 0xf0 ? 0x90 : 0x80;
+    unsigned char high = s[0] == 0xed ? 0x9f : s[0] == 0xf4 ? 0x8f : 0xbf;
+    if (size > left)
+        return 0;
+    for (size_t i = 1; i < size; i++)
+        if (s[i] < (i == 1 ? low : 0x80) || s[i] > (i == 1 ? high : 0xbf))
+            return 0;
+    return size;
+}
+
+/* The control characters are U+0000 to U+001F, U+007F, and U+0080 to U+009F, of two bytes each. */
+static bool is_control(const unsigned char *s, size_t size)
+{
+    return size == 2 ? s[0] == 0xc2 && s[1] < 0xa0 : s[0] < 0x20 || s[0] == 0x7f;
+}
+
+void aob_text_add_shown(struct aob_text *text, const char *bytes, size_t size, bool lines)
+{
+    for (size_t at = 0, taken; at < size; at += taken) {
+        const unsigned char *s = (const unsigned char *)bytes + at;
+        taken = utf8_size(s, size - at);
+        if (!taken) {
+            aob_text_add(text, "\\x%02x", *s);
+            taken = 1;
+        } else if (lines && *s == '\n')
+            aob_text_add_bytes(text, "\n", 1);
+        else if (*s == '\n' || *s == '\r' || *s == '\t')
+            aob_text_add_bytes(text, " ", 1);
+        else if (is_control(s, taken))
+            aob_text_add(text, "\\u%04x", s[taken - 1]);
+        else
+            aob_text_add_bytes(text, (const char *)s, taken);
+    }
+}
+
+void aob_text_add_line(struct aob_text *text, const char *format, ...)
+{
+    struct aob_text line = {0};
+    va_list args;
+    va_start(args, format);
+    add_list(&line, format, args);
+    va_end(args);
+    aob_text_add_shown(text, line.data, line.size, false);
+    aob_text_add_bytes(text, "\n", 1);
+    aob_text_finish(&line);
 }
 
 void aob_text_finish(struct aob_text *text)
@@ -49,9 +107,18 @@ void aob_text_finish(struct aob_text *text)
 void aob_line_print_list(char *line, size_t size, const char *format, va_list args)
 {
     static const char mark[] = "...";
-    int wanted = vsnprintf(line, size, format, args);
-    if (wanted >= 0 && (size_t)wanted >= size && size >= sizeof mark)
-        memcpy(line + size - sizeof mark, mark, sizeof mark);
+    struct aob_text raw = {0}, shown = {0};
+    add_list(&raw, format, args);
+    aob_text_add_shown(&shown, raw.data, raw.size, false);
+    size_t kept = shown.size;
+    if (kept >= size && size >= sizeof mark) {
+        kept = size - sizeof mark;
+        while (kept && ((unsigned char)shown.data[kept] & 0xc0) == 0x80) /* within a character */
+            kept--;
+    }
+    snprintf(line, size, "%.*s%s", (int)kept, kept ? shown.data : "", kept < shown.size ? mark : "");
+    aob_text_finish(&raw);
+    aob_text_finish(&shown);
 }
 
 void aob_line_print(char *line, size_t size, const char *format, ...)

@@ -41,4 +41,17 @@ static inline struct aob_vec3 aob_vec_normalize(struct aob_vec3 a)
     double l = aob_vec_length(a);
     return l > 0 ? aob_vec_scale(a, 1 / l) : a;
 }
+/* The unit vector n turned towards the unit vector v, in the plane of both, until n.v is `least` (-1 < least < 1); n
+ * itself if n.v is that already. -v, which has no such plane, becomes v. */
+static inline struct aob_vec3 aob_vec_bend(struct aob_vec3 n, struct aob_vec3 v, double least)
+{
+    double along = aob_vec_dot(n, v);
+    struct aob_vec3 across = aob_vec_sub(n, aob_vec_scale(v, along));
+    double length = aob_vec_length(across);
+    if (along >= least)
+        return n;
+    if (!(length > 1e-9))
+        return v;
+    return aob_vec_add(aob_vec_scale(across, sqrt(1 - least * least) / length), aob_vec_scale(v, least));
+}
 #endif

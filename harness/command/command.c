@@ -1,9 +1,9 @@
 #include "command.h"
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/output.h"
 
 enum { MAX_FLAGS = 64 };
 
@@ -50,22 +50,39 @@ static bool read_flags(const struct aob_command *command, const struct aob_flags
     return true;
 }
 
+static enum aob_exit print_help(const struct aob_command *command, const struct aob_flag *all,
+                                struct aob_error *error)
+{
+    struct aob_text out = {0};
+    aob_text_add_line(&out, "usage: aobudget %s %s", command->name, command->usage);
+    aob_text_add_line(&out, "%s", command->summary);
+    aob_flags_help(all, &out);
+    bool ok = aob_output_write(out.data, out.size, error);
+    aob_text_finish(&out);
+    return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
+}
+
+/* A command that failed has said why; that its words were lost as well is no second line. */
+static enum aob_exit write_out(enum aob_exit code, const struct aob_text *out, struct aob_error *error)
+{
+    bool ok = !out->size || aob_output_write(out->data, out->size, *error->text ? NULL : error);
+    return ok ? code : AOB_EXIT_USAGE;
+}
+
 enum aob_exit aob_command_run(const struct aob_command *command, int argc, char **argv,
                               struct aob_error *error)
 {
     struct aob_flag all[MAX_FLAGS];
     gather_flags(command, all);
-    if (asks_for_help(argc, argv)) {
-        printf("usage: aobudget %s %s\n%s\n", command->name, command->usage, command->summary);
-        aob_flags_help(all);
-        return AOB_EXIT_OK;
-    }
+    if (asks_for_help(argc, argv))
+        return print_help(command, all, error);
     struct aob_common *common = aob_alloc(1, command->size);
     char *program = aob_path_program();
     common->dispatch.program = program;
     enum aob_exit code = AOB_EXIT_USAGE;
     if (read_flags(command, &(struct aob_flags_desc){command->name, all, argc, argv}, common, error))
-        code = command->run(common, error);
+        code = write_out(command->run(common, error), &common->out, error);
+    aob_text_finish(&common->out);
     aob_words_finish(&common->modules);
     aob_words_finish(&common->words);
     free(program);

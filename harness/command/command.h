@@ -13,6 +13,8 @@ struct aob_common {
     bool quiet, help;
     struct aob_words modules, words;
     struct aob_dispatch dispatch;
+    struct aob_text
+        out; /* what the command says on standard output; written when it is done, whatever its code is */
 };
 
 struct aob_command {

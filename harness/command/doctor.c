@@ -76,22 +76,23 @@ static void check_program(struct checkup *checkup)
     free(cache);
 }
 
-static void print_findings(const struct checkup *checkup)
+static void print_findings(const struct checkup *checkup, struct aob_text *out)
 {
     char processor[256];
     json_t *finding;
     size_t at;
     aob_machine_processor(processor, sizeof processor);
-    printf("aobudget %s on %s, %d cores\n", AOBUDGET_VERSION, processor, aob_machine_cores());
+    aob_text_add_line(out, "aobudget %s on %s, %d cores", AOBUDGET_VERSION, processor, aob_machine_cores());
     json_array_foreach(checkup->findings, at, finding)
     {
         const char *cure = json_string_value(json_object_get(finding, "cure"));
-        printf("%-8s %-9s %-14s %s\n", json_is_true(json_object_get(finding, "ok")) ? "ok" : "missing",
-               json_string_value(json_object_get(finding, "what")),
-               json_string_value(json_object_get(finding, "name")),
-               json_string_value(json_object_get(finding, "says")));
+        aob_text_add_line(out, "%-8s %-9s %-14s %s",
+                          json_is_true(json_object_get(finding, "ok")) ? "ok" : "missing",
+                          json_string_value(json_object_get(finding, "what")),
+                          json_string_value(json_object_get(finding, "name")),
+                          json_string_value(json_object_get(finding, "says")));
         if (*cure)
-            printf("%-33s cure: %s\n", "", cure);
+            aob_text_add_line(out, "%-33s cure: %s", "", cure);
     }
 }
 
@@ -106,7 +107,7 @@ static enum aob_exit verdict(const struct checkup *checkup, struct aob_error *er
 
 static enum aob_exit doctor(void *options, struct aob_error *error)
 {
-    const struct aob_common *common = options;
+    struct aob_common *common = options;
     struct checkup checkup = {.dispatch = &common->dispatch, .findings = json_array()};
     for (const struct aob_gpu_fns *const *backend = aob_gpu_backends; *backend; backend++)
         check_backend(&checkup, *backend);
@@ -120,7 +121,7 @@ static enum aob_exit doctor(void *options, struct aob_error *error)
         json_decref(document);
     }
     if (aob_common_speaks(common))
-        print_findings(&checkup);
+        print_findings(&checkup, &common->out);
     json_decref(checkup.findings);
     return ok ? verdict(&checkup, error) : AOB_EXIT_USAGE;
 }

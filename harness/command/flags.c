@@ -60,13 +60,13 @@ bool aob_flags_parse(const struct aob_flags_desc *desc, void *options, struct ao
     return true;
 }
 
-void aob_flags_help(const struct aob_flag *table)
+void aob_flags_help(const struct aob_flag *table, struct aob_text *out)
 {
     for (const struct aob_flag *flag = table; flag->name; flag++) {
         char left[64];
         snprintf(left, sizeof left, "%s%s %s", strlen(flag->name) == 1 ? "-" : "--", flag->name,
                  flag->value ? flag->value : "");
-        printf("  %-24s %s\n", left, flag->help);
+        aob_text_add_line(out, "  %-24s %s", left, flag->help);
     }
 }
 

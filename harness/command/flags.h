@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include "base/error.h"
+#include "base/text.h"
 
 struct aob_words { /* what a flag that may be repeated was given; the texts are argv's */
     const char **items;
@@ -33,6 +34,6 @@ struct aob_flags_desc {
  * one dash. False: one line that names the command and the flag. */
 bool aob_flags_parse(const struct aob_flags_desc *desc, void *options, struct aob_words *words,
                      struct aob_error *error);
-void aob_flags_help(const struct aob_flag *table); /* a line each, on standard output */
+void aob_flags_help(const struct aob_flag *table, struct aob_text *out); /* a line each */
 void aob_words_finish(struct aob_words *words);
 #endif

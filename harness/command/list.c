@@ -1,4 +1,3 @@
-#include <stdio.h>
 #include <string.h>
 #include "base/file.h"
 #include "base/json.h"
@@ -34,7 +33,7 @@ static json_t *techniques_to_json(const struct aob_technique_list *list)
                      params_to_json(aob_option_params, AOB_OPTION_COUNT));
 }
 
-static void print_params(const struct aob_param *params, size_t count)
+static void print_params(const struct aob_param *params, size_t count, struct aob_text *out)
 {
     for (size_t i = 0; i < count; i++) {
         struct aob_text text = {0};
@@ -47,25 +46,27 @@ static void print_params(const struct aob_param *params, size_t count)
                          aob_unit_name(params[i].unit));
         if (aob_param_rule(&params[i]))
             aob_text_add(&text, ", %s", aob_param_rule(&params[i]));
-        printf("    %-12s %s\n                 %s\n", params[i].name, text.data, params[i].doc);
+        aob_text_add_line(out, "    %-12s %s", params[i].name, text.data);
+        aob_text_add_line(out, "                 %s", params[i].doc);
         aob_text_finish(&text);
     }
 }
 
-static void print_techniques(const struct aob_technique_list *list)
+static void print_techniques(const struct aob_technique_list *list, struct aob_text *out)
 {
     for (size_t i = 0; i < list->count; i++) {
         const struct aob_technique_info *t = &list->items[i];
-        printf("%s: %s (revision %u%s%s)\n    %s\n", t->name, t->title, t->revision, t->module ? ", " : "",
-               t->module ? t->module : "", t->citation);
+        aob_text_add_line(out, "%s: %s (revision %u%s%s)", t->name, t->title, t->revision,
+                          t->module ? ", " : "", t->module ? t->module : "");
+        aob_text_add_line(out, "    %s", t->citation);
         if (t->summary)
-            printf("    %s\n", t->summary);
+            aob_text_add_line(out, "    %s", t->summary);
         if (t->notes)
-            printf("    Notes: %s\n", t->notes);
-        print_params(t->params, t->param_count);
+            aob_text_add_line(out, "    Notes: %s", t->notes);
+        print_params(t->params, t->param_count, out);
     }
-    printf("options of every run\n");
-    print_params(aob_option_params, AOB_OPTION_COUNT);
+    aob_text_add_line(out, "options of every run");
+    print_params(aob_option_params, AOB_OPTION_COUNT, out);
 }
 
 static json_t *scene_to_json(const struct aob_scene_info *scene)
@@ -97,38 +98,45 @@ static json_t *scenes_to_json(const struct aob_scene_folder *folder)
     return json_pack("{s:o, s:o, s:o}", "scenes", array, "own", own, "known_elsewhere", known);
 }
 
-static void print_scene(const struct aob_scene_info *scene)
+static void print_scene(const struct aob_scene_info *scene, struct aob_text *out)
 {
-    printf("%s: %s\n    views:", scene->name, scene->title);
+    struct aob_text views = {0};
     for (size_t i = 0; i < scene->view_count; i++)
-        printf(" %s", scene->views[i].name);
-    if (scene->file)
-        printf("\n    %s (package %s)%s\n    licence %s; sha256 %s", scene->file, scene->package,
-               aob_file_exists(scene->file) ? "" : ": not installed", scene->licence, scene->sha256);
-    printf("\n");
+        aob_text_add(&views, " %s", scene->views[i].name);
+    aob_text_add_line(out, "%s: %s", scene->name, scene->title);
+    aob_text_add_line(out, "    views:%s", views.data);
+    aob_text_finish(&views);
+    if (!scene->file)
+        return;
+    aob_text_add_line(out, "    %s (package %s)%s", scene->file, scene->package,
+                      aob_file_exists(scene->file) ? "" : ": not installed");
+    aob_text_add_line(out, "    licence %s; sha256 %s", scene->licence, scene->sha256);
 }
 
-static void print_scenes(const struct aob_scene_folder *folder)
+static void print_scenes(const struct aob_scene_folder *folder, struct aob_text *out)
 {
     for (const struct aob_scene_info *const *s = aob_scenes; *s; s++)
-        print_scene(*s);
+        print_scene(*s, out);
     if (folder->count)
-        printf("your own, in AOBUDGET_SCENES\n");
+        aob_text_add_line(out, "your own, in AOBUDGET_SCENES");
     for (size_t i = 0; i < folder->count; i++)
-        printf("    %s: %s\n", folder->files[i].name, folder->files[i].path);
-    printf("known elsewhere: put a mesh into the folder AOBUDGET_SCENES to use it by its name\n");
-    for (const struct aob_known_scene *k = aob_known_scenes; k->name; k++)
-        printf("    %s: %s\n        %s; %s\n", k->name, k->title, k->source, k->licence);
+        aob_text_add_line(out, "    %s: %s", folder->files[i].name, folder->files[i].path);
+    aob_text_add_line(out,
+                      "known elsewhere: put a mesh into the folder AOBUDGET_SCENES to use it by its name");
+    for (const struct aob_known_scene *k = aob_known_scenes; k->name; k++) {
+        aob_text_add_line(out, "    %s: %s", k->name, k->title);
+        aob_text_add_line(out, "        %s; %s", k->source, k->licence);
+    }
 }
 
-static bool list_scenes(const char *json, struct aob_error *error)
+static bool list_scenes(struct aob_common *common, struct aob_error *error)
 {
     struct aob_scene_folder folder;
     bool ok = aob_scene_folder_read(&folder, error);
-    if (ok && json)
-        ok = write_document(scenes_to_json(&folder), json, error);
+    if (ok && common->json)
+        ok = write_document(scenes_to_json(&folder), common->json, error);
     else if (ok)
-        print_scenes(&folder);
+        print_scenes(&folder, &common->out);
     aob_scene_folder_finish(&folder);
     return ok;
 }
@@ -141,43 +149,43 @@ static json_t *backends_to_json(void)
     return json_pack("{s:o}", "backends", array);
 }
 
-static void print_backends(void)
+static void print_backends(struct aob_text *out)
 {
     for (const struct aob_gpu_fns *const *b = aob_gpu_backends; *b; b++)
-        printf("%-12s %s\n", (*b)->name, (*b)->title);
+        aob_text_add_line(out, "%-12s %s", (*b)->name, (*b)->title);
 }
 
-static bool list_techniques(const struct aob_dispatch *dispatch, const char *json, struct aob_error *error)
+static bool list_techniques(struct aob_common *common, struct aob_error *error)
 {
     struct aob_technique_list list;
-    bool ok = aob_dispatch_describe(dispatch, &list, error);
-    if (ok && json)
-        ok = write_document(techniques_to_json(&list), json, error);
+    bool ok = aob_dispatch_describe(&common->dispatch, &list, error);
+    if (ok && common->json)
+        ok = write_document(techniques_to_json(&list), common->json, error);
     else if (ok)
-        print_techniques(&list);
+        print_techniques(&list, &common->out);
     aob_technique_list_finish(&list);
     return ok;
 }
 
-static bool list_backends(const char *json, struct aob_error *error)
+static bool list_backends(struct aob_common *common, struct aob_error *error)
 {
-    if (json)
-        return write_document(backends_to_json(), json, error);
-    print_backends();
+    if (common->json)
+        return write_document(backends_to_json(), common->json, error);
+    print_backends(&common->out);
     return true;
 }
 
 static enum aob_exit list(void *options, struct aob_error *error)
 {
-    const struct aob_common *common = options;
+    struct aob_common *common = options;
     const char *what = common->words.items[0];
     bool ok = false;
     if (strcmp(what, "techniques") == 0)
-        ok = list_techniques(&common->dispatch, common->json, error);
+        ok = list_techniques(common, error);
     else if (strcmp(what, "scenes") == 0)
-        ok = list_scenes(common->json, error);
+        ok = list_scenes(common, error);
     else if (strcmp(what, "backends") == 0)
-        ok = list_backends(common->json, error);
+        ok = list_backends(common, error);
     else
         aob_fail(error, "list: '%s' is not one of techniques, scenes, backends", what);
     return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;

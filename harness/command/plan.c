@@ -18,28 +18,29 @@ static bool write_plan(const struct aob_plan *plan, const char *json, struct aob
     return ok;
 }
 
-static void print_plan(const struct aob_plan *plan, bool quiet)
+static void print_plan(const struct aob_plan *plan, bool quiet, struct aob_text *out)
 {
     for (size_t i = 0; i < plan->case_count && !quiet; i++) {
         struct aob_text text = {0};
         aob_case_describe(plan, &plan->cases[i], &text);
-        printf("%s\n", text.data);
+        aob_text_add_line(out, "%s", text.data);
         aob_text_finish(&text);
     }
     long seconds = (long)aob_plan_estimate_s(plan);
-    printf("%zu cases, about %ld:%02ld minutes\n", plan->case_count, seconds / 60, seconds % 60);
+    aob_text_add_line(out, "%zu cases, about %ld:%02ld minutes", plan->case_count, seconds / 60,
+                      seconds % 60);
 }
 
 static enum aob_exit plan(void *options, struct aob_error *error)
 {
-    const struct aob_common *common = options;
+    struct aob_common *common = options;
     struct aob_sweep sweep = {0};
     bool ok = aob_config_read(&sweep.config, common->words.items[0], error) &&
               aob_sweep_expand(&sweep, &common->dispatch, error);
     if (ok && common->json)
         ok = write_plan(&sweep.plan, common->json, error);
     else if (ok)
-        print_plan(&sweep.plan, common->quiet);
+        print_plan(&sweep.plan, common->quiet, &common->out);
     aob_sweep_finish(&sweep);
     return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
 }

@@ -21,9 +21,16 @@ static const struct aob_flag flags[] = {
     {0},
 };
 
+static void tell_damage(const struct aob_error *damage)
+{
+    if (*damage->text)
+        aob_warn("%s", damage->text);
+}
+
 static bool summarise(const struct options *o, const struct aob_page_summary *summary, const char *out,
                       struct aob_error *error)
 {
+    tell_damage(&summary->damage);
     if (!o->common.quiet)
         aob_note("%zu of %zu cases, %zu ok; %zu of %zu figures; page: %s/index.html", summary->cases,
                  summary->planned, summary->ok, summary->drawn, summary->figures, out);
@@ -40,6 +47,7 @@ static bool summarise(const struct options *o, const struct aob_page_summary *su
 static bool summarise_techniques(const struct options *o, const struct aob_techniques_summary *summary,
                                  struct aob_error *error)
 {
+    tell_damage(&summary->damage);
     if (!o->common.quiet)
         aob_note("%zu techniques, %zu of %zu cases, %zu ok; %zu of %zu pictures; page: %s",
                  summary->techniques, summary->cases, summary->planned, summary->ok, summary->drawn,

@@ -191,7 +191,7 @@ static void keep_record(void *user, size_t index, json_t *record)
     *kept = json_incref(record);
 }
 
-static void print_record(const struct aob_sweep *sweep, const json_t *record)
+static void print_record(const struct aob_sweep *sweep, const json_t *record, struct aob_text *out)
 {
     const json_t *time = json_object_get(record, "time"), *error = json_object_get(record, "error");
     struct aob_text text = {0};
@@ -205,7 +205,7 @@ static void print_record(const struct aob_sweep *sweep, const json_t *record)
     aob_metrics_print_brief(&metrics, ", ", &text);
     if (isfinite(metrics.reference_se))
         aob_text_add(&text, " (reference SE %.4f)", metrics.reference_se);
-    printf("%s\n", text.data);
+    aob_text_add_line(out, "%s", text.data);
     aob_text_finish(&text);
 }
 
@@ -254,7 +254,7 @@ static enum aob_exit shot(void *from, struct aob_error *error)
     if (record && o->common.json && !aob_json_write(record, o->common.json, ok ? error : NULL))
         ok = false;
     if (ok && aob_common_speaks(&o->common))
-        print_record(&sweep, record);
+        print_record(&sweep, record, &o->common.out);
     json_decref(record);
     aob_sweep_finish(&sweep);
     aob_words_finish(&o->params);

@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "config_scene.h"
+#include "config_size.h"
 #include "config_target.h"
 #include "yaml.h"
 
@@ -287,7 +288,7 @@ bool aob_config_read(struct aob_config *config, const char *path, struct aob_err
         aob_hash_bytes(text, size, config->hash);
         ok = aob_yaml_mapping(&yaml, yaml_document_get_root_node(&yaml.document), keys, read_config_entry,
                               config) &&
-             judge_config(config, error);
+             judge_config(config, error) && aob_config_judge_size(config, error);
         aob_yaml_finish(&yaml);
     }
     free(text);

@@ -1,5 +1,6 @@
 /* The config of a run, as text with positions: what the file says, in shape checked, in values not yet
- * (values of parameters are judged by the plan, which knows the tables). Lengths in the scene's units.
+ * (values of parameters are judged by the plan, which knows the tables). Lengths in the scene's units. Paths are seen from
+ * the config's folder, so that a run is the same wherever it is started.
  *
  *   name: demo                       # letters, digits, - and _
  *   scenes:                          # a listed scene, with views (default: its first), or a mesh file
@@ -46,7 +47,8 @@ struct aob_pose {
     double eye[3], target[3]; /* scene units */
 };
 struct aob_scene_choice {
-    char *name, *file, *capture; /* one of the three */
+    char *name, *file, *capture; /* one of the three; paths as the current folder sees them */
+    char *given;                 /* a path as it was written, which records call the scene by; else NULL */
     char *view;                  /* listed view, or NULL */
     bool has_camera, ortho;
     double eye[3], target[3];
@@ -61,7 +63,7 @@ struct aob_scene_choice {
     char digest[AOB_KEY_SIZE];   /* with the version of its reader */
     int line, column;
 };
-enum { AOB_CONFIG_MAX_VIEWS = 20000 };
+enum { AOB_CONFIG_MAX_VIEWS = 20000, AOB_CONFIG_MAX_CASES = 20000 };
 struct aob_target { /* one question: which visibility is asked for */
     double radius;  /* scene units, a float's value; INFINITY allowed */
     bool uniform;   /* weighting of the directions; false: by the cosine */
@@ -109,6 +111,10 @@ void aob_config_finish(struct aob_config *config);
 /* Put FILE:LINE:COLUMN before the error that is there; FILE alone for line 0, nothing for what is from the command line.
  * Always false. */
 bool aob_config_fail_at(const struct aob_config *config, int line, int column, struct aob_error *error);
+
+/* An entry's own backends, which stand in place of the config's, or those. */
+const struct aob_backend_choice *aob_config_backends(const struct aob_config *config,
+                                                     const struct aob_technique_choice *choice);
 
 /* The defaults that a file starts from: nothing chosen, time, error and images measured, 1.5 s, 256 spp. */
 void aob_config_init(struct aob_config *config);

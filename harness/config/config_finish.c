@@ -26,6 +26,7 @@ void aob_config_finish(struct aob_config *config)
         free(config->scenes[i].file);
         free(config->scenes[i].view);
         free(config->scenes[i].capture);
+        free(config->scenes[i].given);
         free(config->scenes[i].gbuffer);
     }
     for (size_t i = 0; i < config->technique_count; i++) {

@@ -1,6 +1,7 @@
 #include "config_scene.h"
 #include <stdlib.h>
 #include <string.h>
+#include "base/file.h"
 #include "base/memory.h"
 #include "config_capture.h"
 #include "pose.h"
@@ -64,6 +65,7 @@ static void push_scene(struct scene_reader *reader, const char *view)
     copy->name = aob_strdup(reader->choice.name);
     copy->file = aob_strdup(reader->choice.file);
     copy->capture = aob_strdup(reader->choice.capture);
+    copy->given = aob_strdup(reader->choice.given);
     copy->view = aob_strdup(view);
 }
 
@@ -91,6 +93,16 @@ static bool judge_scene(struct aob_yaml *yaml, const yaml_node_t *node, struct s
     return true;
 }
 
+/* Puts the path as the current folder sees it in place of the one that is written. */
+static void resolve_path(const struct aob_yaml *yaml, struct aob_scene_choice *choice)
+{
+    char **path = choice->file ? &choice->file : &choice->capture;
+    if (!*path)
+        return;
+    choice->given = *path;
+    *path = aob_path_beside(yaml->path, choice->given);
+}
+
 bool aob_config_read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
 {
     static const char *const keys[] = {
@@ -100,6 +112,8 @@ bool aob_config_read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
     struct scene_reader reader = {.config = user};
     bool ok =
         aob_yaml_mapping(yaml, node, keys, read_scene_entry, &reader) && judge_scene(yaml, node, &reader);
+    if (ok)
+        resolve_path(yaml, &reader.choice);
     reader.choice.has_camera = reader.eye;
     if (!(reader.choice.fov_deg > 0) && !reader.choice.capture)
         reader.choice.fov_deg = 60;
@@ -117,5 +131,6 @@ bool aob_config_read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
     free(reader.choice.name);
     free(reader.choice.file);
     free(reader.choice.capture);
+    free(reader.choice.given);
     return ok;
 }

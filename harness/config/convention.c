@@ -59,6 +59,7 @@ bool aob_convention_set(struct aob_convention *c, enum aob_convention_key key, c
     switch (key) {
     case AOB_CONVENTION_DEPTH:
         c->depth = (at = choose(name, depths, text, error)) > 0 ? at : 0;
+        c->depth_stated = at >= 0;
         return at >= 0;
     case AOB_CONVENTION_NORMALS:
         c->normals = (at = choose(name, normals, text, error)) > 0 ? at : 0;

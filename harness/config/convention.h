@@ -31,6 +31,7 @@ enum aob_convention_key {
 extern const char *const aob_convention_keys[AOB_CONVENTION_COUNT + 1];
 
 struct aob_convention {
+    bool depth_stated; /* else planar is assumed, and doubted where the values look like no lengths */
     enum { AOB_DEPTH_PLANAR, AOB_DEPTH_DISTANCE, AOB_DEPTH_DEVICE, AOB_DEPTH_DEVICE_REVERSED } depth;
     enum { AOB_NORMALS_VIEW, AOB_NORMALS_WORLD, AOB_NORMALS_DERIVED } normals;
     double near, far; /* 0: not stated */

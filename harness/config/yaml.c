@@ -204,6 +204,8 @@ static bool read_pair(struct aob_yaml *yaml, const yaml_node_pair_t *pair, const
     if (!count_visit(yaml, node) || !aob_yaml_text(yaml, node, &key) || !known_key(yaml, node, key, keys))
         return false;
     size_t number = seen->count;
+    if (number == AOB_YAML_MAX_KEYS)
+        return aob_yaml_fail(yaml, node, "a mapping of more than %d keys", AOB_YAML_MAX_KEYS);
     if (aob_table_put(seen, key, number) != number)
         return aob_yaml_fail(yaml, node, "key '%s' stands here twice", key);
     return read(yaml, key, get_node(yaml, pair->value), user);

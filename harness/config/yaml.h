@@ -18,6 +18,7 @@ struct aob_yaml {
  * bounds, %TAG lines. */
 enum {
     AOB_YAML_MAX_DEPTH = 32,       /* lists and mappings within each other */
+    AOB_YAML_MAX_KEYS = 1000,      /* in a mapping */
     AOB_YAML_MAX_ANCHORS = 256,    /* in a file */
     AOB_YAML_MAX_VISITS = 1000000, /* values that its aliases stand for */
     AOB_YAML_MAX_TEXT = 4096       /* bytes of a value */

@@ -7,6 +7,14 @@ layout(location = 1) in vec3 shading;
 layout(location = 0) out vec4 surface;
 layout(location = 1) out vec4 shaded;
 vec4 texel(int i) { return texelFetch(triangles, ivec2(triangle % 2048 * 7 + i, triangle / 2048), 0); }
+/* The shading normal s bent towards v, the direction to the camera: AOB_LEAST_FACING of reference/tracer.h. */
+vec3 face(vec3 s, vec3 n, vec3 v) {
+    float along = dot(s, v), least = min(1.0 / 64.0, dot(n, v));
+    vec3 across = s - v * along;
+    float square = dot(across, across);
+    vec3 bent = across * sqrt((1.0 - least * least) / max(square, 1e-30)) + v * least;
+    return along >= least ? s : square > 0.0 ? bent : v;
+}
 void main() {
     bool perspective = range.z > 0.0;
     vec2 across = (gl_FragCoord.xy - ray.xy) * ray.zw;
@@ -21,6 +29,6 @@ void main() {
     float size = dot(shading, shading);
     vec3 s = size > 0.0 ? shading * inversesqrt(size) : n;
     surface = vec4(n, depth);
-    shaded = vec4(dot(s, n) < 0.0 ? -s : s, float(triangle + 1));
+    shaded = vec4(face(dot(s, n) < 0.0 ? -s : s, n, -r * inversesqrt(dot(r, r))), float(triangle + 1));
     gl_FragDepth = perspective ? range.x / max(depth, range.x) : 1.0 - depth * range.x;
 }

@@ -1,16 +1,14 @@
 #include "capture.h"
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
 #include "capture_channel.h"
 #include "store/image.h"
 
-const char aob_capture_version[] = "capture 1";
-
-/* The limit is half of what shaders take for sky, so that rounding does not make a surface of the sky. */
-static const double FARTHEST = 5e8;
-static const float LARGEST_HALF = 65504;
+const char aob_capture_version[] = "capture 2";
 
 struct chosen {
     const struct aob_capture_desc *desc;
@@ -18,6 +16,15 @@ struct chosen {
     char depth[64], normal[3][64];
     bool has_normal;
 };
+
+void aob_capture_warn(struct aob_capture *capture, const char *format, ...)
+{
+    struct aob_error *line = &capture->warnings[capture->warning_count++];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(line->text, sizeof line->text, format, arguments);
+    va_end(arguments);
+}
 
 static void warn_other(struct chosen *chosen, const char *what, const char *const *names, int taken,
                        int other)
@@ -27,9 +34,23 @@ static void warn_other(struct chosen *chosen, const char *what, const char *cons
         return;
     aob_capture_channel_print(names[taken], a, sizeof a);
     aob_capture_channel_print(names[other], b, sizeof b);
-    aob_fail(&chosen->capture->warnings[chosen->capture->warning_count++],
-             "%s: reads %s as %s; %s would do as well: choose by %s_channel", chosen->desc->file, a, what, b,
-             what);
+    aob_capture_warn(chosen->capture, "%s: reads %s as %s; %s would do as well: choose by %s_channel",
+                     chosen->desc->file, a, what, b, what);
+}
+
+static void warn_mix(struct chosen *chosen, const char *const *names,
+                     const struct aob_capture_channels *channels)
+{
+    char a[64], b[64];
+    if (!channels->mixed)
+        return;
+    aob_capture_channel_print(names[channels->depth], a, sizeof a);
+    aob_capture_channel_print(names[channels->normal[0]], b, sizeof b);
+    aob_capture_warn(
+        chosen->capture,
+        "%s: its depth %s and its normal %s are of different layers: choose by depth_channel and "
+        "normal_channel, or state normals derived",
+        chosen->desc->file, a, b);
 }
 
 static bool choose_channels(void *user, const char *const *names, size_t count, bool *wanted,
@@ -48,6 +69,7 @@ static bool choose_channels(void *user, const char *const *names, size_t count, 
     }
     warn_other(chosen, "depth", names, channels.depth, channels.other_depth);
     warn_other(chosen, "normal", names, channels.normal[0], channels.other_normal);
+    warn_mix(chosen, names, &channels);
     return true;
 }
 
@@ -68,6 +90,7 @@ static bool find_camera(struct aob_capture *capture, const struct aob_capture_de
                                *target = find_attribute(image, "aobudget.target", 3),
                                *shift = find_attribute(image, "aobudget.shift", 3);
     struct aob_camera *camera = &capture->camera;
+    capture->own = fov && ortho && eye && target;
     *camera = (struct aob_camera){.target = aob_vec(0, 0, -1)};
     *known = desc->has_camera || (eye && target);
     if (desc->has_camera) {
@@ -89,61 +112,6 @@ static bool find_camera(struct aob_capture *capture, const struct aob_capture_de
                         "ortho_height (--fov, --ortho)",
                         desc->file);
     return aob_camera_check(camera, error) || aob_fail_in(error, "%s", desc->file);
-}
-
-/* Returns the distance along the view axis, or 0 for sky. `slant` is the length of the pixel's ray for a depth of 1. */
-static double decode(const struct aob_convention *c, bool perspective, double z, double slant)
-{
-    if (!isfinite(z) || (c->depth != AOB_DEPTH_DEVICE && z <= 0))
-        return 0;
-    double depth = z;
-    if (c->depth == AOB_DEPTH_DEVICE || c->depth == AOB_DEPTH_DEVICE_REVERSED) {
-        double t = fmax(c->depth == AOB_DEPTH_DEVICE ? z : 1 - z, 0), rest = 1 - t;
-        if (c->depth == AOB_DEPTH_DEVICE_REVERSED)
-            rest = fmin(z, 1);
-        if (!(rest > 0))
-            return 0;
-        if (perspective)
-            depth = c->near / (rest + (isinf(c->far) ? 0 : c->near / c->far * t));
-        else
-            depth = c->near + t * (c->far - c->near);
-    } else if ((float)z == LARGEST_HALF || (c->far > 0 && z >= c->far))
-        return 0;
-    else if (c->depth == AOB_DEPTH_DISTANCE)
-        depth = z / slant;
-    return depth > 0 && depth < FARTHEST ? depth : 0;
-}
-
-static bool judge_device(const struct aob_capture_desc *desc, int x, int y, double z, struct aob_error *error)
-{
-    bool device =
-        desc->convention.depth == AOB_DEPTH_DEVICE || desc->convention.depth == AOB_DEPTH_DEVICE_REVERSED;
-    return !device || !isfinite(z) || (z >= -1e-3 && z <= 1 + 1e-3) ||
-           aob_fail(error, "%s: pixel (%d, %d) is %g: a device depth lies within 0..1; is it planar?",
-                    desc->file, x, y, z);
-}
-
-static bool decode_depth(struct aob_capture *capture, const struct aob_capture_desc *desc, const float *z,
-                         struct aob_error *error)
-{
-    struct aob_hits *hits = &capture->hits;
-    struct aob_projection view = aob_camera_projection(&capture->camera, hits->width, hits->height, 0);
-    bool device =
-        desc->convention.depth == AOB_DEPTH_DEVICE || desc->convention.depth == AOB_DEPTH_DEVICE_REVERSED;
-    if (device && !view.perspective && isinf(desc->convention.far))
-        return aob_fail(error, "%s: the device depth of an orthographic view needs a finite far", desc->file);
-    for (int y = 0; y < hits->height; y++)
-        for (int x = 0; x < hits->width; x++) {
-            size_t i = (size_t)y * (size_t)hits->width + (size_t)x;
-            double across = (x + 0.5 - view.cx) * view.sx, down = (y + 0.5 - view.cy) * view.sy;
-            double slant = view.perspective ? sqrt(1 + across * across + down * down) : 1;
-            if (!judge_device(desc, x, y, (double)z[i], error))
-                return false;
-            hits->depth[i] = (float)decode(&desc->convention, view.perspective, (double)z[i], slant);
-            hits->primitive[i] = hits->depth[i] > 0 ? 0 : AOB_NO_PRIMITIVE;
-            capture->surface += hits->depth[i] > 0;
-        }
-    return capture->surface || aob_fail(error, "%s: no pixel has a surface: all depths are sky", desc->file);
 }
 
 static void allocate(struct aob_hits *hits, const struct aob_image *image)
@@ -171,7 +139,7 @@ bool aob_capture_read(struct aob_capture *capture, const struct aob_capture_desc
         normal[c] = aob_image_channel(&image, chosen.normal[c]);
     allocate(&capture->hits, &image);
     bool ok = find_camera(capture, desc, &image, &known, error) &&
-              decode_depth(capture, desc, aob_image_channel(&image, chosen.depth), error) &&
+              aob_capture_depth(capture, desc, aob_image_channel(&image, chosen.depth), error) &&
               aob_capture_normals(capture, desc, normal, known, error);
     aob_image_finish(&image);
     if (!ok)

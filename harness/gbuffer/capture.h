@@ -2,9 +2,13 @@
  * G-buffer. The file comes from a stranger, so this runs in a worker, on one thread.
  *
  * A pixel is sky if its depth is not finite, not above 0, 5e8 or more, 65504 (the largest half, where Blender puts
- * the sky), at `far` or beyond, or at a depth buffer's far value, or if the file has no pixel there. Normals are
- * turned to the camera and normalised. If a pixel has none, it is derived from depth: on each axis the neighbour
- * nearer in depth is taken, and the cross product of the two gives the normal. */
+ * the sky), at `far` or beyond, or at a depth buffer's far value, or if the file has no pixel there.
+ *
+ * The file's normals are the shading normals: normalised, turned to the side of the surface that is seen, and bent to
+ * the horizon where they lean away from the camera (AOB_LEAST_FACING of reference/tracer.h). The side is that of the
+ * surface that the depth shows (capture_surface.h), if it shows one for sure. The geometric normal is the file's too,
+ * unless that surface is sure and it leans more than 2.5 degrees from it or away from the camera: then it is the surface's. If a pixel has no normal, both
+ * are the surface's. */
 #ifndef AOB_GBUFFER_CAPTURE_H
 #define AOB_GBUFFER_CAPTURE_H
 #include <stdbool.h>
@@ -20,13 +24,22 @@ struct aob_capture_desc {
     bool has_camera; /* eye and target are given; else the file's, else at 0 looking along -Z */
     struct aob_vec3 eye, target;
 };
-enum { AOB_CAPTURE_WARNINGS = 2 };
+enum { AOB_CAPTURE_WARNINGS = 5 };
+
+/* How fine the file's depths are: a step at depth d is flat + relative d + squared d^2 scene units. */
+struct aob_capture_grain {
+    double flat, relative, squared;
+};
 struct aob_capture {
     struct aob_camera camera;
-    struct aob_hits
-        hits; /* depth, normal, shading (the same), primitive 0; the size is the display window's */
+    struct aob_hits hits; /* depth, normal, shading, primitive 0; the size is the display window's */
+    bool own;             /* this program wrote the file */
+    struct aob_capture_grain grain;
     size_t surface, derived; /* pixels that are no sky; of these, with a derived normal */
-    struct aob_error warnings[AOB_CAPTURE_WARNINGS]; /* one where another channel would do as well */
+    size_t leaning;          /* pixels whose geometric normal is not the file's */
+    /* What a user should know about how the file was read: a line for each of other channels that would do as well,
+     * depth and normals of different layers, depths that look like none, and normals that lean. */
+    struct aob_error warnings[AOB_CAPTURE_WARNINGS];
     size_t warning_count;
 };
 
@@ -35,10 +48,14 @@ bool aob_capture_read(struct aob_capture *capture, const struct aob_capture_desc
                       struct aob_error *error);
 void aob_capture_finish(struct aob_capture *capture);
 
-/* Fills normal and shading from `planes`, which are three of the file's or NULL three times. It serves
- * aob_capture_read. */
+/* These serve aob_capture_read. Depth: fills depth, primitive, grain and surface from the file's plane. Normals: fills
+ * normal and shading from `planes`, which are three of the file's or NULL three times. */
+bool aob_capture_depth(struct aob_capture *capture, const struct aob_capture_desc *desc, const float *z,
+                       struct aob_error *error);
 bool aob_capture_normals(struct aob_capture *capture, const struct aob_capture_desc *desc,
                          const float *const planes[3], bool camera_known, struct aob_error *error);
+void aob_capture_warn(struct aob_capture *capture, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 /* The version is raised when a file could be read as something else. It is part of the file's digest. */
 extern const char aob_capture_version[];

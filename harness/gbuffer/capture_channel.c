@@ -1,40 +1,41 @@
 #include "capture_channel.h"
 #include <ctype.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include "base/memory.h"
 #include "base/text.h"
 
-enum { NAME_SIZE = 64, WORST = 99 };
+enum { NAME_SIZE = 64, PARTS = NAME_SIZE / 2 + 1, WORST = 99 };
 
-/* The last two parts of a name, lower case, letters and digits only. */
-struct word {
-    char layer[NAME_SIZE], last[NAME_SIZE];
-    size_t stem; /* bytes before the dot of the last part; 0: there is none */
-    bool fits;   /* the name is short enough to be a channel of an image */
+/* A channel's name in parts: lower case, letters and digits only. */
+struct name {
+    char text[NAME_SIZE + PARTS];
+    const char *parts[PARTS];
+    int count;
 };
 
-static void fold(const char *from, size_t size, char into[NAME_SIZE])
+static void add_part(struct name *name, size_t *used, const char *from, const char *end)
 {
-    size_t used = 0;
-    for (size_t i = 0; i < size && used + 1 < NAME_SIZE; i++)
-        if (isalnum((unsigned char)from[i]))
-            into[used++] = (char)tolower((unsigned char)from[i]);
-    into[used] = '\0';
+    name->parts[name->count++] = name->text + *used;
+    for (; from < end; from++)
+        if (isalnum((unsigned char)*from))
+            name->text[(*used)++] = (char)tolower((unsigned char)*from);
+    name->text[(*used)++] = '\0';
 }
 
-static struct word split(const char *name)
+/* False if the name is too long for a channel of an image. */
+static bool split(struct name *name, const char *text)
 {
-    struct word word = {.fits = strlen(name) < NAME_SIZE};
-    const char *dot = strrchr(name, '.');
-    fold(dot ? dot + 1 : name, strlen(dot ? dot + 1 : name), word.last);
-    word.stem = dot ? (size_t)(dot - name) : 0;
-    const char *start = name + word.stem;
-    while (start > name && start[-1] != '.')
-        start--;
-    fold(start, (size_t)(name + word.stem - start), word.layer);
-    return word;
+    size_t used = 0;
+    name->count = 0;
+    if (strlen(text) >= NAME_SIZE)
+        return false;
+    for (const char *dot; name->count < PARTS - 1 && (dot = strchr(text, '.')); text = dot + 1)
+        add_part(name, &used, text, dot);
+    add_part(name, &used, text, text + strlen(text));
+    return true;
 }
 
 static bool ends_with(const char *text, const char *end)
@@ -45,10 +46,60 @@ static bool ends_with(const char *text, const char *end)
 
 static bool is_depth(const char *word)
 {
-    return strcmp(word, "z") == 0 || (ends_with(word, "depth") && !strstr(word, "denois"));
+    bool other = strstr(word, "denois") || strstr(word, "inv") || strstr(word, "mist");
+    return strcmp(word, "z") == 0 || (ends_with(word, "depth") && !other);
 }
 
-/* The channel of the same layer with this last part, or AOB_CHANNEL_NONE. */
+static bool is_plain_normal(const char *word)
+{
+    static const char *const exact[] = {"n", "nn", "normal", "normals"};
+    for (size_t i = 0; i < AOB_COUNT(exact); i++)
+        if (strcmp(word, exact[i]) == 0)
+            return true;
+    return false;
+}
+
+static bool is_normal(const char *word)
+{
+    bool tail = ends_with(word, "normal") || ends_with(word, "normals");
+    return is_plain_normal(word) || (tail && !strstr(word, "denois"));
+}
+
+/* The place of the last part but one that is such a word, or of one before it; -1: there is none. */
+static int find_word(const struct name *name, bool (*is)(const char *word))
+{
+    int at = name->count - 2;
+    while (at >= 0 && !is(name->parts[at]))
+        at--;
+    return at;
+}
+
+static int compare_parts(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* All parts but the last and the word's, in one order whatever theirs is. */
+static void print_layer(const struct name *name, int word, char layer[NAME_SIZE])
+{
+    const char *parts[PARTS];
+    size_t count = 0, used = 0;
+    for (int i = 0; i + 1 < name->count; i++)
+        if (i != word)
+            parts[count++] = name->parts[i];
+    qsort(parts, count, sizeof *parts, compare_parts);
+    layer[0] = '\0';
+    for (size_t i = 0; i < count; i++)
+        used += (size_t)snprintf(layer + used, NAME_SIZE - used, "%s.", parts[i]);
+}
+
+static size_t stem_of(const char *name)
+{
+    const char *dot = strrchr(name, '.');
+    return dot ? (size_t)(dot - name) : 0;
+}
+
+/* The channel with the same parts but this last one, or AOB_CHANNEL_NONE. */
 static int sibling(const char *const *names, size_t count, const char *name, size_t stem, const char *last)
 {
     for (size_t i = 0; i < count; i++)
@@ -58,33 +109,42 @@ static int sibling(const char *const *names, size_t count, const char *name, siz
     return AOB_CHANNEL_NONE;
 }
 
-static int rank_depth(const char *const *names, size_t count, size_t at)
+/* A depth, or a normal by its X. */
+struct candidate {
+    int at, rank, normal[3];
+    char layer[NAME_SIZE];
+};
+struct candidates {
+    struct candidate *all;
+    size_t count, capacity;
+};
+
+/* Names that end in Z. A vector's Z is none, nor is Blender's mist, which has one channel and so is a Z too. */
+static int rank_z(const struct name *name, int word, bool vector)
 {
-    struct word word = split(names[at]);
-    if (!word.fits)
-        return WORST;
-    if (strcmp(word.last, "z") == 0) {
-        if (!word.stem)
-            return 1;
-        if (is_depth(word.layer))
-            return 2;
-        return sibling(names, count, names[at], word.stem, "X") == AOB_CHANNEL_NONE ? 3 : WORST;
-    }
-    if (word.stem && is_depth(word.layer) && strlen(word.last) == 1 && strchr("vr", *word.last))
-        return 4;
-    if (word.stem && is_depth(word.layer) && strlen(word.last) == 1 && strchr("yx", *word.last))
-        return 5;
-    return is_depth(word.last) ? 6 : WORST;
+    if (name->count == 1)
+        return 1;
+    if (word == name->count - 2)
+        return 2;
+    const char *layer = name->parts[name->count - 2];
+    bool other =
+        ends_with(layer, "mist") || strstr(layer, "inv") || strstr(layer, "denois") || is_normal(layer);
+    return vector || other ? WORST : 3;
 }
 
-static int rank_normal(const char *layer)
+static int rank_depth(const char *const *names, size_t count, size_t at, const struct name *name, int word)
 {
-    static const char *const exact[] = {"n", "nn", "normal", "normals"};
-    for (size_t i = 0; i < AOB_COUNT(exact); i++)
-        if (strcmp(layer, exact[i]) == 0)
-            return 1;
-    bool tail = ends_with(layer, "normal") || ends_with(layer, "normals");
-    return tail && !strstr(layer, "denois") ? 2 : WORST;
+    const char *last = name->parts[name->count - 1];
+    size_t stem = stem_of(names[at]);
+    if (strcmp(last, "z") == 0)
+        return rank_z(name, word, stem && sibling(names, count, names[at], stem, "X") >= 0);
+    if (is_depth(last))
+        return 6;
+    if (word < 0 || strlen(last) != 1 || !strchr("vryx", *last))
+        return WORST;
+    if (word == name->count - 2)
+        return strchr("vr", *last) ? 4 : 5;
+    return sibling(names, count, names[at], stem, "G") < 0 ? 7 : WORST; /* a colour below DEPTH is none */
 }
 
 static bool take_normal(const char *const *names, size_t count, const char *name, size_t stem, int normal[3])
@@ -100,47 +160,84 @@ static bool take_normal(const char *const *names, size_t count, const char *name
     return false;
 }
 
-/* A depth may be stored as a colour (R, G, B). Its second channel is no second depth. */
-static bool same_layer(const char *a, const char *b)
+static int rank_normal(const struct name *name, int word)
 {
-    size_t stem = split(a).stem;
-    return stem && split(b).stem == stem && strncmp(a, b, stem) == 0;
+    if (word < 0)
+        return WORST;
+    if (word < name->count - 2)
+        return 3;
+    return is_plain_normal(name->parts[word]) ? 1 : 2;
 }
 
-static void find_depth(struct aob_capture_channels *channels, const char *const *names, size_t count)
+static void list_depths(struct candidates *list, const char *const *names, size_t count)
 {
-    int best = WORST;
+    struct name name;
     for (size_t i = 0; i < count; i++) {
-        int rank = rank_depth(names, count, i);
-        if (rank >= WORST ||
-            (channels->depth >= 0 && same_layer(names[i], names[channels->depth]) && rank >= best))
+        if (!split(&name, names[i]))
             continue;
-        int loser = rank < best ? channels->depth : (int)i;
-        if (rank < best) {
-            best = rank;
-            channels->depth = (int)i;
-        }
-        if (loser >= 0 && !same_layer(names[loser], names[channels->depth]))
-            channels->other_depth = loser;
+        int word = find_word(&name, is_depth);
+        struct candidate c = {.at = (int)i, .rank = rank_depth(names, count, i, &name, word)};
+        print_layer(&name, word, c.layer);
+        if (c.rank < WORST)
+            *AOB_PUSH(list->all, list->count, list->capacity) = c;
     }
 }
 
-static void find_normal(struct aob_capture_channels *channels, const char *const *names, size_t count)
+static void list_normals(struct candidates *list, const char *const *names, size_t count)
 {
-    int best = WORST, normal[3];
+    struct name name;
     for (size_t i = 0; i < count; i++) {
-        struct word word = split(names[i]);
-        int rank = word.stem ? rank_normal(word.layer) : WORST;
-        if (rank >= WORST || !take_normal(names, count, names[i], word.stem, normal) || normal[0] != (int)i)
+        if (!split(&name, names[i]))
             continue;
-        int loser = rank < best ? channels->normal[0] : (int)i;
-        if (loser >= 0)
-            channels->other_normal = loser;
-        if (rank < best) {
-            best = rank;
-            memcpy(channels->normal, normal, sizeof normal);
-        }
+        int word = find_word(&name, is_normal);
+        struct candidate c = {.at = (int)i, .rank = rank_normal(&name, word)};
+        print_layer(&name, word, c.layer);
+        if (c.rank < WORST && take_normal(names, count, names[i], stem_of(names[i]), c.normal) &&
+            c.normal[0] == (int)i)
+            *AOB_PUSH(list->all, list->count, list->capacity) = c;
     }
+}
+
+static bool has_layer(const struct candidates *list, const char *layer)
+{
+    for (size_t i = 0; i < list->count; i++)
+        if (strcmp(list->all[i].layer, layer) == 0)
+            return true;
+    return false;
+}
+
+/* The best by rank, of several the first whose layer is among `near`. A depth may be stored as a colour (R, G, B), whose
+ * other channels are no other depths: those with the stem of `not` are left out (NULL: none are). */
+static const struct candidate *choose_depth(const struct candidates *depths, const struct candidates *near,
+                                            const char *const *names, const char * not )
+{
+    const struct candidate *best = NULL;
+    for (size_t i = 0; i < depths->count; i++) {
+        const struct candidate *c = &depths->all[i];
+        size_t stem = stem_of(names[c->at]);
+        if (not &&(strcmp(names[c->at], not ) == 0 ||
+                   (stem && stem_of(not ) == stem && strncmp(names[c->at], not, stem) == 0)))
+            continue;
+        bool nearer =
+            best && c->rank == best->rank && has_layer(near, c->layer) && !has_layer(near, best->layer);
+        if (!best || c->rank < best->rank || nearer)
+            best = c;
+    }
+    return best;
+}
+
+/* Of the layer, where there is one, the best by rank; `not` is left out (NULL: none is). */
+static const struct candidate *choose_normal(const struct candidates *normals, const char *layer,
+                                             const struct candidate * not )
+{
+    const struct candidate *best = NULL;
+    for (size_t i = 0; i < normals->count; i++) {
+        const struct candidate *c = &normals->all[i];
+        bool same = strcmp(c->layer, layer) == 0, best_same = best && strcmp(best->layer, layer) == 0;
+        if (c != not &&(!best || same > best_same || (same == best_same && c->rank < best->rank)))
+            best = c;
+    }
+    return best;
 }
 
 void aob_capture_channel_print(const char *name, char *text, size_t size)
@@ -176,31 +273,87 @@ static int find_name(const char *const *names, size_t count, const char *wanted)
     return AOB_CHANNEL_NONE;
 }
 
+static bool name_depth(struct candidates *depths, const char *const *names, size_t count, const char *wanted,
+                       struct aob_error *error)
+{
+    char text[160];
+    struct name name;
+    int at = find_name(names, count, wanted);
+    snprintf(text, sizeof text, "it has no channel '%s'", wanted);
+    if (at < 0 || !split(&name, wanted))
+        return fail_channels(text, names, count, error);
+    struct candidate c = {.at = at};
+    print_layer(&name, find_word(&name, is_depth), c.layer);
+    *AOB_PUSH(depths->all, depths->count, depths->capacity) = c;
+    return true;
+}
+
+static bool name_normal(struct candidates *normals, const char *const *names, size_t count,
+                        const char *wanted, struct aob_error *error)
+{
+    char text[160];
+    struct name name;
+    struct candidate c = {0};
+    snprintf(text, sizeof text, "it has no channels '%s' with .X .Y .Z or .R .G .B", wanted);
+    if (!take_normal(names, count, wanted, strlen(wanted), c.normal) || !split(&name, names[c.normal[0]]))
+        return fail_channels(text, names, count, error);
+    c.at = c.normal[0];
+    print_layer(&name, find_word(&name, is_normal), c.layer);
+    *AOB_PUSH(normals->all, normals->count, normals->capacity) = c;
+    return true;
+}
+
+static bool list_all(struct candidates *depths, struct candidates *normals, const char *const *names,
+                     size_t count, const struct aob_convention *c, struct aob_error *error)
+{
+    if (!*c->depth_channel)
+        list_depths(depths, names, count);
+    else if (!name_depth(depths, names, count, c->depth_channel, error))
+        return false;
+    if (!depths->count)
+        return fail_channels("no channel is a depth by its name: name one by depth_channel", names, count,
+                             error);
+    if (c->normals == AOB_NORMALS_DERIVED)
+        return true;
+    if (*c->normal_channel)
+        return name_normal(normals, names, count, c->normal_channel, error);
+    list_normals(normals, names, count);
+    return true;
+}
+
+static void choose(struct aob_capture_channels *channels, const struct candidates *depths,
+                   const struct candidates *normals, const char *const *names)
+{
+    const struct candidate *depth = choose_depth(depths, normals, names, NULL);
+    const struct candidate *other = choose_depth(depths, normals, names, names[depth->at]);
+    const struct candidate *normal = choose_normal(normals, depth->layer, NULL);
+    channels->depth = depth->at;
+    if (other)
+        channels->other_depth = other->at;
+    if (!normal)
+        return;
+    memcpy(channels->normal, normal->normal, sizeof normal->normal);
+    channels->mixed = strcmp(normal->layer, depth->layer) != 0;
+    const struct candidate *second = choose_normal(normals, normal->layer, normal);
+    if (second && (channels->mixed || strcmp(second->layer, normal->layer) == 0))
+        channels->other_normal = second->at;
+}
+
 bool aob_capture_channels_choose(struct aob_capture_channels *channels, const char *const *names,
                                  size_t count, const struct aob_convention *c, struct aob_error *error)
 {
-    char text[160];
-    *channels = (struct aob_capture_channels){AOB_CHANNEL_NONE,
-                                              {AOB_CHANNEL_NONE, AOB_CHANNEL_NONE, AOB_CHANNEL_NONE},
-                                              AOB_CHANNEL_NONE,
-                                              AOB_CHANNEL_NONE};
-    if (*c->depth_channel)
-        channels->depth = find_name(names, count, c->depth_channel);
-    else
-        find_depth(channels, names, count);
-    if (channels->depth < 0 && !*c->depth_channel)
-        return fail_channels("no channel is a depth by its name: name one by depth_channel", names, count,
-                             error);
-    snprintf(text, sizeof text, "it has no channel '%s'", c->depth_channel);
-    if (channels->depth < 0)
-        return fail_channels(text, names, count, error);
-    if (c->normals == AOB_NORMALS_DERIVED)
-        return true;
-    if (!*c->normal_channel)
-        find_normal(channels, names, count);
-    else if (!take_normal(names, count, c->normal_channel, strlen(c->normal_channel), channels->normal)) {
-        snprintf(text, sizeof text, "it has no channels '%s' with .X .Y .Z or .R .G .B", c->normal_channel);
-        return fail_channels(text, names, count, error);
-    }
-    return true;
+    struct candidates depths = {0}, normals = {0};
+    *channels =
+        (struct aob_capture_channels){.depth = AOB_CHANNEL_NONE,
+                                      .normal = {AOB_CHANNEL_NONE, AOB_CHANNEL_NONE, AOB_CHANNEL_NONE},
+                                      .other_depth = AOB_CHANNEL_NONE,
+                                      .other_normal = AOB_CHANNEL_NONE};
+    bool ok = list_all(&depths, &normals, names, count, c, error);
+    if (ok)
+        choose(channels, &depths, &normals, names);
+    if (*c->depth_channel && *c->normal_channel)
+        channels->mixed = false;
+    free(depths.all);
+    free(normals.all);
+    return ok;
 }

@@ -1,15 +1,21 @@
-/* Which channels of another renderer's EXR file are depth and normal, by their names. Only the last two parts of a
- * name count ("ViewLayer.Depth.Z" is Depth.Z), without regard to case, spaces and punctuation within a part.
+/* Which channels of another renderer's EXR file are depth and normal, by their names, without regard to case, spaces
+ * and punctuation within a part of a name. Parts lie between dots: "left.Fg.Depth.Z" has four.
  *
  * Depth, the first of these that is there:
  *   1. Z                                   (Arnold, RenderMan, OpenEXR's own name)
  *   2. DEPTH.Z                             (Blender: ViewLayer.Depth.Z)
- *   3. ANY.Z that is no part of a vector   (a part of a file, or a layer, with a Z of its own)
+ *   3. ANY.Z that is no part of a vector   (a part of a file, a layer or a view, with a Z of its own)
  *   4. DEPTH.V, DEPTH.R                    (Blender's compositor; Unreal: FinalImageSceneDepth.R)
  *   5. DEPTH.Y, DEPTH.X
  *   6. DEPTH                               (VRayZDepth, Image.Depth)
- * where DEPTH is "z" or ends with "depth". Normals: NORMAL.X .Y .Z or .R .G .B, where NORMAL is N, Nn, Normal or
- * Normals, else ends with one of the last two. Blender's "Denoising ..." passes are not taken. */
+ *   7. 2, 4 and 5 with other parts between DEPTH and the last one (a view of several: Depth.left.Z)
+ * where DEPTH is "z" or ends with "depth", and neither it nor ANY is a mist or an inverse depth. Normals: NORMAL.X .Y .Z
+ * or .R .G .B, where NORMAL is N, Nn, Normal or Normals, else ends with one of the last two, else has other parts
+ * behind it. Blender's "Denoising ..." passes are not taken.
+ *
+ * A channel's layer is its name without those words: that of "left.Fg.Depth.Z" and of "Fg.left.N.X" is Fg of left. Of
+ * several depths that stand equally high, one is taken whose layer has a normal, else the first of the file. Normals
+ * of the depth's layer go before all others. */
 #ifndef AOB_GBUFFER_CAPTURE_CHANNEL_H
 #define AOB_GBUFFER_CAPTURE_CHANNEL_H
 #include <stdbool.h>
@@ -19,10 +25,11 @@
 
 enum { AOB_CHANNEL_NONE = -1 };
 struct aob_capture_channels {
-    int depth;     /* index among the names */
-    int normal[3]; /* AOB_CHANNEL_NONE thrice: there are none, or they are not wanted */
-    int other_depth,
-        other_normal; /* another that would do as well (a normal by its X); else AOB_CHANNEL_NONE */
+    int depth;        /* index among the names */
+    int normal[3];    /* AOB_CHANNEL_NONE thrice: there are none, or they are not wanted */
+    int other_depth;  /* another that would do as well; else AOB_CHANNEL_NONE */
+    int other_normal; /* another of the same layer that would do as well, by its X; else AOB_CHANNEL_NONE */
+    bool mixed;       /* depth and normals are of different layers, and the convention does not name both */
 };
 
 /* False after one line if there is no depth (the line lists the channels), or if the convention names channels that

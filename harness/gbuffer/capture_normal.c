@@ -1,6 +1,12 @@
-#include "capture.h"
+#include "capture_surface.h"
 #include <math.h>
 #include <string.h>
+
+static const double LEAN = 0.99905; /* the cosine of 2.5 degrees */
+
+/* Below the one doubt the depth's word stands against the file's. Below the other it says which side of the surface is
+ * seen, where the file's normal does not face the camera. */
+static const double SURE = 1 / 128.0, LIKELY = 1 / 4.0;
 
 struct context {
     struct aob_capture *capture;
@@ -27,50 +33,6 @@ static bool set_axes(struct context *context, const struct aob_capture_desc *des
     context->right = aob_vec_normalize(right);
     context->up = aob_vec_scale(aob_vec_cross(context->back, context->right), hand);
     return true;
-}
-
-static struct aob_vec3 position(const struct context *context, int x, int y)
-{
-    const struct aob_hits *hits = &context->capture->hits;
-    double depth = (double)hits->depth[(size_t)y * (size_t)hits->width + (size_t)x];
-    double scale = context->view.perspective ? depth : 1;
-    return aob_vec((x + 0.5 - context->view.cx) * context->view.sx * scale,
-                   -(y + 0.5 - context->view.cy) * context->view.sy * scale, -depth);
-}
-
-static bool is_surface(const struct context *context, int x, int y)
-{
-    const struct aob_hits *hits = &context->capture->hits;
-    return x >= 0 && y >= 0 && x < hits->width && y < hits->height &&
-           hits->depth[(size_t)y * (size_t)hits->width + (size_t)x] > 0;
-}
-
-/* Finds the tangent along +(dx, dy) by the neighbour nearer in depth. False if both neighbours are sky. */
-static bool slope(const struct context *context, int x, int y, int dx, int dy, struct aob_vec3 *step)
-{
-    struct aob_vec3 here = position(context, x, y);
-    bool ahead = is_surface(context, x + dx, y + dy), behind = is_surface(context, x - dx, y - dy);
-    struct aob_vec3 a = {0, 0, INFINITY}, b = {0, 0, INFINITY};
-    if (ahead)
-        a = aob_vec_sub(position(context, x + dx, y + dy), here);
-    if (behind)
-        b = aob_vec_sub(here, position(context, x - dx, y - dy));
-    *step = fabs(a.z) <= fabs(b.z) ? a : b;
-    return ahead || behind;
-}
-
-static struct aob_vec3 to_camera(const struct context *context, int x, int y)
-{
-    return context->view.perspective ? aob_vec_scale(position(context, x, y), -1) : aob_vec(0, 0, 1);
-}
-
-/* A pixel that stands alone faces the camera. */
-static struct aob_vec3 derive(const struct context *context, int x, int y)
-{
-    struct aob_vec3 across, up;
-    if (!slope(context, x, y, 1, 0, &across) || !slope(context, x, y, 0, -1, &up))
-        return to_camera(context, x, y);
-    return aob_vec_cross(across, up);
 }
 
 static struct aob_vec3 file_normal(const struct context *context, const float *const planes[3], size_t i)
@@ -100,23 +62,54 @@ static bool judge_lengths(const struct aob_capture *capture, const struct aob_ca
                     desc->file, odd, count);
 }
 
+/* Turns a unit vector of the file to the side that is seen. */
+static struct aob_vec3 turn(struct aob_vec3 n, const struct aob_capture_surface *surface,
+                            struct aob_vec3 to_camera)
+{
+    double faces = aob_vec_dot(n, to_camera);
+    bool told = surface->doubt < (faces < 0 ? LIKELY : SURE);
+    double side = told ? aob_vec_dot(n, surface->normal) : faces;
+    return side < 0 ? aob_vec_scale(n, -1) : n;
+}
+
+static void store(float into[3], struct aob_vec3 n)
+{
+    const float normal[3] = {(float)n.x, (float)n.y, (float)n.z};
+    memcpy(into, normal, sizeof normal);
+}
+
 static void set_normal(const struct context *context, const float *const planes[3], int x, int y)
 {
-    struct aob_hits *hits = &context->capture->hits;
-    size_t i = (size_t)y * (size_t)hits->width + (size_t)x;
+    struct aob_capture *capture = context->capture;
+    size_t i = (size_t)y * (size_t)capture->hits.width + (size_t)x;
+    struct aob_capture_surface surface = aob_capture_surface_at(capture, &context->view, x, y);
     struct aob_vec3 n = planes[0] ? file_normal(context, planes, i) : aob_vec(0, 0, 0);
     double length = aob_vec_length(n);
     if (!(length > 1e-6) || !isfinite(length)) {
-        n = derive(context, x, y);
-        context->capture->derived++;
+        n = surface.normal;
+        capture->derived++;
     }
     if (!(fabs(aob_vec_length(n) - 1) < 1e-6)) /* a float's unit vector stays as it is */
         n = aob_vec_normalize(n);
-    if (aob_vec_dot(n, to_camera(context, x, y)) < 0)
-        n = aob_vec_scale(n, -1);
-    float normal[3] = {(float)n.x, (float)n.y, (float)n.z};
-    memcpy(hits->normal[i], normal, sizeof normal);
-    memcpy(hits->shading[i], normal, sizeof normal);
+    struct aob_vec3 to_camera = aob_capture_to_camera(&context->view, x, y);
+    double least = fmin(AOB_LEAST_FACING, aob_vec_dot(surface.normal, to_camera));
+    n = turn(n, &surface, to_camera);
+    double faces = aob_vec_dot(n, to_camera);
+    bool away = faces < least / 2 && surface.doubt < LIKELY; /* rounding is no lean */
+    bool leans = away || (surface.doubt < SURE && aob_vec_dot(n, surface.normal) < LEAN);
+    store(capture->hits.normal[i], leans ? surface.normal : n);
+    store(capture->hits.shading[i], surface.doubt < LIKELY ? aob_vec_bend(n, to_camera, least) : n);
+    capture->leaning += leans;
+}
+
+static void judge_lean(struct aob_capture *capture, const struct aob_capture_desc *desc)
+{
+    if (capture->leaning > capture->surface / 20)
+        aob_capture_warn(capture,
+                         "%s: %zu of %zu normals lean more than 2.5 degrees away from the surface that the "
+                         "depth shows, as bump-mapped ones do: that surface's serve; normals=shading gives a "
+                         "technique the file's",
+                         desc->file, capture->leaning, capture->surface);
 }
 
 bool aob_capture_normals(struct aob_capture *capture, const struct aob_capture_desc *desc,
@@ -134,7 +127,8 @@ bool aob_capture_normals(struct aob_capture *capture, const struct aob_capture_d
         return false;
     for (int y = 0; y < hits->height; y++)
         for (int x = 0; x < hits->width; x++)
-            if (is_surface(&context, x, y))
+            if (aob_capture_has_surface(capture, x, y))
                 set_normal(&context, planes, x, y);
+    judge_lean(capture, desc);
     return true;
 }

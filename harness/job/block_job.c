@@ -9,19 +9,20 @@ static json_t *targets_to_json(const struct aob_block_job *job)
     json_t *targets = json_array();
     for (size_t i = 0; i < job->target_count; i++) {
         const struct aob_block_target *t = &job->targets[i];
-        json_array_append_new(targets,
-                              json_pack("{s:o, s:b, s:s?, s:b}", "radius", aob_json_number(t->radius),
-                                        "uniform", t->uniform, "truth", t->truth, "bent", t->bent));
+        json_array_append_new(targets, json_pack("{s:o, s:b, s:o, s:b}", "radius", aob_json_number(t->radius),
+                                                 "uniform", t->uniform, "truth", aob_json_path(t->truth),
+                                                 "bent", t->bent));
     }
     return targets;
 }
 
 static json_t *case_to_json(const struct aob_block_case *c)
 {
-    return json_pack("{s:s, s:o, s:o, s:I, s:s?, s:s?, s:s?}", "technique", c->technique, "params",
+    return json_pack("{s:s, s:o, s:o, s:I, s:o, s:o, s:o}", "technique", c->technique, "params",
                      aob_json_vector(c->params, c->param_count), "options",
                      aob_json_vector(c->options, AOB_OPTION_COUNT), "target", (json_int_t)c->target,
-                     "definition", c->definition, "screen", c->screen, "image", c->image);
+                     "definition", aob_json_path(c->definition), "screen", aob_json_path(c->screen), "image",
+                     aob_json_path(c->image));
 }
 
 json_t *aob_block_job_to_json(const struct aob_block_job *job)

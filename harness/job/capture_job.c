@@ -6,9 +6,10 @@
 json_t *aob_capture_job_to_json(const struct aob_capture_job *job)
 {
     const struct aob_convention *c = &job->convention;
-    return json_pack("{s:s, s:s, s:s, s:i, s:i, s:b, s:o, s:o, s:o, s:s, s:s, s:f, s:f, s:o, s:o}", "job",
-                     "capture", "file", job->file, "out", job->out, "depth", (int)c->depth, "normals",
-                     (int)c->normals, "left_handed", c->left_handed, "near", aob_json_number(c->near), "far",
+    return json_pack("{s:s, s:o, s:o, s:i, s:b, s:i, s:b, s:o, s:o, s:o, s:s, s:s, s:f, s:f, s:o, s:o}",
+                     "job", "capture", "file", aob_json_path(job->file), "out", aob_json_path(job->out),
+                     "depth", (int)c->depth, "depth_stated", c->depth_stated, "normals", (int)c->normals,
+                     "left_handed", c->left_handed, "near", aob_json_number(c->near), "far",
                      aob_json_number(c->far), "up", aob_json_vector(c->up, 3), "depth_channel",
                      c->depth_channel, "normal_channel", c->normal_channel, "fov_deg", job->fov_deg,
                      "ortho_height", job->ortho_height, "eye",
@@ -18,16 +19,17 @@ json_t *aob_capture_job_to_json(const struct aob_capture_job *job)
 
 static bool read_convention(const json_t *object, struct aob_convention *c)
 {
-    int depth, normals, left;
+    int depth, stated, normals, left;
     const char *depth_channel, *normal_channel;
-    if (json_unpack((json_t *)(uintptr_t)object, "{s:i, s:i, s:b, s:s, s:s}", "depth", &depth, "normals",
-                    &normals, "left_handed", &left, "depth_channel", &depth_channel, "normal_channel",
-                    &normal_channel) != 0 ||
+    if (json_unpack((json_t *)(uintptr_t)object, "{s:i, s:b, s:i, s:b, s:s, s:s}", "depth", &depth,
+                    "depth_stated", &stated, "normals", &normals, "left_handed", &left, "depth_channel",
+                    &depth_channel, "normal_channel", &normal_channel) != 0 ||
         strlen(depth_channel) >= sizeof c->depth_channel ||
         strlen(normal_channel) >= sizeof c->normal_channel ||
         !aob_json_to_vector(json_object_get(object, "up"), c->up, 3))
         return false;
     c->depth = (unsigned)depth;
+    c->depth_stated = stated;
     c->normals = (unsigned)normals;
     c->left_handed = left;
     c->near = aob_json_to_number(json_object_get(object, "near"));

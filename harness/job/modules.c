@@ -1,13 +1,14 @@
 #include "modules.h"
 #include <stdint.h>
 #include <stdlib.h>
+#include "base/json.h"
 #include "base/memory.h"
 
 json_t *aob_modules_to_json(const struct aob_modules *modules)
 {
     json_t *array = json_array();
     for (size_t i = 0; i < modules->count; i++)
-        json_array_append_new(array, json_string(modules->paths[i]));
+        json_array_append_new(array, aob_json_path(modules->paths[i]));
     return array;
 }
 

@@ -1,13 +1,14 @@
 #include "view_job.h"
 #include <stdint.h>
 #include <stdlib.h>
+#include "base/json.h"
 #include "base/memory.h"
 #include "scene/camera_json.h"
 
 void aob_job_view_to_json(const struct aob_job_view *view, json_t *job)
 {
     if (view->mesh)
-        json_object_set_new(job, "mesh", json_string(view->mesh));
+        json_object_set_new(job, "mesh", aob_json_path(view->mesh));
     else
         json_object_set_new(job, "scene", json_string(view->scene));
     json_object_set_new(job, "captured", json_boolean(view->captured));
@@ -15,7 +16,7 @@ void aob_job_view_to_json(const struct aob_job_view *view, json_t *job)
     json_object_set_new(job, "width", json_integer(view->width));
     json_object_set_new(job, "height", json_integer(view->height));
     json_object_set_new(job, "guard", json_integer(view->guard));
-    json_object_set_new(job, "gbuffer", json_string(view->gbuffer));
+    json_object_set_new(job, "gbuffer", aob_json_path(view->gbuffer));
 }
 
 bool aob_job_view_from_json(const json_t *job, struct aob_job_view *view, struct aob_error *error)

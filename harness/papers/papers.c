@@ -1,11 +1,11 @@
 #include "papers.h"
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "base/output.h"
 #include "base/text.h"
 #include "row.h"
 #include "run/run.h"
@@ -102,7 +102,7 @@ static bool measure(struct papers *papers, const struct aob_paper_row *row, stru
     char *folder = aob_path_join(papers->out, row->config), *journal = aob_path_join(folder, "journal.jsonl");
     struct aob_paper_run run = {.folder = folder};
     json_t *records =
-        run_config(papers, row->config, folder, error) ? aob_journal_read(journal, error) : NULL;
+        run_config(papers, row->config, folder, error) ? aob_journal_read(journal, NULL, error) : NULL;
     run.records = records;
     bool ok = records && row->measure(&run, result, error);
     for (size_t i = 0; i < row->count && ok; i++)
@@ -203,7 +203,7 @@ static bool write_all(const struct papers *papers, struct aob_error *error)
     bool ok = aob_file_write(path, page.data, page.size, error);
     free(path);
     if (ok && !desc->quiet && !(desc->json && strcmp(desc->json, "-") == 0))
-        printf("%s", page.data);
+        ok = aob_output_write(page.data, page.size, error);
     aob_text_finish(&page);
     if (!ok || !desc->json)
         return ok;

@@ -12,35 +12,6 @@
 #include "target.h"
 #include "technique/param.h"
 
-/* An entry's own backends stand in place of the config's. */
-static const struct aob_backend_choice *choose_backends(const struct aob_config *config,
-                                                        const struct aob_technique_choice *choice)
-{
-    return choice->backends.count ? &choice->backends : &config->backends;
-}
-
-/* Counted before anything is expanded: a short config can ask for more cases than there is time to count singly. */
-static bool judge_count(const struct aob_config *config, struct aob_error *error)
-{
-    double places = 0, points = 0;
-    for (size_t s = 0; s < config->scene_count; s++)
-        places += config->scenes[s].capture ? 1 : (double)config->size_count;
-    for (size_t t = 0; t < config->technique_count; t++) {
-        double product = (double)choose_backends(config, &config->techniques[t])->count;
-        for (size_t a = 0; a < config->techniques[t].axis_count; a++)
-            product *= (double)config->techniques[t].axes[a].count;
-        points += product;
-    }
-    points *= places;
-    for (size_t o = 0; o < config->option_count; o++)
-        points *= (double)config->options[o].count;
-    if (points <= AOB_PLAN_MAX_CASES)
-        return true;
-    aob_fail(error, "the sweep has more than %d cases, namely %.6g: take values out of its axes",
-             AOB_PLAN_MAX_CASES, points);
-    return aob_config_fail_at(config, 0, 0, error);
-}
-
 /* What cannot be is most often an option's value. */
 static bool fail_at_options(const struct aob_config *config, struct aob_error *error)
 {
@@ -87,7 +58,7 @@ static bool expand_technique(struct aob_plan *plan, struct aob_case base,
                                             .param_count = base.technique->param_count,
                                             .from = choice->axes,
                                             .count = choice->axis_count};
-    const struct aob_backend_choice *backends = choose_backends(plan->config, choice);
+    const struct aob_backend_choice *backends = aob_config_backends(plan->config, choice);
     aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, base.options);
     bool ok = aob_plan_axes_init(&params, &desc, error);
     for (size_t b = 0; ok && b < backends->count; b++) {
@@ -185,8 +156,7 @@ bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
                      const struct aob_technique_list *techniques, struct aob_error *error)
 {
     *plan = (struct aob_plan){.config = config, .techniques = techniques};
-    if (!judge_count(config, error) || !aob_plan_choose_scenes(plan, error) ||
-        !judge_all_backends(config, error) || !expand(plan, error))
+    if (!aob_plan_choose_scenes(plan, error) || !judge_all_backends(config, error) || !expand(plan, error))
         goto error;
     aob_plan_add_targets(plan);
     aob_plan_make_keys(plan);

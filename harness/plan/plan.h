@@ -20,7 +20,8 @@ struct aob_plan_scene {                /* one view of one scene */
         view; /* "front", "camera", "camera-2", "capture" or "framed" (from the mesh's box, once it is loaded) */
     struct aob_camera camera; /* unset while framed */
     bool framed;
-    bool loaded; /* by this run: its warnings are printed, its framing is known */
+    bool loaded;  /* by this run: its warnings are printed, its framing is known */
+    bool checked; /* by this run: run/check.h */
     double metres_per_unit;
     char geometry[AOB_KEY_SIZE]; /* of the geometry's source, the same for every build of the program */
     char digest[AOB_KEY_SIZE];   /* of that and the version of what reads it */
@@ -56,7 +57,7 @@ struct aob_plan {
     struct aob_variation variation; /* of the whole plan: a filter changes no description */
 };
 
-enum { AOB_PLAN_MAX_CASES = 20000, AOB_BLOCK_MAX = 6 }; /* cases of a sweep; of a block */
+enum { AOB_BLOCK_MAX = 6 }; /* cases of a block */
 
 /* Captures must be loaded (captures.h). False: one line, FILE:LINE:COLUMN where the config has a position. */
 bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,

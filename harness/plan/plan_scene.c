@@ -73,7 +73,7 @@ static bool find_scene(struct aob_plan_scene *scene, const struct aob_scene_choi
 {
     struct aob_scene_folder folder;
     scene->info = choice->name ? aob_scene_find(choice->name) : NULL;
-    scene->name = aob_strdup(choice->name ? choice->name : choice->file);
+    scene->name = aob_strdup(choice->name ? choice->name : choice->given ? choice->given : choice->file);
     scene->metres_per_unit = scene->info ? scene->info->metres_per_unit : 1;
     scene->file = aob_strdup(scene->info ? scene->info->file : choice->file);
     if (scene->info || choice->file)
@@ -91,7 +91,7 @@ static bool choose_capture(struct aob_plan_scene *scene, const struct aob_scene_
                            struct aob_error *error)
 {
     struct aob_text name = {0};
-    aob_text_add(&name, "capture:%s", choice->capture);
+    aob_text_add(&name, "capture:%s", choice->given ? choice->given : choice->capture);
     scene->name = name.data;
     scene->gbuffer = choice->gbuffer;
     scene->width = choice->width;

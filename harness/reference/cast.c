@@ -116,6 +116,13 @@ static struct aob_vec3 shading_normal(const struct aob_tracer *tracer, uint32_t 
     return aob_vec_dot(n, geometric) < 0 ? aob_vec_scale(n, -1) : n;
 }
 
+/* The same, not turned away from the camera (tracer.h). The geometric normal stays as it is. */
+static struct aob_vec3 face_camera(struct aob_vec3 n, struct aob_vec3 geometric, struct aob_vec3 direction)
+{
+    struct aob_vec3 to_camera = aob_vec_scale(aob_vec_normalize(direction), -1);
+    return aob_vec_bend(n, to_camera, fmin(AOB_LEAST_FACING, aob_vec_dot(geometric, to_camera)));
+}
+
 /* `point` is in local space; NULL means the sky in the ray's direction. */
 static void store_velocity(const struct cast *cast, const struct primary *ray, const struct aob_vec3 *point,
                            size_t pixel)
@@ -151,7 +158,8 @@ static void store_hit(const struct cast *cast, const struct primary *ray, uint32
     hits->v[pixel] = (float)v;
     hits->depth[pixel] = (float)-aob_vec_dot(aob_vec_sub(p, ray->origin), cast->axes.back);
     to_view(&cast->axes, normal, hits->normal[pixel]);
-    to_view(&cast->axes, shading_normal(cast->tracer, triangle, u, v, normal), hits->shading[pixel]);
+    struct aob_vec3 shading = shading_normal(cast->tracer, triangle, u, v, normal);
+    to_view(&cast->axes, face_camera(shading, normal, ray->direction), hits->shading[pixel]);
     if (hits->velocity)
         store_velocity(cast, ray, &p, pixel);
 }

@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "embree_mesh.h"
 
-const char aob_tracer_version[] = "3";
+const char aob_tracer_version[] = "4";
 
 enum { FLUSH_BITS = 0x8040 }; /* flush to zero, denormals are zero */
 

@@ -27,8 +27,8 @@ struct aob_hits {
     float *u, *v;        /* barycentric: p = (1-u-v) p0 + u p1 + v p2 */
     float *depth;        /* scene units along the view axis, exact to float rounding; 0 where sky */
     float (*normal)[3];  /* geometric, view space, unit, turned to the camera; 0 where sky */
-    float (*shading)[3]; /* shading normal, on the geometric one's side; the geometric one where the mesh has
-                            none */
+    float (*shading)[3]; /* shading normal, on the geometric one's side and not turned away from the camera
+                            (AOB_LEAST_FACING); the geometric one where the mesh has none */
     /* NULL unless the camera moves. How many pixels, right and down, the point in the pixel's centre has moved over
      * the image since the previous frame: its place now less its place then. The sky lies infinitely far: it moves
      * with the camera's rotation only, and not at all in an orthographic view. If the point was behind the previous
@@ -36,6 +36,13 @@ struct aob_hits {
     float (*velocity)[2];
 };
 #define AOB_NO_VELOCITY 1e9f
+
+/* A shading normal that leans away from the camera, as interpolated and bump-mapped ones do where a surface is seen at a
+ * flat angle, is bent in the plane of the two until its cosine with the direction to the camera is this, or the
+ * geometric normal's cosine if that is less. Turning it round would point it into the surface. The value is above the
+ * rounding of every encoding of the G-buffer (sqrt(3) / 255 for 8 bits), so that the normal faces the camera as it is
+ * read, too. */
+#define AOB_LEAST_FACING 0x1p-6
 
 /* Embree decides which triangle is hit; the place on it, depth, normals and velocity are computed in double precision
  * on the pixel's own ray. `camera` must have passed aob_camera_check. Allocates the arrays of `hits`. */

@@ -101,6 +101,8 @@ static void take_answer(void *user, const json_t *answer)
     const char *status = json_string_value(json_object_get(answer, "status"));
     if (!index || i >= block->count || block->answered[i] || !status)
         return;
+    if (block->count > 1 && strcmp(status, "failed") == 0)
+        return; /* it may be a neighbour's fault: it is tried alone */
     finish_case(block, i, status, json_string_value(json_object_get(answer, "reason")), answer);
 }
 
@@ -205,6 +207,7 @@ static void fail_rest(struct block *block, const char *reason)
             finish_case(block, i, "failed", reason, NULL);
 }
 
+/* In a worker of its own, where no other case can have done it harm. */
 static void retry_alone(struct block *block)
 {
     for (size_t i = 0; i < block->count; i++)
@@ -225,7 +228,7 @@ void aob_measurement_block(struct aob_measurement *m, const size_t *indices, siz
         name_truths(&block);
     bool ok = run_worker(&block, &error);
     aob_view_files_finish(&files);
-    if (!ok && count > 1)
+    if (count > 1)
         retry_alone(&block);
     else
         fail_rest(&block, ok ? "the worker gave no answer for this case" : error.text);

@@ -33,6 +33,7 @@ bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_
                                    .input_size = strlen(input),
                                    .timeout_s = desc->timeout_s,
                                    .memory_limit = desc->memory_limit,
+                                   .output_limit = desc->output_limit,
                                    .on_line = pass_on,
                                    .user = &answers};
     bool ok = aob_child_run(&child, &result, error);
@@ -40,7 +41,7 @@ bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_
     json_decref(desc->job);
     if (!ok)
         return false;
-    if (result.exit_code == 0 && !result.timed_out)
+    if (result.exit_code == 0 && !result.timed_out && !*result.excess)
         return !answers.garbled || aob_fail(error, "the worker's answer is garbled");
     const char *said = strstr(result.complaint, "aobudget: error: ");
     if (result.exit_code == AOB_EXIT_USAGE && said)

@@ -14,10 +14,10 @@ struct aob_dispatch {
     bool validate;              /* Vulkan validation layer in workers */
 };
 struct aob_job_desc {
-    json_t *job;            /* taken */
-    const char *const *env; /* NULL, or NULL-ended "NAME=value" */
-    double timeout_s;
-    size_t memory_limit;                                 /* bytes; 0: none */
+    json_t *job;                                         /* taken */
+    const char *const *env;                              /* NULL, or NULL-ended "NAME=value" */
+    double timeout_s;                                    /* of work (base/deadline.h) */
+    size_t memory_limit, output_limit;                   /* bytes (base/child.h); 0: none, 64 MiB */
     void (*on_answer)(void *user, const json_t *answer); /* borrowed */
     void *user;
 };

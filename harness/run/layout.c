@@ -78,6 +78,12 @@ static json_t *make_job(const struct layout *layout)
     return object;
 }
 
+/* An answer is a table of 1025 rows and a picture of the passes: about 15 KB. */
+static size_t output_limit(size_t cases)
+{
+    return ((size_t)64 << 20) + cases * ((size_t)64 << 10);
+}
+
 /* A module that dies on a case costs that case; after three deaths the rest of its cases are given up. */
 static void run_layout(struct layout *layout)
 {
@@ -87,6 +93,7 @@ static void run_layout(struct layout *layout)
                                     .timeout_s =
                                         10 + floor(1e-3 * (double)(layout->count - layout->answered)),
                                     .memory_limit = (size_t)4 << 30,
+                                    .output_limit = output_limit(layout->count - layout->answered),
                                     .on_answer = take_answer,
                                     .user = layout};
         aob_dispatch_job(layout->m->dispatch, &desc, &error);

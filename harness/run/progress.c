@@ -1,5 +1,6 @@
 #include "progress.h"
 #include <stdio.h>
+#include <string.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 #include "base/clock.h"
@@ -30,7 +31,7 @@ void aob_progress_say(const struct aob_progress *progress, const char *what)
     ioctl(STDERR_FILENO, TIOCGWINSZ, &window);
     aob_text_add(&line, "[%zu/%zu] ", progress->done, progress->total);
     add_time_left(progress, &line);
-    aob_text_add(&line, "%s", what);
+    aob_text_add_shown(&line, what, strlen(what), false);
     fprintf(stderr, "\r\033[K%.*s", window.ws_col > 1 ? window.ws_col - 1 : 79, line.data);
     fflush(stderr);
     aob_text_finish(&line);

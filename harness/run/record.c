@@ -35,7 +35,7 @@ static json_t *bare_fingerprint(void)
 {
     char processor[256];
     aob_machine_processor(processor, sizeof processor);
-    return json_pack("{s:s, s:s, s:i}", "program", AOBUDGET_VERSION, "cpu", processor, "cores",
+    return json_pack("{s:s, s:o, s:i}", "program", AOBUDGET_VERSION, "cpu", aob_json_text(processor), "cores",
                      aob_machine_cores());
 }
 

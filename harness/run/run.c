@@ -106,8 +106,12 @@ static bool is_finished(const struct run *run, const json_t *record)
 
 static bool skip_finished(struct run *run, struct aob_error *error)
 {
-    json_t *records = aob_journal_read(run->folder.journal_path, error), *record, *places = json_object();
+    struct aob_error damage = {{0}};
+    json_t *records = aob_journal_read(run->folder.journal_path, &damage, error), *record,
+           *places = json_object();
     size_t at;
+    if (*damage.text)
+        aob_warn("%s", damage.text);
     for (size_t i = 0; i < run->sweep.plan.case_count; i++)
         json_object_set_new(places, run->sweep.plan.cases[i].key, json_integer((json_int_t)i));
     json_array_foreach(records, at, record)
@@ -179,19 +183,19 @@ static size_t next_block(const struct run *run, size_t *at, size_t indices[AOB_B
     return used;
 }
 
+/* What cannot be stored is not measured. A journal that went away behind its last line is noticed at the end. */
 static bool measure_blocks(struct run *run, struct aob_error *error)
 {
     size_t indices[AOB_BLOCK_MAX];
-    for (size_t at = 0; at < run->sweep.plan.case_count;) {
+    for (size_t at = 0; at < run->sweep.plan.case_count && !*run->store_error.text;) {
         size_t used = next_block(run, &at, indices);
         if (used)
             aob_measurement_block(&run->measurement, indices, used);
-        if (*run->store_error.text) {
-            *error = run->store_error;
-            return false;
-        }
     }
-    return true;
+    if (!*run->store_error.text)
+        aob_journal_check(&run->folder.journal, &run->store_error);
+    *error = run->store_error;
+    return !*error->text;
 }
 
 static size_t pending(const struct run *run)

@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "check.h"
 #include "job/mesh_job.h"
 #include "job/view_job.h"
 #include "measurement.h"
@@ -106,7 +107,7 @@ static char *want_term(struct aob_measurement *m, const struct aob_case *c, json
 {
     char *path = term_path(m, c, term);
     if (!json_object_get(missing->known, path) && !aob_file_exists(path)) {
-        json_object_set_new(term, "out", json_string(path));
+        json_object_set_new(term, "out", aob_json_path(path));
         json_array_append(missing->terms, term);
         json_object_set_new(missing->known, path, json_true());
     }
@@ -253,7 +254,9 @@ static bool prepare(struct aob_measurement *m, const size_t *indices, size_t cou
     bool ok = make_files(m, indices, files, &missing, error);
     json_decref(missing.terms);
     json_decref(missing.known);
-    if (!ok)
+    if (ok)
+        aob_check_view(m, indices[0], files);
+    else
         aob_view_files_finish(files);
     return ok;
 }

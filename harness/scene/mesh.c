@@ -6,14 +6,15 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-/* A flat file holds this header, positions, normals if any, triangles, and materials and their indices if any. Only
- * this machine reads it, so its own number formats serve. */
+/* A flat file holds this header, positions, normals if any, triangles, and materials and their indices if any.
+ * Only this machine reads it, so its own number formats serve. */
 struct flat_header {
     char magic[8];
-    uint64_t vertex_count, triangle_count, has_normals, source_bytes, material_count;
-    char key[40]; /* of the geometry: a file changed by one byte is refused */
+    uint64_t vertex_count, triangle_count, has_normals, source_bytes, material_count, note_count;
+    struct aob_mesh_note notes[AOB_MESH_NOTES];
+    char key[40]; /* of all: a file changed by one byte is refused */
 };
-static const char flat_magic[8] = "aobmsh3";
+static const char flat_magic[8] = "aobmsh4";
 enum { FLAT_LIMIT_BITS = 40 };
 
 void aob_mesh_finish(struct aob_mesh *mesh)
@@ -92,8 +93,9 @@ static void flat_key(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE])
 {
     struct aob_text text = {0};
     aob_mesh_digest(mesh, key);
-    aob_text_add(&text, "%s %zu", key, mesh->source_bytes);
-    aob_hash_text(text.data, key);
+    aob_text_add(&text, "%s %zu %zu ", key, mesh->source_bytes, mesh->note_count);
+    aob_text_add_bytes(&text, (const char *)mesh->notes, sizeof mesh->notes);
+    aob_hash_bytes(text.data, text.size, key);
     aob_text_finish(&text);
 }
 
@@ -103,7 +105,9 @@ bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_err
                                  .triangle_count = mesh->triangle_count,
                                  .has_normals = mesh->normals != NULL,
                                  .source_bytes = mesh->source_bytes,
-                                 .material_count = mesh->material_count};
+                                 .material_count = mesh->material_count,
+                                 .note_count = mesh->note_count};
+    memcpy(header.notes, mesh->notes, sizeof header.notes);
     memcpy(header.magic, flat_magic, sizeof header.magic);
     flat_key(mesh, header.key);
     const void *parts[] = {&header,         mesh->positions, mesh->normals,
@@ -130,7 +134,8 @@ bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_err
 
 static bool header_fits(const struct flat_header *header, size_t size)
 {
-    if (memcmp(header->magic, flat_magic, sizeof header->magic) || header->has_normals > 1)
+    if (memcmp(header->magic, flat_magic, sizeof header->magic) || header->has_normals > 1 ||
+        header->note_count > AOB_MESH_NOTES)
         return false;
     if (header->vertex_count > size || header->triangle_count > size ||
         header->material_count > size) /* so that the sum below cannot wrap */
@@ -167,6 +172,8 @@ bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error 
         mesh->vertex_count = mesh->vertex_capacity = header.vertex_count;
         mesh->triangle_count = mesh->triangle_capacity = header.triangle_count;
         mesh->source_bytes = header.source_bytes;
+        mesh->note_count = header.note_count;
+        memcpy(mesh->notes, header.notes, sizeof mesh->notes);
         mesh->positions = take(&at, mesh->vertex_count, sizeof *mesh->positions);
         if (header.has_normals)
             mesh->normals = take(&at, mesh->vertex_count, sizeof *mesh->normals);
@@ -190,11 +197,27 @@ bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error 
                          path);
 }
 
+void aob_mesh_note(struct aob_mesh *mesh, const char *format, ...)
+{
+    struct aob_mesh_note note = {""};
+    va_list args;
+    va_start(args, format);
+    aob_line_print_list(note.text, sizeof note.text, format, args);
+    va_end(args);
+    for (size_t i = 0; i < mesh->note_count; i++)
+        if (strcmp(mesh->notes[i].text, note.text) == 0)
+            return;
+    if (mesh->note_count < AOB_MESH_NOTES)
+        mesh->notes[mesh->note_count++] = note;
+}
+
 size_t aob_mesh_suspect(const struct aob_mesh *mesh, const char *name,
                         struct aob_error warnings[AOB_MESH_WARNINGS])
 {
     size_t count = 0;
     struct aob_vec3 low, high;
+    for (size_t i = 0; i < mesh->note_count; i++)
+        aob_fail(&warnings[count++], "%s: %s", name, mesh->notes[i].text);
     aob_mesh_bounds(mesh, &low, &high);
     struct aob_vec3 box = aob_vec_sub(high, low);
     double extent = fmax(box.x, fmax(box.y, box.z)), away = aob_vec_length(aob_vec_add(low, high)) / 2;

@@ -8,6 +8,12 @@
 #include "base/vec.h"
 #include "material.h"
 
+/* A line about a thing that a mesh file has and the mesh has not. */
+struct aob_mesh_note {
+    char text[160];
+};
+enum { AOB_MESH_NOTES = 8 };
+
 struct aob_mesh {
     struct aob_vec3 *positions; /* vertex_count */
     struct aob_vec3 *normals;   /* vertex_count shading normals, unit; NULL: the geometric ones serve */
@@ -18,6 +24,8 @@ struct aob_mesh {
     size_t material_count, material_capacity, material_of_capacity;
     uint32_t material;   /* of the triangles to come; see aob_mesh_paint */
     size_t source_bytes; /* of the file that it was loaded from, if that says how much is in it; else 0 */
+    struct aob_mesh_note notes[AOB_MESH_NOTES]; /* note_count */
+    size_t note_count;
 };
 
 void aob_mesh_finish(struct aob_mesh *mesh);
@@ -57,20 +65,24 @@ void aob_mesh_digest(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE]);
 bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_error *error);
 bool aob_mesh_restore(struct aob_mesh *mesh, const char *path, struct aob_error *error);
 
-/* Reads any mesh file that assimp knows (OBJ, PLY, glTF, 3DS, ...). It triangulates, applies node transforms, and
- * keeps shading normals or makes them (60 degrees, not across materials). Materials are glTF's factors, with glTF's
- * own defaults for what a material leaves out (a nameless one that leaves out all counts as none); OBJ's Kd (0.6 if
- * left out), Pr and Pm; and the diffuse colour of other formats. Textures are not read. Vertex colours, as PLY has
- * them, are averaged over each triangle and multiply the base colour; without a material they are the base colour.
- * Numbers are taken as linear and clamped to 0..1; what is missing is as in aob_material_default. It runs hostile
- * parsers over hostile bytes: only ever call it in a child process with limits. */
+/* Notes a thing that is left out of the mesh. The same line counts once; what is beyond AOB_MESH_NOTES is dropped. */
+void aob_mesh_note(struct aob_mesh *mesh, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Reads a mesh file: glTF 2.0 by a reader of the program's own (gltf_import.h), OBJ, PLY, STL, 3DS and all else that
+ * assimp knows by assimp. It triangulates, applies node transforms (one that mirrors turns the winding), keeps shading
+ * normals or makes them (60 degrees, not across materials), and joins vertices that are equal to the bit. Materials
+ * are glTF's factors, with glTF's own defaults for what a material leaves out; OBJ's Kd (0.6 if left out), Pr and Pm;
+ * and the diffuse colour of other formats. Textures are not read. Vertex colours are averaged over each triangle and
+ * multiply the base colour; without a material they are the base colour. Numbers are taken as linear and clamped to
+ * 0..1; what is missing is as in aob_material_default. It runs hostile parsers over hostile bytes: only ever call it
+ * in a child process with limits. */
 bool aob_mesh_import(struct aob_mesh *mesh, const char *path, struct aob_error *error);
 
 /* Writes a line, which begins with `name`, for each thing that makes a loaded mesh suspicious, and returns how many
- * it wrote. One is more than 400 bytes of the file for each triangle: assimp did not understand its strips. The other
- * is a centre 5000 longest sides or more from the origin: 32-bit floats have lost detail, since a side has 3,400
- * steps at most; the line says how large a step is. */
-enum { AOB_MESH_WARNINGS = 2 };
+ * it wrote. They are its notes and two more. One is more than 400 bytes of the file for each triangle: assimp did not
+ * understand its strips. The other is a centre 5000 longest sides or more from the origin: 32-bit floats have lost
+ * detail, since a side has 3,400 steps at most; the line says how large a step is. */
+enum { AOB_MESH_WARNINGS = AOB_MESH_NOTES + 2 };
 size_t aob_mesh_suspect(const struct aob_mesh *mesh, const char *name,
                         struct aob_error warnings[AOB_MESH_WARNINGS]);
 

@@ -1,5 +1,4 @@
 #include "source.h"
-#include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,16 +6,22 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "gltf_file.h"
 
-/* Digests a file that lies beside the mesh. If it is missing, the importer complains of it. */
-static void add_neighbour(const char *file, const char *name, struct aob_text *text)
+/* Digests a file that the mesh file names. If it is missing, the importer complains of it. */
+static void add_file(const char *path, struct aob_text *text)
+{
+    char key[AOB_KEY_SIZE];
+    if (aob_hash_file(path, key, NULL))
+        aob_text_add(text, " %s", key);
+}
+
+static void add_library(const char *file, const char *name, struct aob_text *text)
 {
     const char *slash = strrchr(file, '/');
-    char key[AOB_KEY_SIZE];
     struct aob_text path = {0};
     aob_text_add(&path, "%.*s%s", slash ? (int)(slash - file) + 1 : 0, file, name);
-    if (aob_hash_file(path.data, key, NULL))
-        aob_text_add(text, " %s", key);
+    add_file(path.data, text);
     aob_text_finish(&path);
 }
 
@@ -34,24 +39,36 @@ static void add_libraries(const char *file, struct aob_text *text)
         for (size_t size = strlen(name); size && strchr(" \t\r\n", name[size - 1]); size--)
             name[size - 1] = '\0';
         if (*name)
-            add_neighbour(file, name, text);
+            add_library(file, name, text);
     }
     free(line);
     if (in)
         fclose(in);
 }
 
+static void add_buffer(const char *file, const json_t *buffer, struct aob_text *text)
+{
+    const char *uri = json_string_value(json_object_get(buffer, "uri"));
+    if (!uri || aob_gltf_uri_is_data(uri))
+        return;
+    char *path = aob_gltf_uri_path(file, uri);
+    add_file(path, text);
+    free(path);
+}
+
+/* They are an array in glTF 2.0, and the members of an object in 1.0. */
 static void add_buffers(const char *file, struct aob_text *text)
 {
-    json_t *document = json_load_file(file, 0, NULL), *buffer;
+    struct aob_gltf_file document;
+    const char *name;
+    json_t *buffer;
     size_t at;
-    json_array_foreach(json_object_get(document, "buffers"), at, buffer)
-    {
-        const char *uri = json_string_value(json_object_get(buffer, "uri"));
-        if (uri && strncmp(uri, "data:", 5) != 0)
-            add_neighbour(file, uri, text);
-    }
-    json_decref(document);
+    if (!aob_gltf_file_read(&document, file, NULL))
+        return;
+    json_t *buffers = json_object_get(document.root, "buffers");
+    json_array_foreach(buffers, at, buffer) add_buffer(file, buffer, text);
+    json_object_foreach(buffers, name, buffer) add_buffer(file, buffer, text);
+    aob_gltf_file_finish(&document);
 }
 
 static bool digest_file(const char *file, char key[AOB_KEY_SIZE], struct aob_error *error)
@@ -61,7 +78,7 @@ static bool digest_file(const char *file, char key[AOB_KEY_SIZE], struct aob_err
     if (!aob_hash_file(file, key, error))
         return false;
     aob_text_add(&text, "%s %s", key, ending ? ending : "");
-    if (ending && strcmp(ending, ".gltf") == 0)
+    if (aob_gltf_named(file))
         add_buffers(file, &text);
     if (ending && strcasecmp(ending, ".obj") == 0)
         add_libraries(file, &text);

@@ -6,7 +6,7 @@
 #include "scene.h"
 
 /* Digests the geometry itself of a procedural scene (file NULL). For a mesh file it digests its bytes, its ending,
- * and the files that it names: buffers of a .gltf, material libraries of an .obj. The digest is the same for every
+ * and the files that it names: buffers of glTF, material libraries of an .obj. The digest is the same for every
  * build of the program that knows the same geometry. False with a line if the file cannot be read. */
 bool aob_source_digest(const struct aob_scene_info *info, const char *file, char key[AOB_KEY_SIZE],
                        struct aob_error *error);

@@ -36,8 +36,8 @@ void aob_image_finish(struct aob_image *image);
 bool aob_image_write(const struct aob_image *image, const char *path, struct aob_error *error);
 
 /* Reads all channels as float (half and uint are converted) of a scan-line or tiled file (its first level), and
- * attributes of one or three numbers and strings. It refuses more than 2^28 pixels x channels, and deep or damaged
- * files, with one line. If a file has several parts, it reads the first. */
+ * attributes of one or three numbers and strings. It refuses more than 2^28 pixels x channels, deep files,
+ * the compressions B44, B44A, DWAA and DWAB, and damaged files, with one line. If a file has several parts, it reads the first. */
 bool aob_image_read(struct aob_image *image, const char *path, struct aob_error *error);
 
 /* Reads some channels of another program's file, from any of its parts. `choose` marks what it wants among all names,

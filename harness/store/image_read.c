@@ -44,6 +44,23 @@ static bool read_storage(struct aob_image_reader *r)
            aob_fail(r->error, "%s: refused: deep images are not supported: flatten it first", r->path);
 }
 
+/* OpenEXRCore 3.1 has no decoder of DWAA and DWAB. That of B44 and B44A writes beyond its buffer, and mixes up channels
+ * that are not half, so no such file may reach it. */
+static bool judge_compression(struct aob_image_reader *r)
+{
+    static const char *const unread[] = {[EXR_COMPRESSION_B44] = "B44",
+                                         [EXR_COMPRESSION_B44A] = "B44A",
+                                         [EXR_COMPRESSION_DWAA] = "DWAA",
+                                         [EXR_COMPRESSION_DWAB] = "DWAB"};
+    exr_compression_t compression;
+    if (!aob_image_reader_check(r, exr_get_compression(r->file, r->part, &compression), "compression"))
+        return false;
+    const char *name = (size_t)compression < AOB_COUNT(unread) ? unread[compression] : "unknown";
+    return !name ||
+           aob_fail(r->error, "%s: refused: its compression (%s) is not read: save it with ZIP, PIZ or none",
+                    r->path, name);
+}
+
 static bool add_channels(struct aob_image_reader *r)
 {
     const exr_attr_chlist_t *list = NULL;
@@ -239,8 +256,8 @@ bool aob_image_reader_open(struct aob_image_reader *r)
 /* The wanted channels of one part, and its attributes. */
 bool aob_image_reader_part(struct aob_image_reader *r)
 {
-    bool ok = read_window(r) && read_storage(r) && add_channels(r) && aob_image_reader_attributes(r) &&
-              read_pixels(r);
+    bool ok = read_window(r) && read_storage(r) && judge_compression(r) && add_channels(r) &&
+              aob_image_reader_attributes(r) && read_pixels(r);
     if (r->decoding)
         exr_decoding_destroy(r->file, &r->pipeline);
     free(r->planes);

@@ -4,58 +4,92 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
 
+/* A journal while it is read. */
+struct reading {
+    json_t *records, *by_key; /* by_key: the key's place in the records */
+    size_t lines, damaged, first_damaged;
+};
+
 /* A case that was tried again has several lines. The last one counts, in the place of the first, so that the order
  * stays. */
-static void keep_last(json_t *records, json_t *by_key, json_t *record)
+static void keep_last(struct reading *reading, const char *key, json_t *record)
 {
-    const char *key = json_string_value(json_object_get(record, "key"));
-    if (!key) {
-        json_decref(record);
+    json_t *place = json_object_get(reading->by_key, key);
+    if (place) {
+        json_array_set(reading->records, (size_t)json_integer_value(place), record);
         return;
     }
-    json_t *place = json_object_get(by_key, key);
-    if (place)
-        json_array_set_new(records, (size_t)json_integer_value(place), record);
-    else {
-        json_object_set_new(by_key, key, json_integer((json_int_t)json_array_size(records)));
-        json_array_append_new(records, record);
-    }
+    json_object_set_new(reading->by_key, key, json_integer((json_int_t)json_array_size(reading->records)));
+    json_array_append(reading->records, record);
 }
 
-json_t *aob_journal_read(const char *path, struct aob_error *error)
+static bool take_record(struct reading *reading, const char *text, size_t size)
 {
-    size_t size;
-    json_t *records = json_array(), *by_key = json_object();
+    json_t *record = json_loadb(text, size, JSON_REJECT_DUPLICATES, NULL);
+    const char *key = json_string_value(json_object_get(record, "key"));
+    if (key)
+        keep_last(reading, key, record);
+    json_decref(record);
+    return key != NULL;
+}
+
+/* Zeros part records as a line break does, but they do not belong there. */
+static void take_line(struct reading *reading, const char *line, size_t size)
+{
+    bool whole = !memchr(line, '\0', size);
+    for (const char *part = line, *end = line + size; part < end;) {
+        size_t length = strnlen(part, (size_t)(end - part));
+        whole = (!length || take_record(reading, part, length)) && whole;
+        part += length + 1;
+    }
+    reading->lines++;
+    if (!whole && !reading->damaged++)
+        reading->first_damaged = reading->lines;
+}
+
+static void tell(const struct reading *reading, const char *path, struct aob_error *damage)
+{
+    if (reading->damaged == 1)
+        aob_fail(damage, "%s: line %zu of %zu is damaged and passed over", path, reading->first_damaged,
+                 reading->lines);
+    else if (reading->damaged)
+        aob_fail(damage, "%s: %zu of %zu lines are damaged and passed over, the first of them line %zu", path,
+                 reading->damaged, reading->lines, reading->first_damaged);
+}
+
+json_t *aob_journal_read(const char *path, struct aob_error *damage, struct aob_error *error)
+{
+    size_t size = 0;
     char *text = aob_file_exists(path) ? aob_file_read(path, (size_t)1 << 32, &size, error) : aob_strdup("");
-    if (!text) {
-        json_decref(records);
-        json_decref(by_key);
+    if (!text)
         return NULL;
-    }
-    for (char *line = text, *end; (end = strchr(line, '\n')); line = end + 1) {
-        json_t *record = json_loadb(line, (size_t)(end - line), JSON_REJECT_DUPLICATES, NULL);
-        if (record)
-            keep_last(records, by_key, record);
-    }
+    struct reading reading = {.records = json_array(), .by_key = json_object()};
+    const char *end = text + size;
+    for (const char *line = text, *newline; (newline = memchr(line, '\n', (size_t)(end - line)));
+         line = newline + 1)
+        take_line(&reading, line, (size_t)(newline - line));
     free(text);
-    json_decref(by_key);
-    return records;
+    json_decref(reading.by_key);
+    tell(&reading, path, damage);
+    return reading.records;
 }
 
 /* Cuts what a killed run left of its last line, which lies behind the last newline. */
-static bool cut_torn_line(int file)
+static bool cut_torn_line(struct aob_journal *journal)
 {
-    off_t whole = lseek(file, 0, SEEK_END), size = whole;
+    off_t whole = lseek(journal->file, 0, SEEK_END);
     char byte;
-    while (size > 0 && pread(file, &byte, 1, size - 1) == 1 && byte != '\n')
-        size--;
-    return size == whole ||
-           ftruncate(file, size) == 0; /* a whole journal keeps its time: a page may be as new */
+    journal->size = whole;
+    while (journal->size > 0 && pread(journal->file, &byte, 1, journal->size - 1) == 1 && byte != '\n')
+        journal->size--;
+    return journal->size == whole || /* a whole journal keeps its time: a page may be as new */
+           ftruncate(journal->file, journal->size) == 0;
 }
 
 bool aob_journal_open(struct aob_journal *journal, const char *path, struct aob_error *error)
@@ -67,7 +101,7 @@ bool aob_journal_open(struct aob_journal *journal, const char *path, struct aob_
         close(journal->file);
         return aob_fail(error, "%s: another run is writing here; wait for it or choose another --out", path);
     }
-    if (!cut_torn_line(journal->file)) {
+    if (!cut_torn_line(journal)) {
         close(journal->file);
         return aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
     }
@@ -75,15 +109,54 @@ bool aob_journal_open(struct aob_journal *journal, const char *path, struct aob_
     return true;
 }
 
+bool aob_journal_check(const struct aob_journal *journal, struct aob_error *error)
+{
+    struct stat own, named;
+    if (fstat(journal->file, &own) != 0)
+        return aob_fail(error, "%s: cannot look at it: %s", journal->path, strerror(errno));
+    if (!own.st_nlink)
+        return aob_fail(error,
+                        "%s: it was deleted or replaced during the run, and its cases with it: run again",
+                        journal->path);
+    if (stat(journal->path, &named) != 0 || named.st_dev != own.st_dev || named.st_ino != own.st_ino)
+        return aob_fail(error, "%s: it or its folder was moved during the run: put it back and run again",
+                        journal->path);
+    return own.st_size >= journal->size ||
+           aob_fail(error, "%s: somebody cut it from %lld to %lld bytes during the run: run again",
+                    journal->path, (long long)journal->size, (long long)own.st_size);
+}
+
+/* What was written of a line that does not fit is taken back, so that the next line begins one. */
+static bool write_line(struct aob_journal *journal, const char *line, size_t size, struct aob_error *error)
+{
+    off_t before = lseek(journal->file, 0, SEEK_END);
+    if (before >= 0 && aob_file_send(journal->file, line, size) && fsync(journal->file) == 0) {
+        journal->size = before + (off_t)size;
+        return true;
+    }
+    aob_fail(error, "%s: cannot write: %s", journal->path, strerror(errno));
+    if (before >= 0 && ftruncate(journal->file, before) != 0)
+        aob_warn("%s: the next start will cut off what was written of the last line", journal->path);
+    return false;
+}
+
 bool aob_journal_append(struct aob_journal *journal, const json_t *record, struct aob_error *error)
 {
+    if (!aob_journal_check(journal, error))
+        return false;
     char *line = aob_json_line(record, 9);
     size_t size = strlen(line);
     line[size] = '\n';
-    ssize_t written = write(journal->file, line, size + 1);
+    bool ok = write_line(journal, line, size + 1, error);
     free(line);
-    if (written != (ssize_t)size + 1 || fsync(journal->file) != 0)
-        return aob_fail(error, "%s: cannot write: %s", journal->path, strerror(errno));
+    return ok;
+}
+
+bool aob_journal_clear(struct aob_journal *journal, struct aob_error *error)
+{
+    if (ftruncate(journal->file, 0) != 0)
+        return aob_fail(error, "%s: cannot empty the journal: %s", journal->path, strerror(errno));
+    journal->size = 0;
     return true;
 }
 

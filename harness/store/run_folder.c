@@ -72,9 +72,10 @@ static const char *find_difference(const json_t *earlier, const json_t *info)
     return same_text(earlier, info, "build") ? NULL : "a run of another build of this program";
 }
 
+/* Without a record there is nothing that could be lost or mixed: such a run was stopped before its first case. */
 static bool judge_earlier_run(const struct aob_run_folder *folder, json_t *info, struct aob_error *error)
 {
-    if (!aob_file_exists(folder->info) && !aob_file_exists(folder->journal_path))
+    if (!aob_file_size(folder->journal_path))
         return true;
     json_t *earlier = json_load_file(folder->info, 0, NULL);
     const char *other = find_difference(earlier, info);
@@ -105,8 +106,7 @@ static bool discard_earlier_run(struct aob_run_folder *folder, const char *image
 {
     discard_images(images);
     discard_images(truths);
-    return ftruncate(folder->journal.file, 0) == 0 ||
-           aob_fail(error, "%s: cannot empty the journal", folder->journal_path);
+    return aob_journal_clear(&folder->journal, error);
 }
 
 bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t *info, bool fresh,

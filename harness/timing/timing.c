@@ -10,6 +10,7 @@ enum { SLOT_FIXED, SLOT_CONTROL, SLOT_CASES, SLOT_MAX = SLOT_CASES + AOB_BLOCK_M
 /* One block while it is measured: rounds x slots of times. */
 struct run {
     const struct aob_timing_desc *desc;
+    const struct aob_timing_clock *clock;
     size_t slots, rounds;
     int repeats; /* frames a slot */
     double cpu[SLOT_MAX][AOB_ROUNDS_MAX], wall[SLOT_MAX][AOB_ROUNDS_MAX];
@@ -18,6 +19,37 @@ struct run {
     uint64_t random;
     size_t order[SLOT_MAX];
 };
+
+static bool run_on_device(void *user, struct aob_frame *frame, struct aob_gpu_time *passes,
+                          struct aob_error *error)
+{
+    (void)user;
+    return aob_frame_run(frame, passes, error);
+}
+
+static int64_t machine_now(void *user)
+{
+    (void)user;
+    return aob_clock_wall_ns();
+}
+
+static int64_t machine_preemptions(void *user)
+{
+    (void)user;
+    return aob_clock_preemptions();
+}
+
+static const struct aob_timing_clock machine = {run_on_device, machine_now, machine_preemptions, NULL};
+
+static int64_t now_ns(const struct run *run)
+{
+    return run->clock->now_ns(run->clock->user);
+}
+
+static int64_t preemptions(const struct run *run)
+{
+    return run->clock->preemptions(run->clock->user);
+}
 
 static struct aob_frame *slot_frame(const struct run *run, size_t slot)
 {
@@ -29,9 +61,9 @@ static bool run_slot(struct run *run, size_t slot, size_t round, struct aob_erro
     struct aob_frame *frame = slot_frame(run, slot);
     struct aob_gpu_time times[AOB_MAX_PASS];
     double cpu = 0, wall = 0, pass_cpu[AOB_MAX_PASS] = {0};
-    int64_t preempted = aob_clock_preemptions();
+    int64_t preempted = preemptions(run);
     for (int i = 0; i < run->repeats; i++) {
-        if (!aob_frame_run(frame, times, error))
+        if (!run->clock->run(run->clock->user, frame, times, error))
             return false;
         for (int p = 0; p < frame->graph.pass_count; p++) {
             cpu += (double)times[p].cpu_ns * 1e-6;
@@ -39,7 +71,7 @@ static bool run_slot(struct run *run, size_t slot, size_t round, struct aob_erro
             pass_cpu[p] += (double)times[p].cpu_ns * 1e-6;
         }
     }
-    run->clean[slot][round] = aob_clock_preemptions() == preempted;
+    run->clean[slot][round] = preemptions(run) == preempted;
     run->cpu[slot][round] = fmax(cpu / run->repeats, 1e-9);
     run->wall[slot][round] = fmax(wall / run->repeats, 1e-9);
     for (int p = 0; slot >= SLOT_CASES && p < frame->graph.pass_count; p++)
@@ -134,15 +166,14 @@ static bool narrow_enough(const struct run *run)
 
 static bool measure(struct run *run, struct aob_error *error)
 {
-    int64_t limit =
-        aob_clock_wall_ns() + (int64_t)(run->desc->seconds * (double)run->desc->frame_count * 1e9);
+    int64_t limit = now_ns(run) + (int64_t)(run->desc->seconds * (double)run->desc->frame_count * 1e9);
     for (run->rounds = 0; run->rounds < AOB_ROUNDS_MAX;) {
         if (!run_round(run, run->rounds, error))
             return false;
         run->rounds++;
         if (is_check_point(run->rounds) && narrow_enough(run))
             break;
-        if (run->rounds >= 6 && aob_clock_wall_ns() > limit) /* six: the fewest that have an interval */
+        if (run->rounds >= 6 && now_ns(run) > limit) /* six: the fewest that have an interval */
             break;
     }
     return true;
@@ -176,8 +207,11 @@ bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_block_timing 
                     struct aob_error *error)
 {
     struct run *run = AOB_NEW(struct run);
-    *run = (struct run){
-        .desc = desc, .slots = SLOT_CASES + desc->frame_count, .repeats = 1, .random = desc->seed};
+    *run = (struct run){.desc = desc,
+                        .clock = desc->clock ? desc->clock : &machine,
+                        .slots = SLOT_CASES + desc->frame_count,
+                        .repeats = 1,
+                        .random = desc->seed};
     bool ok = warm_up(run, error);
     if (ok)
         choose_repeats(run);

@@ -10,13 +10,23 @@
 #include "plan/plan.h"
 #include "base/statistics.h"
 
+/* Where the times of a block come from, so that a test can say what each frame costs. `user` is passed to each. */
+struct aob_timing_clock {
+    /* Draws the frame and fills one time for each pass of its graph. */
+    bool (*run)(void *user, struct aob_frame *frame, struct aob_gpu_time *passes, struct aob_error *error);
+    int64_t (*now_ns)(void *user);      /* monotonic; it ends the rounds */
+    int64_t (*preemptions)(void *user); /* as aob_clock_preemptions */
+    void *user;
+};
+
 struct aob_timing_desc {
     struct aob_frame *fixed; /* the fixed reference pass; run twice a round (the second is the A/A control) */
     struct aob_frame *const *frames; /* frame_count cases, 1..AOB_BLOCK_MAX */
     size_t frame_count;
-    double seconds; /* a case; timing stops there even if the interval is still wide */
-    uint32_t seed;  /* of the order within rounds */
-    bool wall;      /* judge by wall time (a real GPU), else by processor time */
+    double seconds;                       /* a case; timing stops there even if the interval is still wide */
+    uint32_t seed;                        /* of the order within rounds */
+    bool wall;                            /* judge by wall time (a real GPU), else by processor time */
+    const struct aob_timing_clock *clock; /* NULL: the frame's device and this process's clocks */
 };
 enum { AOB_ROUNDS_MAX = 230 };
 

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/clock.h"
+#include "base/json.h"
 #include "base/machine.h"
 #include "base/memory.h"
 #include "technique/param.h"
@@ -17,11 +18,12 @@ static json_t *fingerprint(const struct aob_block *block)
     char processor[256];
     const char *threads = getenv("LP_NUM_THREADS");
     aob_machine_processor(processor, sizeof processor);
-    return json_pack("{s:s, s:s, s:i, s:s, s:s, s:s, s:s, s:i, s:s}", "program", AOBUDGET_VERSION, "cpu",
-                     processor, "cores", aob_machine_cores(), "backend", block->gpu->info.backend, "device",
-                     block->gpu->info.device, "driver", block->gpu->info.driver, "class",
-                     block->gpu->info.device_class, "fixed_pass", (int)aob_technique_fixed_pass.revision,
-                     "threads", threads ? threads : "default");
+    const struct aob_gpu_info *gpu = &block->gpu->info;
+    return json_pack("{s:s, s:o, s:i, s:s, s:o, s:o, s:s, s:i, s:o}", "program", AOBUDGET_VERSION, "cpu",
+                     aob_json_text(processor), "cores", aob_machine_cores(), "backend", gpu->backend,
+                     "device", aob_json_text(gpu->device), "driver", aob_json_text(gpu->driver), "class",
+                     gpu->device_class, "fixed_pass", (int)aob_technique_fixed_pass.revision, "threads",
+                     aob_json_text(threads ? threads : "default"));
 }
 
 static void reply_failure(struct aob_worker *worker, size_t index, const char *status, const char *reason)

@@ -1,3 +1,4 @@
+#include "base/json.h"
 #include "base/machine.h"
 #include "gpu/gpu.h"
 #include "worker.h"
@@ -22,12 +23,12 @@ static bool probe(struct aob_worker *worker, struct aob_error *error)
     struct aob_gpu *gpu = aob_gpu_open(backend ? backend : "", &(struct aob_gpu_desc){0}, error);
     if (!gpu)
         return false;
-    json_t *answer = json_pack("{s:s, s:s, s:s}", "device", gpu->info.device, "driver", gpu->info.driver,
-                               "class", gpu->info.device_class);
+    json_t *answer = json_pack("{s:o, s:o, s:s}", "device", aob_json_text(gpu->info.device), "driver",
+                               aob_json_text(gpu->info.driver), "class", gpu->info.device_class);
     if (gpu->info.software) { /* the processor is the device, and drivers call all of them by one name */
         char processor[256];
         aob_machine_processor(processor, sizeof processor);
-        json_object_set_new(answer, "cpu", json_string(processor));
+        json_object_set_new(answer, "cpu", aob_json_text(processor));
         json_object_set_new(answer, "cores", json_integer(aob_machine_cores()));
     }
     aob_worker_reply(worker, answer);

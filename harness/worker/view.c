@@ -37,6 +37,22 @@ struct scene {
     struct aob_hits hits;
 };
 
+/* Nothing could be compared: every figure of the view would be the mean of no pixel. The guard band does not count. */
+static bool judge_hits(const struct scene *scene, struct aob_error *error)
+{
+    const struct aob_job_view *view = &scene->job->view;
+    const struct aob_camera *camera = &view->camera;
+    for (int y = view->guard; y < view->guard + view->height; y++)
+        for (int x = view->guard; x < view->guard + view->width; x++)
+            if (scene->hits.primitive[(size_t)y * (size_t)scene->hits.width + (size_t)x] != AOB_NO_PRIMITIVE)
+                return true;
+    return aob_fail(error,
+                    "no pixel of the view shows a surface: move or turn the camera (eye %g,%g,%g, target "
+                    "%g,%g,%g)",
+                    camera->eye.x, camera->eye.y, camera->eye.z, camera->target.x, camera->target.y,
+                    camera->target.z);
+}
+
 static bool cast_view(struct scene *scene, struct aob_error *error)
 {
     const struct aob_job_view *view = &scene->job->view;
@@ -46,6 +62,8 @@ static bool cast_view(struct scene *scene, struct aob_error *error)
     if (!scene->tracer)
         return false;
     aob_tracer_cast(scene->tracer, &view->camera, &scene->projection, &scene->hits);
+    if (!judge_hits(scene, error))
+        return false;
     return aob_file_exists(view->gbuffer) ||
            aob_gbuffer_store(&scene->hits, &scene->mesh, view->gbuffer, error);
 }

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "base/file.h"
 #include "base/json.h"
 #include "scene/scene.h"
 #include "technique/param.h"
@@ -9,14 +10,10 @@
 void aob_worker_reply(struct aob_worker *worker, json_t *answer)
 {
     char *line = aob_json_line(answer, 17);
-    size_t size = strlen(line), sent = 0;
+    size_t size = strlen(line);
     line[size++] = '\n';
-    while (sent < size) {
-        ssize_t n = write(worker->reply, line + sent, size - sent);
-        if (n <= 0)
-            exit(AOB_EXIT_USAGE); /* nobody listens any more */
-        sent += (size_t)n;
-    }
+    if (!aob_file_send(worker->reply, line, size))
+        exit(AOB_EXIT_USAGE); /* nobody listens any more */
     free(line);
     json_decref(answer);
 }

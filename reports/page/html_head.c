@@ -85,6 +85,11 @@ static void add_banners(struct aob_text *page, const struct aob_rows *rows)
 {
     for (size_t i = 0; i < rows->run_count; i++) {
         const struct aob_run *run = &rows->runs[i];
+        if (*run->damage.text) {
+            aob_text_add(page, "<p class=banner role=status>");
+            aob_html_escape(page, run->damage.text);
+            aob_text_add(page, "</p>\n");
+        }
         if (run->planned <= run->cases)
             continue;
         aob_text_add(page, "<p class=banner role=status><strong>Incomplete: %zu of %zu cases</strong> of ",

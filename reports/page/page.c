@@ -35,6 +35,7 @@ static void summarise(struct aob_page_summary *summary, const struct aob_gallery
         summary->planned += rows->runs[i].planned;
     for (size_t i = 0; i < gallery->count; i++)
         summary->drawn += !gallery->figures[i].failure;
+    aob_fail(&summary->damage, "%s", aob_rows_damage(rows));
 }
 
 static bool write_page(const struct aob_page_desc *desc, const struct aob_gallery *gallery,

@@ -8,9 +8,10 @@
 #include "base/error.h"
 
 struct aob_page_summary {
-    size_t planned;        /* cases of the runs; 0: not known */
-    size_t cases, ok;      /* in the journals */
-    size_t figures, drawn; /* charts count twice: SVG and PNG */
+    size_t planned;          /* cases of the runs; 0: not known */
+    size_t cases, ok;        /* in the journals */
+    size_t figures, drawn;   /* charts count twice: SVG and PNG */
+    struct aob_error damage; /* on the first journal with damaged lines; empty if there is none */
 };
 
 struct aob_page_desc {

@@ -9,6 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *aob_rows_damage(const struct aob_rows *rows)
+{
+    for (size_t i = 0; i < rows->run_count; i++)
+        if (*rows->runs[i].damage.text)
+            return rows->runs[i].damage.text;
+    return "";
+}
+
 bool aob_row_is_ok(const struct aob_row *row)
 {
     return strcmp(row->status, "ok") == 0;
@@ -84,7 +92,7 @@ static bool read_run(struct aob_rows *rows, size_t index, struct aob_error *erro
     if (!aob_file_exists(path) && !run->info)
         aob_fail(error, "%s: is not the folder of a run: it has no journal.jsonl", run->folder);
     else
-        run->lines = aob_journal_read(path, error);
+        run->lines = aob_journal_read(path, &run->damage, error);
     free(path);
     json_t *planned = planned_keys(run), *line;
     size_t i;

@@ -13,11 +13,12 @@
 
 struct aob_run {
     const char *folder;
-    json_t *info;     /* run.json, or NULL */
-    json_t *lines;    /* the journal's objects */
-    const char *name; /* run.json's, else the folder's path */
-    size_t planned;   /* cases; 0: not known */
-    size_t cases;     /* found in the journal */
+    json_t *info;            /* run.json, or NULL */
+    json_t *lines;           /* the journal's objects */
+    const char *name;        /* run.json's, else the folder's path */
+    size_t planned;          /* cases; 0: not known */
+    size_t cases;            /* found in the journal */
+    struct aob_error damage; /* of the journal, one line; empty if there is none */
 };
 
 /* A case's image against one target. */
@@ -69,6 +70,9 @@ struct aob_rows {
 bool aob_rows_read(struct aob_rows *rows, const char *const *folders, size_t folder_count,
                    struct aob_error *error);
 void aob_rows_finish(struct aob_rows *rows);
+
+/* The line on the first journal with damaged lines; "" if there is none. */
+const char *aob_rows_damage(const struct aob_rows *rows);
 
 bool aob_row_is_ok(const struct aob_row *row);
 

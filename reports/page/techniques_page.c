@@ -220,6 +220,7 @@ static void summarise(const struct aob_techniques *t, struct aob_techniques_summ
         summary->ok += aob_row_is_ok(&t->rows.list[i]);
     for (size_t i = 0; i < t->gallery.count; i++)
         summary->drawn += !t->gallery.figures[i].failure;
+    aob_fail(&summary->damage, "%s", aob_rows_damage(&t->rows));
 }
 
 /* "docs/techniques.md" is docs and techniques. */

@@ -15,6 +15,7 @@ struct aob_techniques_desc {
 struct aob_techniques_summary {
     size_t techniques, planned, cases, ok; /* planned: 0 if not known */
     size_t figures, drawn;
+    struct aob_error damage; /* on the journal; empty if it is whole */
 };
 
 /* False with a line if the folder is no run's, its run.json names no techniques, or the page cannot be written. */

@@ -3,10 +3,14 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include <pthread.h>
+#include <sched.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <time.h>
 #include <unistd.h>
 #include "base/child.h"
 #include "base/memory.h"
@@ -123,11 +127,94 @@ static void kills_a_child_that_closed_its_outputs(void **state)
     assert_true(run_shell("exec >&- 2>&-; sleep 100", desc, NULL).timed_out);
 }
 
-static void kills_a_child_that_floods(void **state)
+/* Megabytes of memory that this process has held at most. */
+static long peak_mib(void)
+{
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss >> 10;
+}
+
+/* The time limit is there for the test's sake; none of these gets near it. */
+static void stops_a_child_that_writes_too_much(void **state)
 {
     (void)state;
-    struct aob_child_desc desc = {.timeout_s = 0.2};
-    assert_true(run_shell("exec cat /dev/zero", desc, NULL).timed_out);
+    static const struct {
+        const char *script, *excess;
+    } rows[] = {
+        {"exec cat /dev/zero", "a line of more than 16 MiB on standard output"},
+        {"exec cat /dev/zero >&2", "a line of more than 16 MiB on standard error"},
+        {"exec yes", "more than 64 MiB on standard output"},
+        {"exec yes >&2", "more than 64 MiB on standard error"},
+    };
+    long before = peak_mib();
+    for (size_t i = 0; i < AOB_COUNT(rows); i++) {
+        struct aob_child_desc desc = {.timeout_s = 600};
+        struct aob_child_result result = run_shell(rows[i].script, desc, NULL);
+        assert_string_equal(result.excess, rows[i].excess);
+        assert_false(result.timed_out);
+        char text[256], wanted[256];
+        aob_child_explain(&desc, &result, text, sizeof text);
+        snprintf(wanted, sizeof wanted, "wrote %s, and was stopped", rows[i].excess);
+        assert_string_equal(text, wanted);
+    }
+    assert_true(peak_mib() - before < 200);
+    struct aob_child_result result =
+        run_shell("exec yes", (struct aob_child_desc){.timeout_s = 600, .output_limit = 4 << 20}, NULL);
+    assert_string_equal(result.excess, "more than 4 MiB on standard output");
+}
+
+static void pin_to_one_processor(cpu_set_t *before)
+{
+    cpu_set_t one;
+    assert_int_equal(sched_getaffinity(0, sizeof *before, before), 0);
+    CPU_ZERO(&one);
+    for (size_t cpu = 0; cpu < CPU_SETSIZE; cpu++)
+        if (CPU_ISSET(cpu, before)) {
+            CPU_SET(cpu, &one);
+            break;
+        }
+    assert_int_equal(sched_setaffinity(0, sizeof one, &one), 0);
+}
+
+static struct aob_child_result run_self(const char *how, const char *seconds, struct aob_child_desc desc)
+{
+    const char *argv[] = {"/proc/self/exe", how, seconds, NULL};
+    struct aob_child_result result;
+    desc.argv = argv;
+    assert_true(aob_child_run(&desc, &result, NULL));
+    return result;
+}
+
+/* Six threads share a processor, and each gets its third of a second of it after two: twice the limit, of which none has
+ * used more than a third. */
+static void does_not_count_the_load_of_the_machine(void **state)
+{
+    (void)state;
+    cpu_set_t before;
+    pin_to_one_processor(&before);
+    struct aob_child_result result = run_self("six", "0.33", (struct aob_child_desc){.timeout_s = 1});
+    assert_int_equal(sched_setaffinity(0, sizeof before, &before), 0);
+    assert_false(result.timed_out);
+    assert_int_equal(result.exit_code, 0);
+}
+
+static double seconds_of_children(void)
+{
+    struct rusage usage;
+    getrusage(RUSAGE_CHILDREN, &usage);
+    return (double)usage.ru_utime.tv_sec + (double)usage.ru_stime.tv_sec +
+           1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
+static void counts_the_work_of_a_thread(void **state)
+{
+    (void)state;
+    double before = seconds_of_children();
+    struct aob_child_result result = run_self("one", "1000", (struct aob_child_desc){.timeout_s = 0.5});
+    double worked = seconds_of_children() - before;
+    assert_true(result.timed_out);
+    assert_true(worked > 0.45 && worked < 2); /* what starts counts too; 20 times the limit would be 10 s */
 }
 
 static void reports_a_crash(void **state)
@@ -185,22 +272,6 @@ static void leaves_no_grandchild(void **state)
     aob_text_finish(&lines.text);
 }
 
-static void limits_memory(void **state)
-{
-    (void)state;
-#ifdef __SANITIZE_ADDRESS__
-    skip();
-#endif
-    const char *argv[] = {"/proc/self/exe", "eat", NULL};
-    struct aob_child_result result;
-    struct aob_child_desc desc = {.argv = argv, .memory_limit = (size_t)512 << 20};
-    assert_true(aob_child_run(&desc, &result, NULL));
-    assert_int_equal(result.exit_code, 1);
-    desc.memory_limit = 0;
-    assert_true(aob_child_run(&desc, &result, NULL));
-    assert_int_equal(result.exit_code, 0);
-}
-
 static void refuses_a_missing_program(void **state)
 {
     (void)state;
@@ -211,10 +282,30 @@ static void refuses_a_missing_program(void **state)
     assert_string_equal(error.text, "/nowhere/program: cannot start this program: No such file or directory");
 }
 
+static void *work(void *seconds)
+{
+    struct timespec now;
+    do
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    while ((double)now.tv_sec + 1e-9 * (double)now.tv_nsec < *(double *)seconds);
+    return NULL;
+}
+
+static int work_in_threads(size_t count, double seconds)
+{
+    pthread_t threads[6];
+    for (size_t i = 0; i < count; i++)
+        if (pthread_create(&threads[i], NULL, work, &seconds) != 0)
+            return 1;
+    for (size_t i = 0; i < count; i++)
+        pthread_join(threads[i], NULL);
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
-    if (argc > 1 && !strcmp(argv[1], "eat"))
-        return malloc((size_t)1 << 30) ? 0 : 1;
+    if (argc > 2)
+        return work_in_threads(strcmp(argv[1], "six") == 0 ? 6 : 1, strtod(argv[2], NULL));
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gives_lines_and_exit_code),
         cmocka_unit_test(feeds_big_input_and_takes_long_lines),
@@ -223,12 +314,13 @@ int main(int argc, char **argv)
         cmocka_unit_test(sets_environment),
         cmocka_unit_test(kills_at_the_time_limit),
         cmocka_unit_test(kills_a_child_that_closed_its_outputs),
-        cmocka_unit_test(kills_a_child_that_floods),
+        cmocka_unit_test(stops_a_child_that_writes_too_much),
+        cmocka_unit_test(does_not_count_the_load_of_the_machine),
+        cmocka_unit_test(counts_the_work_of_a_thread),
         cmocka_unit_test(reports_a_crash),
         cmocka_unit_test(prefers_the_complaint_that_says_error),
         cmocka_unit_test(cuts_a_long_complaint),
         cmocka_unit_test(leaves_no_grandchild),
-        cmocka_unit_test(limits_memory),
         cmocka_unit_test(refuses_a_missing_program),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

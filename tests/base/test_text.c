@@ -1,5 +1,6 @@
 #include <string.h>
 #include "base/error.h"
+#include "base/json.h"
 #include "base/text.h"
 #include "check.h"
 
@@ -41,11 +42,92 @@ static void test_lines_that_are_cut_say_so(void **state)
     aob_fail_in(&error, "%s", "where");
     assert_memory_equal(error.text, "where: xx", 9);
     assert_string_equal(error.text + sizeof error.text - 6, "xx...");
+    aob_fail(&error, "no room");
+    aob_fail_in(&error, "%s", cause);
+    assert_string_equal(error.text + sizeof error.text - 15, "xx...: no room");
+}
+
+/* What stands on the right is all that a terminal is sent. Characters at the borders of UTF-8's ranges pass; what lies
+ * just beyond them is bytes. */
+static void test_what_may_be_shown(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *given, *line, *lines;
+    } rows[] = {
+        {"plain ~", "plain ~", "plain ~"},
+        {"\033[2J\a\177\001", "\\u001b[2J\\u0007\\u007f\\u0001", "\\u001b[2J\\u0007\\u007f\\u0001"},
+        {"a\nb\r\tc", "a b  c", "a\nb  c"},
+        {"\302\233m \302\237 \302\240 \303\251", "\\u009bm \\u009f \302\240 \303\251", NULL},
+        {"\233m \377", "\\x9bm \\xff", NULL},
+        {"\337\277 \340\240\200 \355\237\277 \357\277\277", "\337\277 \340\240\200 \355\237\277 \357\277\277",
+         NULL},
+        {"\360\220\200\200 \364\217\277\277", "\360\220\200\200 \364\217\277\277", NULL},
+        {"\300\233 \301\233", "\\xc0\\x9b \\xc1\\x9b", NULL},
+        {"\340\202\233", "\\xe0\\x82\\x9b", NULL},
+        {"\355\240\200", "\\xed\\xa0\\x80", NULL},
+        {"\360\217\277\277 \364\220\200\200", "\\xf0\\x8f\\xbf\\xbf \\xf4\\x90\\x80\\x80", NULL},
+        {"\365\200\200\200", "\\xf5\\x80\\x80\\x80", NULL},
+        {"\342\202", "\\xe2\\x82", NULL}, /* the text ends within a character */
+        {"\342\202\033", "\\xe2\\x82\\u001b", NULL},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        for (int lines = 0; lines < 2; lines++) {
+            struct aob_text text = {0};
+            const char *wanted = lines && rows[i].lines ? rows[i].lines : rows[i].line;
+            aob_text_add_shown(&text, rows[i].given, strlen(rows[i].given), lines);
+            assert_string_equal(text.data, wanted);
+            aob_text_finish(&text);
+        }
+    struct aob_text text = {0};
+    aob_text_add_shown(&text, "a\0b", 3, true);
+    assert_string_equal(text.data, "a\\u0000b");
+    aob_text_add_line(&text, "%s|%d", "\033\n", 7);
+    assert_string_equal(text.data, "a\\u0000b\\u001b |7\n");
+    aob_text_finish(&text);
+}
+
+/* A line goes into a record as it is, so it is always UTF-8: cut between characters, and bytes as escapes. */
+static void test_a_line_is_text(void **state)
+{
+    (void)state;
+    static const char given[] =
+        "a\303\251\342\202\254\360\237\230\200z\303\251\303\251"; /* 1, 2, 3, 4, 1, 2, 2 bytes */
+    static const struct {
+        size_t size; /* of the array */
+        const char *line;
+    } rows[] = {
+        {5, "a..."},
+        {6, "a..."},
+        {7, "a\303\251..."},
+        {9, "a\303\251..."},
+        {10, "a\303\251\342\202\254..."},
+        {13, "a\303\251\342\202\254..."},
+        {14, "a\303\251\342\202\254\360\237\230\200..."},
+        {15, "a\303\251\342\202\254\360\237\230\200z..."}, /* one byte too small */
+        {16, given},
+    };
+    char line[64];
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        memset(line, '!', sizeof line);
+        aob_line_print(line, rows[i].size, "%s", given);
+        assert_string_equal(line, rows[i].line);
+        assert_int_equal(line[rows[i].size], '!');
+    }
+    struct aob_error error;
+    aob_fail(&error, "'%s' is \033[1mbad", "\351t\351");
+    assert_string_equal(error.text, "'\\xe9t\\xe9' is \\u001b[1mbad");
+    aob_fail_in(&error, "%s", "fran\303\247ais\303");
+    assert_string_equal(error.text, "fran\303\247ais\\xc3: '\\xe9t\\xe9' is \\u001b[1mbad");
+    json_t *text = aob_json_text("caf\303\251 caf\351");
+    assert_string_equal(json_string_value(text), "caf\303\251 caf\\xe9");
+    json_decref(text);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_parts_are_joined),
-                                       cmocka_unit_test(test_lines_that_are_cut_say_so)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_parts_are_joined), cmocka_unit_test(test_lines_that_are_cut_say_so),
+        cmocka_unit_test(test_what_may_be_shown), cmocka_unit_test(test_a_line_is_text)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -38,6 +38,10 @@ static void test_nesting(void **state)
         repeat(&text, parts[i], MEGABYTE);
         refuse(&text, ":1:", "32 lists and mappings");
     }
+    struct aob_text text = {0};
+    aob_text_add(&text, "name: ");
+    repeat(&text, "[", 6 + 33); /* the last of the 31 that the mapping leaves is at column 37 */
+    refuse(&text, ":1:38: ", "32 lists and mappings");
 }
 
 static void test_anchors(void **state)
@@ -72,9 +76,28 @@ static void test_many_keys(void **state)
     struct aob_text text = {0};
     aob_text_add(&text, "name: t\noptions: {");
     for (int i = 0; text.size < MEGABYTE - 40; i++)
-        aob_text_add(&text, "k%d: 1, ", i);
-    aob_text_add(&text, "k0: 1}\n");
-    refuse(&text, ":2:", "key 'k0' stands here twice");
+        aob_text_add(&text, "k%06d: 1, ", i);
+    aob_text_add(&text, "k: 1}\n");
+    refuse(&text, ":2:12011: ", "a mapping of more than 1000 keys");
+    aob_text_add(&text, "name: t\noptions: {");
+    for (int i = 0; i < 1000; i++)
+        aob_text_add(&text, "k%06d: 1, ", i);
+    aob_text_add(&text, "}\nscenes: []\n");
+    refuse(&text, "", "'scenes' is missing");
+    aob_text_add(&text, "name: t\noptions: {k0: 1, k1: 1, k0: 1}\n");
+    refuse(&text, ":2:25: ", "key 'k0' stands here twice");
+}
+
+/* As a whole number of 64 bits the product is 0. */
+static void test_products_that_overflow(void **state)
+{
+    (void)state;
+    struct aob_text text = {0};
+    aob_text_add(&text, "name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [null]\n"
+                        "techniques:\n- name: gtao\n  sweep:\n");
+    for (int i = 0; i < 64; i++)
+        aob_text_add(&text, "  - {param: k%d, values: [1, 1]}\n", i);
+    refuse(&text, ":8:5: ", "more than 20000 cases, namely 1.84467e+19");
 }
 
 static void test_long_values(void **state)
@@ -123,9 +146,12 @@ static int tear_down(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nesting),     cmocka_unit_test(test_anchors),
-        cmocka_unit_test(test_aliases),     cmocka_unit_test(test_many_keys),
-        cmocka_unit_test(test_long_values), cmocka_unit_test(test_an_alias_is_read)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_nesting),
+                                       cmocka_unit_test(test_anchors),
+                                       cmocka_unit_test(test_aliases),
+                                       cmocka_unit_test(test_many_keys),
+                                       cmocka_unit_test(test_long_values),
+                                       cmocka_unit_test(test_an_alias_is_read),
+                                       cmocka_unit_test(test_products_that_overflow)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

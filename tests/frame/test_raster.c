@@ -217,6 +217,31 @@ static void test_shading_normals(void **state)
     aob_mesh_finish(&mesh);
 }
 
+/* A floor at flat angles whose normals lean away: both bend them alike. */
+static void test_leaning_normals(void **state)
+{
+    (void)state;
+    struct aob_mesh mesh = {0};
+    struct aob_rig rig;
+    struct aob_hits drawn;
+    const struct aob_camera camera = {.eye = {0, 0.3, 0}, .target = {0, 0.3, -1}, .fov_deg = 50};
+    aob_mesh_add_quad(&mesh, aob_vec(-20, 0, 0), aob_vec(40, 0, 0), aob_vec(0, 0, -20));
+    mesh.normals = AOB_NEW_ARRAY(struct aob_vec3, mesh.vertex_count);
+    for (size_t i = 0; i < mesh.vertex_count; i++)
+        mesh.normals[i] = aob_vec_normalize(aob_vec(0.1, 1, -0.3));
+    aob_rig_init(&rig, &mesh, &camera, 160, 90, 0);
+    compare(&rig, &mesh, "vulkan", "leaning normals", &drawn);
+    double worst = 0;
+    for (size_t i = 0; i < 160 * 90; i++)
+        for (int c = 0; c < 3 && rig.hits.primitive[i] == drawn.primitive[i]; c++)
+            worst = fmax(worst, fabs((double)drawn.shading[i][c] - (double)rig.hits.shading[i][c]));
+    printf("leaning normals: %.2e apart\n", worst);
+    assert_true(worst <= 2e-3);
+    aob_hits_finish(&drawn);
+    aob_rig_finish(&rig);
+    aob_mesh_finish(&mesh);
+}
+
 static double score(const struct aob_rig *rig, const struct aob_gbuffer *gbuffer, struct aob_gpu *gpu,
                     const float *truth, double *band)
 {
@@ -340,6 +365,7 @@ int main(void)
                                        cmocka_unit_test(test_orthographic),
                                        cmocka_unit_test(test_far_from_the_origin),
                                        cmocka_unit_test(test_shading_normals),
+                                       cmocka_unit_test(test_leaning_normals),
                                        cmocka_unit_test(test_scores_agree),
                                        cmocka_unit_test(test_comparison),
                                        cmocka_unit_test(test_refusals)};

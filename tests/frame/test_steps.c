@@ -4,7 +4,6 @@
 #include <aobudget/steps.h>
 #include "base/memory.h"
 #include "rig.h"
-#include "technique/registry.h"
 
 /* The shared steps over two outputs of one graph: whatever a step does to visibility it does to each component of a bent
  * normal. */
@@ -57,16 +56,6 @@ static bool build(struct aob_graph *graph, const void *values)
            aob_output(graph, AOB_OUT_BENT_NORMAL, lay(graph, v, bent, AOB_OUT_BENT_NORMAL));
 }
 
-static const char *step_text(const char *name)
-{
-    for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
-        for (const struct aob_shader *s = (*t)->shaders; s->name; s++)
-            if (strcmp(s->name, name) == 0)
-                return s->text;
-    fail_msg("no technique has a text '%s'", name);
-    return NULL;
-}
-
 struct drawn {
     float visibility[W * H], bent[W * H][3];
 };
@@ -75,11 +64,11 @@ static void draw(const struct aob_rig *rig, struct aob_gpu *gpu, const struct va
                  struct drawn *drawn)
 {
     const struct aob_shader shaders[] = {{"pattern", pattern_text},
-                                         {"blur", step_text("blur")},
-                                         {"gaussian", step_text("gaussian")},
-                                         {"tile_blur", step_text("tile_blur")},
-                                         {"cross5", step_text("cross5")},
-                                         {"upsample", step_text("upsample")},
+                                         {"blur", aob_rig_text("gtao", "blur")},
+                                         {"gaussian", aob_rig_text("starcraft2_ssao", "gaussian")},
+                                         {"tile_blur", aob_rig_text("crytek_ssao", "tile_blur")},
+                                         {"cross5", aob_rig_text("alchemy", "cross5")},
+                                         {"upsample", aob_rig_text("gtao", "upsample")},
                                          {NULL, NULL}};
     const struct aob_technique technique = {.abi = AOB_ABI,
                                             .size = sizeof technique,

@@ -2,9 +2,11 @@
 #include "check.h"
 #include <math.h>
 #include <stdlib.h>
+#include <unistd.h>
 #include "base/json.h"
 #include "job/block_job.h"
 #include "job/capture_job.h"
+#include "job/check_job.h"
 #include "job/layout_job.h"
 #include "job/mesh_job.h"
 
@@ -17,6 +19,15 @@ static json_t *send(json_t *message)
     json_decref(message);
     assert_non_null(read);
     return read;
+}
+
+/* Paths travel as absolute ones. */
+static void assert_path(const char *got, const char *relative)
+{
+    char folder[1024], wanted[1200];
+    assert_non_null(getcwd(folder, sizeof folder));
+    snprintf(wanted, sizeof wanted, "%s/%s", folder, relative);
+    assert_string_equal(got, wanted);
 }
 
 static const struct aob_camera camera = {.eye = {1, 2, 3.25},
@@ -126,13 +137,13 @@ static void a_block_job(void **state)
     assert_true(aob_block_job_from_json(message, &job, &error));
     check_view(&job.view);
     assert_int_equal(job.modules.count, 2);
-    assert_string_equal(job.modules.paths[1], "two.so");
+    assert_path(job.modules.paths[1], "two.so");
     assert_string_equal(job.backend, "gl-egl");
     assert_true(job.validate && !job.raster && job.triangles && !job.time && job.error);
     assert_true(job.seconds == 0.75);
     assert_int_equal(job.target_count, 2);
     assert_true(job.targets[0].radius == 0.25 && !job.targets[0].uniform && job.targets[0].bent);
-    assert_string_equal(job.targets[0].truth, "t.exr");
+    assert_path(job.targets[0].truth, "t.exr");
     assert_true(isinf(job.targets[1].radius) && job.targets[1].uniform && !job.targets[1].truth &&
                 !job.targets[1].bent);
     assert_int_equal(job.case_count, 2);
@@ -142,9 +153,9 @@ static void a_block_job(void **state)
     assert_true(job.cases[0].options[0] == 16 && job.cases[0].options[1] == 1 &&
                 job.cases[0].options[2] == 0);
     assert_int_equal(job.cases[0].target, 1);
-    assert_string_equal(job.cases[0].definition, "d.exr");
-    assert_string_equal(job.cases[0].screen, "s.exr");
-    assert_string_equal(job.cases[0].image, "i.exr");
+    assert_path(job.cases[0].definition, "d.exr");
+    assert_path(job.cases[0].screen, "s.exr");
+    assert_path(job.cases[0].image, "i.exr");
     assert_int_equal(job.cases[1].param_count, 0);
     assert_true(!job.cases[1].definition && !job.cases[1].screen && !job.cases[1].image);
     aob_block_job_finish(&job);
@@ -186,8 +197,8 @@ static void a_capture_job(void **state)
     struct aob_error error = {{0}};
     json_t *message = send(aob_capture_job_to_json(&out));
     assert_true(aob_capture_job_from_json(message, &job, &error));
-    assert_string_equal(job.file, "F.exr");
-    assert_string_equal(job.out, "g.exr");
+    assert_path(job.file, "F.exr");
+    assert_path(job.out, "g.exr");
     assert_int_equal(job.convention.depth, AOB_DEPTH_DEVICE_REVERSED);
     assert_int_equal(job.convention.normals, AOB_NORMALS_WORLD);
     assert_true(job.convention.near == 0.1 && isinf(job.convention.far) && job.convention.left_handed);
@@ -276,8 +287,8 @@ static void a_mesh_job(void **state)
     struct aob_error error = {{0}};
     json_t *message = send(aob_mesh_job_to_json(&(struct aob_mesh_job){"a.ply", "a.mesh"}));
     assert_true(aob_mesh_job_from_json(message, &job, &error));
-    assert_string_equal(job.file, "a.ply");
-    assert_string_equal(job.out, "a.mesh");
+    assert_path(job.file, "a.ply");
+    assert_path(job.out, "a.mesh");
     json_object_del(message, "out");
     assert_false(aob_mesh_job_from_json(message, &job, &error));
     json_decref(message);
@@ -289,10 +300,33 @@ static void a_mesh_job(void **state)
     json_decref(message);
 }
 
+static void a_check_job(void **state)
+{
+    (void)state;
+    struct aob_check_job job;
+    struct aob_error error = {{0}};
+    json_t *message = send(aob_check_job_to_json(&(struct aob_check_job){.view = view, .radius = INFINITY}));
+    assert_string_equal(json_string_value(json_object_get(message, "job")), "check");
+    assert_true(aob_check_job_from_json(message, &job, &error));
+    check_view(&job.view);
+    assert_true(isinf(job.radius));
+    json_object_del(message, "radius");
+    assert_false(aob_check_job_from_json(message, &job, &error));
+    json_decref(message);
+    struct aob_check_answer answer;
+    message = send(aob_check_answer_to_json(
+        &(struct aob_check_answer){.triangles = 72, .doubled = 24, .backs = 0.03125}));
+    assert_true(aob_check_answer_from_json(message, &answer));
+    assert_true(answer.triangles == 72 && answer.doubled == 24 && answer.backs == 0.03125);
+    json_object_del(message, "backs");
+    assert_false(aob_check_answer_from_json(message, &answer));
+    json_decref(message);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_view_job), cmocka_unit_test(a_block_job),
-                                       cmocka_unit_test(a_capture_job), cmocka_unit_test(a_layout_job),
-                                       cmocka_unit_test(a_mesh_job)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_view_job),   cmocka_unit_test(a_check_job),
+                                       cmocka_unit_test(a_block_job),  cmocka_unit_test(a_capture_job),
+                                       cmocka_unit_test(a_layout_job), cmocka_unit_test(a_mesh_job)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,6 +6,8 @@
 #define HEAD                                                                                                 \
     "name: t\nscenes: [{name: corner, views: [front, far]}]\nresolutions: [64x36, 32x18]\nbackends: "        \
     "[vulkan, gl-egl]\n"
+#define FIFTY                                                                                                \
+    "1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,"
 #define NONE "techniques: [{name: none}]\n"
 
 static void test_product_of_axes(void **state)
@@ -218,7 +220,10 @@ static void test_refusals(void **state)
         {HEAD "techniques: [{name: gtao, sweep: [{param: radius, from: 1, to: 1000, step: 1},\n"
               "{param: falloff, from: 0, to: 0.999, step: 0.001}, {param: noise_index, from: 0, to: 999, "
               "step: 1}]}]\n",
-         ": ", "more than 20000 cases, namely 8e+09"},
+         ":5:35: ", "more than 20000 cases, namely 8e+09"},
+        {HEAD "techniques: [{name: gtao, params: {radius: [1, 1, 1], slices: [" FIFTY FIFTY "1]}}]\n"
+              "options: {guard_band: [" FIFTY "0], near: [" FIFTY "0]}\n",
+         ":5:63: ", "more than 20000 cases, namely 6.30482e+06"},
         {"name: t\nscenes: [{name: corner}]\nresolutions: [16384x16384]\nbackends: [null]\n" NONE, ": ",
          "40 million pixels"},
         {HEAD NONE "reference: {spp: 33}\n", ":6:18", "even"},

@@ -155,6 +155,43 @@ static void back_faces_and_degenerates_are_handled(void **state)
     finish_shot(&shot);
 }
 
+/* A level floor, seen at flat angles down to 0.3 degrees: its shading normals lean away by as much as 40 degrees. They
+ * are bent to the horizon in the plane of the normal and the direction to the camera; none is turned into the floor. */
+static void shading_normals_that_lean_away_are_bent(void **state)
+{
+    static const double leans[] = {0, 5, 40};
+    (void)state;
+    for (size_t k = 0; k < AOB_COUNT(leans); k++) {
+        double lean = leans[k] * M_PI / 180;
+        const struct aob_vec3 own = aob_vec(0, cos(lean), -sin(lean));
+        struct aob_mesh mesh = {0};
+        struct shot shot;
+        size_t bent = 0;
+        aob_mesh_add_quad(&mesh, aob_vec(-20, 0, 0), aob_vec(40, 0, 0), aob_vec(0, 0, -20));
+        mesh.normals = AOB_NEW_ARRAY(struct aob_vec3, mesh.vertex_count);
+        for (size_t i = 0; i < mesh.vertex_count; i++)
+            mesh.normals[i] = own;
+        cast_shot(&shot, &mesh,
+                  (struct aob_camera){.eye = {0, 0.1, 0}, .target = {0, 0.1, -1}, .fov_deg = 40}, 80, 60);
+        for (size_t i = 0; i < pixel_count(&shot); i++) {
+            if (shot.hits.primitive[i] == AOB_NO_PRIMITIVE)
+                continue;
+            const float *s = shot.hits.shading[i];
+            struct aob_vec3 n = aob_vec(s[0], s[1], s[2]);
+            struct aob_vec3 v = aob_vec_normalize(aob_vec_sub(shot.camera.eye, pixel_point(&shot, i)));
+            double least = fmin(AOB_LEAST_FACING, v.y);
+            assert_true(fabs(shot.hits.normal[i][1] - 1) < 1e-6);
+            assert_true(fabs(aob_vec_length(n) - 1) < 1e-6);
+            assert_true(fabs(aob_vec_dot(n, v) - fmax(aob_vec_dot(own, v), least)) < 1e-6);
+            assert_true(fabs(aob_vec_dot(n, aob_vec_normalize(aob_vec_cross(own, v)))) < 1e-6);
+            assert_true(n.y > 0 && aob_vec_dot(n, own) > 0.5);
+            bent += aob_vec_dot(own, v) < 0;
+        }
+        assert_true(leans[k] == 0 ? bent == 0 : bent > 500);
+        finish_shot(&shot);
+    }
+}
+
 static void bad_input_is_refused(void **state)
 {
     (void)state;
@@ -201,6 +238,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hits_are_exact),
         cmocka_unit_test(back_faces_and_degenerates_are_handled),
+        cmocka_unit_test(shading_normals_that_lean_away_are_bent),
         cmocka_unit_test(bad_input_is_refused),
         cmocka_unit_test(threads_do_not_show),
         cmocka_unit_test(place_and_scale_do_not_show),

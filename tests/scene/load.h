@@ -50,6 +50,44 @@ static inline int load(const char *source, const char *flat)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+/* Loads what must be refused in one line that begins with the file's path, and gives what follows it. */
+static inline void refuse_file(const char *source, struct aob_error *error)
+{
+    int ends[2];
+    *error = (struct aob_error){""};
+    assert_int_equal(pipe(ends), 0);
+    fflush(NULL);
+    pid_t pid = fork();
+    assert_true(pid >= 0);
+    if (pid == 0) {
+        struct aob_error line = {""};
+        struct aob_mesh mesh;
+        alarm(20);
+        bool ok = aob_mesh_import(&mesh, source, &line);
+        _exit(!ok && write(ends[1], line.text, strlen(line.text)) > 0 ? REFUSED : LOADED);
+    }
+    close(ends[1]);
+    struct aob_error line = {""};
+    assert_true(read(ends[0], line.text, sizeof line.text - 1) >= 0);
+    close(ends[0]);
+    int status = 0;
+    assert_int_equal(waitpid(pid, &status, 0), pid);
+    assert_true(WIFEXITED(status));
+    assert_int_equal(WEXITSTATUS(status), REFUSED);
+    assert_null(strchr(line.text, '\n'));
+    assert_memory_equal(line.text, source, strlen(source));
+    strcpy(error->text, line.text + strlen(source));
+}
+
+static inline void refuse_text(const char *extension, const char *text, struct aob_error *error)
+{
+    struct paths paths;
+    make_paths(&paths, extension);
+    assert_true(aob_file_write(paths.source, text, strlen(text), NULL));
+    refuse_file(paths.source, error);
+    unlink(paths.source);
+}
+
 static inline void load_text(struct aob_mesh *mesh, const char *extension, const char *text)
 {
     struct paths paths;

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "base/file.h"
-#include "scene/load.h"
+#include "scene/gltf_document.h"
 #include "scene/scene.h"
 #include "title.h"
 
@@ -125,6 +125,139 @@ static void truncated_files_are_sound_or_refused(void **state)
     unlink(paths.flat);
 }
 
+/* A box of 1 x 2 x 3 as COLLADA, below a node of this matrix. */
+static void mirrors_turn_the_winding_in_other_formats(void **state)
+{
+    static const char *const matrices[] = {"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1",
+                                           "-1 0 0 4 0 1 0 0 0 0 1 0 0 0 0 1",
+                                           "0 1 0 0 1 0 0 0 0 0 1 0 0 0 0 1"};
+    (void)state;
+    for (size_t i = 0; i < AOB_COUNT(matrices); i++) {
+        struct aob_text text = {0};
+        struct aob_mesh mesh;
+        aob_text_add(
+            &text,
+            "<?xml version='1.0'?><COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' "
+            "version='1.4.1'><asset><up_axis>Y_UP</up_axis></asset><library_geometries><geometry id='g'>"
+            "<mesh><source id='p'><float_array id='a' count='24'>");
+        for (int k = 0; k < 8; k++) {
+            float corner[3];
+            box_corner(k, corner);
+            for (int c = 0; c < 3; c++)
+                aob_text_add(&text, "%g ", (double)corner[c]);
+        }
+        aob_text_add(&text,
+                     "</float_array><technique_common><accessor source='#a' count='8' stride='3'><param "
+                     "name='X' type='float'/><param name='Y' type='float'/><param name='Z' type='float'/>"
+                     "</accessor></technique_common></source><vertices id='v'><input semantic='POSITION' "
+                     "source='#p'/></vertices><triangles count='12'><input semantic='VERTEX' source='#v' "
+                     "offset='0'/><p>");
+        for (int k = 0; k < 36; k++)
+            aob_text_add(&text, "%d ", box_indices[k]);
+        aob_text_add(&text,
+                     "</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>"
+                     "<visual_scene id='s'><node><matrix>%s</matrix><instance_geometry url='#g'/></node>"
+                     "</visual_scene></library_visual_scenes><scene><instance_visual_scene url='#s'/></scene>"
+                     "</COLLADA>",
+                     matrices[i]);
+        load_text(&mesh, "dae", text.data);
+        assert_int_equal(mesh.triangle_count, 12);
+        assert_true(fabs(mesh_volume(&mesh) - 6) < 1e-6);
+        assert_normals_outside(&mesh);
+        aob_mesh_finish(&mesh);
+        aob_text_finish(&text);
+    }
+}
+
+enum { CELLS = 10, GRID = (CELLS + 1) * (CELLS + 1) };
+static const int notched[6][2] = {{0, -1}, {0, -3}, {2, -3}, {2, -2}, {1, -2}, {1, -1}}; /* 3 cells large */
+
+static void add_place(struct aob_text *text, const char *before, double cell, int i)
+{
+    int x = i < GRID ? i % (CELLS + 1) : notched[i - GRID][0],
+        y = i < GRID ? i / (CELLS + 1) : notched[i - GRID][1];
+    aob_text_add(text, "%s%.9g %.9g 0\n", before, x * cell, y * cell);
+}
+
+static void add_faces(struct aob_text *text, const char *before[2], int first)
+{
+    for (int y = 0; y < CELLS; y++)
+        for (int x = 0; x < CELLS; x++) {
+            int at = first + y * (CELLS + 1) + x;
+            aob_text_add(text, "%s%d %d %d %d\n", before[0], at, at + 1, at + CELLS + 2, at + CELLS + 1);
+        }
+    aob_text_add(text, "%s", before[1]);
+    for (int k = 0; k < 6; k++)
+        aob_text_add(text, "%d%s", first + GRID + k, k < 5 ? " " : "\n");
+}
+
+/* A grid, and a hexagon with a notch: nothing is joined that is apart, no triangle is taken for a line, and the area is
+ * whole, whatever the unit. */
+static void tiny_and_large_units_lose_nothing(void **state)
+{
+    static const double cells[] = {1e-12, 1e-7, 1, 1e9};
+    (void)state;
+    for (size_t i = 0; i < 2 * AOB_COUNT(cells); i++) {
+        double cell = cells[i / 2], area = 0;
+        bool obj = i % 2;
+        struct aob_text text = {0};
+        struct aob_mesh mesh;
+        if (!obj)
+            aob_text_add(
+                &text,
+                "ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
+                "property float z\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n",
+                GRID + 6, CELLS * CELLS + 1);
+        for (int k = 0; k < GRID + 6; k++)
+            add_place(&text, obj ? "v " : "", cell, k);
+        add_faces(&text, obj ? (const char *[]){"f ", "f "} : (const char *[]){"4 ", "6 "}, obj);
+        load_text(&mesh, obj ? "obj" : "ply", text.data);
+        assert_int_equal(mesh.triangle_count, 2 * CELLS * CELLS + 4);
+        assert_int_equal(mesh.vertex_count, GRID + 6);
+        for (size_t t = 0; t < mesh.triangle_count; t++) {
+            const uint32_t *c = mesh.triangles[t];
+            area += aob_vec_cross(aob_vec_sub(mesh.positions[c[1]], mesh.positions[c[0]]),
+                                  aob_vec_sub(mesh.positions[c[2]], mesh.positions[c[0]]))
+                        .z /
+                    2;
+        }
+        assert_true(fabs(area / (cell * cell) - (CELLS * CELLS + 3)) < 1e-4);
+        aob_mesh_finish(&mesh);
+        aob_text_finish(&text);
+    }
+}
+
+/* Two quads that meet at `degrees`: over 60 degrees their edge is sharp; each end of it is then two vertices. */
+static void normals_are_made_within_60_degrees(void **state)
+{
+    static const struct {
+        double degrees;
+        size_t vertices;
+    } cases[] = {{0, 6}, {30, 6}, {59, 6}, {61, 8}, {90, 8}};
+    (void)state;
+    for (size_t i = 0; i < AOB_COUNT(cases); i++) {
+        struct aob_text text = {0};
+        struct aob_mesh mesh;
+        double turn = cases[i].degrees * (M_PI / 180);
+        aob_text_add(&text, "v -1 0 0\nv 0 0 0\nv 0 1 0\nv -1 1 0\nv %.9f 0 %.9f\nv %.9f 1 %.9f\n", cos(turn),
+                     -sin(turn), cos(turn), -sin(turn));
+        aob_text_add(&text, "f 1 2 3 4\nf 2 5 6 3\n");
+        load_text(&mesh, "obj", text.data);
+        assert_int_equal(mesh.vertex_count, cases[i].vertices);
+        for (size_t v = 0; v < mesh.vertex_count; v++) {
+            struct aob_vec3 p = mesh.positions[v], n = mesh.normals[v];
+            double lean = atan2(n.x, n.z), of_turned = p.y == 0 ? 2 : 1; /* triangles there, of three */
+            if (p.x == 0 && cases[i].vertices == 6)
+                assert_true(fabs(lean - atan2(of_turned * sin(turn), 3 - of_turned + of_turned * cos(turn))) <
+                            1e-6);
+            else
+                assert_true(fabs(lean) < 1e-6 || fabs(lean - turn) < 1e-6);
+        }
+        aob_mesh_finish(&mesh);
+        aob_text_finish(&text);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -134,6 +267,9 @@ int main(void)
         cmocka_unit_test(ply_is_read),
         cmocka_unit_test(bad_files_are_refused_with_one_line),
         cmocka_unit_test(truncated_files_are_sound_or_refused),
+        cmocka_unit_test(mirrors_turn_the_winding_in_other_formats),
+        cmocka_unit_test(tiny_and_large_units_lose_nothing),
+        cmocka_unit_test(normals_are_made_within_60_degrees),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

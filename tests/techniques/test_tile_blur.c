@@ -4,7 +4,6 @@
 #include <aobudget/steps.h>
 #include "base/memory.h"
 #include "rig.h"
-#include "technique/registry.h"
 
 /* The shared mean over a 4x4 tile, fed with patterns by a technique of the test's own. */
 
@@ -44,20 +43,10 @@ static bool build(struct aob_graph *graph, const void *values)
                       aob_step_tile_blur(graph, .tex = raw, .taps = 5, .divisor = 1));
 }
 
-static const char *blur_text(void)
-{
-    for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
-        for (const struct aob_shader *s = (*t)->shaders; strcmp((*t)->name, "crytek_ssao") == 0 && s->name;
-             s++)
-            if (strcmp(s->name, "tile_blur") == 0)
-                return s->text;
-    fail_msg("crytek_ssao has no text 'tile_blur'");
-    return NULL;
-}
-
 static void blur(const struct aob_rig *rig, struct aob_gpu *gpu, int pattern, int turn, float *pixels)
 {
-    const struct aob_shader shaders[] = {{"pattern", pattern_text}, {"tile_blur", blur_text()}, {NULL, NULL}};
+    const struct aob_shader shaders[] = {
+        {"pattern", pattern_text}, {"tile_blur", aob_rig_text("crytek_ssao", "tile_blur")}, {NULL, NULL}};
     const struct aob_technique technique = {.abi = AOB_ABI,
                                             .size = sizeof technique,
                                             .name = "patterns",

@@ -1,0 +1,189 @@
+#include "gltf_node.h"
+#include <math.h>
+#include <stdlib.h>
+#include "base/memory.h"
+
+struct aob_affine aob_gltf_trs(const double move[3], const double turn[4], const double scale[3])
+{
+    double size = sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3]);
+    double s = size > 0 ? 1 / size : 0, x = turn[0] * s, y = turn[1] * s, z = turn[2] * s;
+    double w = size > 0 ? turn[3] * s : 1;
+    const double rotation[3][3] = {
+        {1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+        {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+        {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)},
+    };
+    struct aob_affine a;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++)
+            a.m[i][j] = rotation[i][j] * scale[j];
+        a.m[i][3] = move[i];
+    }
+    return a;
+}
+
+struct aob_affine aob_gltf_matrix(const double columns[16])
+{
+    struct aob_affine a;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 4; j++)
+            a.m[i][j] = columns[4 * j + i];
+    return a;
+}
+
+static struct aob_affine own_map(const json_t *node)
+{
+    double columns[16], move[3] = {0}, turn[4] = {0, 0, 0, 1}, scale[3] = {1, 1, 1};
+    if (aob_gltf_vector(node, "matrix", columns, 16))
+        return aob_gltf_matrix(columns);
+    aob_gltf_vector(node, "translation", move, 3);
+    aob_gltf_vector(node, "rotation", turn, 4);
+    aob_gltf_vector(node, "scale", scale, 3);
+    return aob_gltf_trs(move, turn, scale);
+}
+
+static bool is_hidden(const json_t *node)
+{
+    return json_is_false(json_object_get(aob_gltf_extension(node, "KHR_node_visibility"), "visible"));
+}
+
+/* While nodes are read. */
+struct walk {
+    struct aob_gltf *gltf;
+    size_t *parent; /* aob_gltf_none: it has none */
+    size_t *stack;  /* of nodes whose place is known and whose children are to come */
+    size_t depth;
+    bool *seen;
+};
+
+/* An entry of a list of nodes. */
+static bool read_index(struct aob_gltf *gltf, const json_t *list, size_t at, size_t *node,
+                       struct aob_error *error)
+{
+    const json_t *entry = json_array_get(list, at);
+    *node = json_is_integer(entry) && json_integer_value(entry) >= 0 ? (size_t)json_integer_value(entry)
+                                                                     : aob_gltf_none;
+    return aob_gltf_element(gltf, "nodes", *node, error);
+}
+
+static bool read_parents(struct walk *walk, size_t node_count, struct aob_error *error)
+{
+    for (size_t i = 0; i < node_count; i++)
+        walk->parent[i] = aob_gltf_none;
+    for (size_t i = 0; i < node_count; i++) {
+        const json_t *element = aob_gltf_element(walk->gltf, "nodes", i, error);
+        const json_t *children = json_object_get(element, "children");
+        for (size_t k = 0; k < json_array_size(children); k++) {
+            size_t child;
+            if (!read_index(walk->gltf, children, k, &child, error))
+                return false;
+            if (walk->parent[child] != aob_gltf_none)
+                return aob_fail(error, "%s: node %zu has two parents: the file is damaged",
+                                walk->gltf->file->path, child);
+            walk->parent[child] = i;
+        }
+        if (!element)
+            return false;
+    }
+    return true;
+}
+
+static void visit(struct walk *walk, struct aob_gltf_nodes *nodes, size_t node)
+{
+    const json_t *element = aob_gltf_element(walk->gltf, "nodes", node, NULL);
+    struct aob_affine own = own_map(element);
+    size_t parent = walk->parent[node];
+    nodes->place[node] = parent == aob_gltf_none ? own : aob_affine_multiply(&nodes->place[parent], &own);
+    walk->seen[node] = true;
+    walk->stack[walk->depth++] = node;
+}
+
+/* Places of all nodes below those without a parent. Nodes of a loop all have one, so they are not reached. */
+static bool place_nodes(struct walk *walk, struct aob_gltf_nodes *nodes, struct aob_error *error)
+{
+    for (size_t i = 0; i < nodes->node_count; i++)
+        if (walk->parent[i] == aob_gltf_none)
+            visit(walk, nodes, i);
+    while (walk->depth) {
+        const json_t *element = aob_gltf_element(walk->gltf, "nodes", walk->stack[--walk->depth], NULL);
+        const json_t *children = json_object_get(element, "children");
+        for (size_t k = 0; k < json_array_size(children); k++)
+            visit(walk, nodes, (size_t)json_integer_value(json_array_get(children, k)));
+    }
+    for (size_t i = 0; i < nodes->node_count; i++)
+        if (!walk->seen[i])
+            return aob_fail(error, "%s: node %zu is below itself: the file is damaged",
+                            walk->gltf->file->path, i);
+    return true;
+}
+
+static void add_root(struct walk *walk, struct aob_gltf_nodes *nodes, size_t root)
+{
+    if (walk->seen[root])
+        return;
+    walk->seen[root] = true;
+    walk->stack[walk->depth++] = root;
+    while (walk->depth) {
+        size_t node = walk->stack[--walk->depth];
+        const json_t *element = aob_gltf_element(walk->gltf, "nodes", node, NULL);
+        const json_t *children = json_object_get(element, "children");
+        if (is_hidden(element))
+            continue;
+        nodes->order[nodes->count++] = node;
+        for (size_t k = json_array_size(children); k-- > 0;) {
+            size_t child = (size_t)json_integer_value(json_array_get(children, k));
+            if (!walk->seen[child])
+                walk->stack[walk->depth++] = child;
+            walk->seen[child] = true;
+        }
+    }
+}
+
+static bool choose_nodes(struct walk *walk, struct aob_gltf_nodes *nodes, struct aob_error *error)
+{
+    struct aob_gltf *gltf = walk->gltf;
+    size_t scene, root;
+    for (size_t i = 0; i < nodes->node_count; i++)
+        walk->seen[i] = false;
+    if (!aob_gltf_whole(gltf, gltf->file->root, "the document", "scene", 0, &scene, error))
+        return false;
+    if (!aob_gltf_count(gltf, "scenes")) {
+        for (size_t i = 0; i < nodes->node_count; i++)
+            if (walk->parent[i] == aob_gltf_none)
+                add_root(walk, nodes, i);
+        return true;
+    }
+    const json_t *element = aob_gltf_element(gltf, "scenes", scene, error);
+    const json_t *roots = json_object_get(element, "nodes");
+    for (size_t k = 0; k < json_array_size(roots); k++) {
+        if (!read_index(gltf, roots, k, &root, error))
+            return false;
+        add_root(walk, nodes, root);
+    }
+    return element;
+}
+
+bool aob_gltf_nodes_init(struct aob_gltf_nodes *nodes, struct aob_gltf *gltf, struct aob_error *error)
+{
+    size_t count = aob_gltf_count(gltf, "nodes");
+    struct walk walk = {.gltf = gltf,
+                        .parent = AOB_NEW_ARRAY(size_t, count + 1),
+                        .stack = AOB_NEW_ARRAY(size_t, count + 1),
+                        .seen = AOB_NEW_ARRAY(bool, count + 1)};
+    *nodes = (struct aob_gltf_nodes){.place = AOB_NEW_ARRAY(struct aob_affine, count + 1),
+                                     .order = AOB_NEW_ARRAY(size_t, count + 1),
+                                     .node_count = count};
+    bool ok = read_parents(&walk, count, error) && place_nodes(&walk, nodes, error) &&
+              choose_nodes(&walk, nodes, error);
+    free(walk.parent);
+    free(walk.stack);
+    free(walk.seen);
+    return ok;
+}
+
+void aob_gltf_nodes_finish(struct aob_gltf_nodes *nodes)
+{
+    free(nodes->place);
+    free(nodes->order);
+    *nodes = (struct aob_gltf_nodes){0};
+}

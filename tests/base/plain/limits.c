@@ -1,0 +1,55 @@
+/* A child's limit of memory. AddressSanitizer reserves terabytes and cannot run under one, so this test is built without it,
+ * of the few files that it needs (tests/CMakeLists.txt). */
+#include "check.h"
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#include "base/child.h"
+
+enum { ROOM = 512 << 20, MORE = 1 << 30 };
+
+/* The exit code of a child that allocates so much: 0 if it got it. */
+static int eat(size_t bytes, size_t memory_limit)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%zu", bytes);
+    const char *argv[] = {"/proc/self/exe", text, NULL};
+    struct aob_child_result result;
+    struct aob_error error = {""};
+    if (!aob_child_run(&(struct aob_child_desc){.argv = argv, .memory_limit = memory_limit}, &result, &error))
+        fail_msg("%s", error.text);
+    return result.exit_code;
+}
+
+static void holds_its_limit(void **state)
+{
+    (void)state;
+    assert_int_equal(eat(MORE, 0), 0);
+    assert_int_equal(eat(MORE, ROOM), 1);
+    assert_int_equal(eat(ROOM / 4, ROOM), 0);
+}
+
+/* Last, because a hard limit cannot be raised again, except by root. */
+static void keeps_the_narrower_limit(void **state)
+{
+    (void)state;
+    struct rlimit before, soft, hard = {ROOM, ROOM};
+    assert_int_equal(getrlimit(RLIMIT_AS, &before), 0);
+    soft = (struct rlimit){ROOM, before.rlim_max};
+    assert_int_equal(setrlimit(RLIMIT_AS, &soft), 0);
+    assert_int_equal(eat(MORE, (size_t)4 << 30), 1); /* what the user set is not lifted */
+    assert_int_equal(setrlimit(RLIMIT_AS, &hard), 0);
+    assert_int_equal(eat(MORE, (size_t)4 << 30), 1); /* and is no reason not to start */
+    assert_int_equal(eat(ROOM / 4, (size_t)4 << 30), 0);
+    assert_int_equal(eat(ROOM / 4, ROOM / 8), 1); /* ours still holds below it */
+    assert_int_equal(eat(ROOM / 4, 0), 0);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc > 1)
+        return malloc(strtoull(argv[1], NULL, 10)) ? 0 : 1;
+    const struct CMUnitTest tests[] = {cmocka_unit_test(holds_its_limit),
+                                       cmocka_unit_test(keeps_the_narrower_limit)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
