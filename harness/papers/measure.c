@@ -217,8 +217,8 @@ MEASURE(aob_paper_alchemy_dragon)
 
 MEASURE(aob_paper_alchemy_epsilon)
 {
-    static const char *const values[] = {"epsilon=1e-6", "epsilon=1e-5", "epsilon=1e-3", "epsilon=1e-2"};
-    const json_t *records[4], *middle = aob_paper_find(run, "alchemy", "epsilon=1e-4", error);
+    static const char *const values[] = {"epsilon=4e-6", "epsilon=4e-5", "epsilon=0.004", "epsilon=0.04"};
+    const json_t *records[4], *middle = aob_paper_find(run, "alchemy", "epsilon=0.0004", error);
     if (!middle || !find_all(run, "alchemy", values, 4, records, error))
         return false;
     result->holds = true;
