@@ -25,20 +25,33 @@ static inline void exr_compare_destroy(struct exr_second_image *image)
     munmap(image, sizeof *image + EXR_COMPARE_FLOATS * sizeof(float));
 }
 
-/* In a process of its own; false as well where the library crashes, or takes more than ten seconds. */
-static inline bool exr_compare_second(struct exr_second_image *image, const char *path)
+/* Runs `read` in a process of its own, with a ceiling of time; its answer, or -1 where it crashed or had to be stopped. */
+static inline int exr_compare_apart(int (*read)(struct exr_second_image *image, const char *path),
+                                    struct exr_second_image *image, const char *path)
 {
+    enum { FIRST = 10 }; /* above the exit codes of sanitizers */
     int status;
-    image->capacity = EXR_COMPARE_FLOATS;
     fflush(stdout);
     pid_t child = fork();
     assert_true(child >= 0);
     if (!child) {
-        alarm(10);
-        _exit(exr_second_read(image, path) ? 0 : 1);
+        alarm(30);
+        _exit(FIRST + read(image, path));
     }
     assert_int_equal(waitpid(child, &status, 0), child);
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return WIFEXITED(status) && WEXITSTATUS(status) >= FIRST ? WEXITSTATUS(status) - FIRST : -1;
+}
+
+static inline int exr_compare_read_second(struct exr_second_image *image, const char *path)
+{
+    image->capacity = EXR_COMPARE_FLOATS;
+    return exr_second_read(image, path);
+}
+
+/* False as well where the library crashes. */
+static inline bool exr_compare_second(struct exr_second_image *image, const char *path)
+{
+    return exr_compare_apart(exr_compare_read_second, image, path) == 1;
 }
 
 static inline bool exr_compare_want_all(void *user, const char *const *names, size_t count, bool *wanted,
@@ -83,5 +96,23 @@ static inline size_t exr_compare(const struct exr_second_image *second, const st
     for (int c = 0; c < second->count; c++)
         differ += exr_compare_channel(second, &second->channels[c], image);
     return differ;
+}
+
+enum exr_compare_answer { EXR_COMPARE_REFUSED, EXR_COMPARE_ALIKE, EXR_COMPARE_OTHER };
+
+static inline int exr_compare_read_first(struct exr_second_image *second, const char *path)
+{
+    struct aob_image image;
+    if (!aob_image_read_layers(&image, path, exr_compare_want_all, NULL, NULL))
+        return EXR_COMPARE_REFUSED;
+    size_t differ = exr_compare(second, &image);
+    aob_image_finish(&image);
+    return differ ? EXR_COMPARE_OTHER : EXR_COMPARE_ALIKE;
+}
+
+/* What the program makes of all channels of the file, beside what the second reader made of them; -1: it crashed. */
+static inline int exr_compare_first(struct exr_second_image *second, const char *path)
+{
+    return exr_compare_apart(exr_compare_read_first, second, path);
 }
 #endif

@@ -17,6 +17,7 @@ void aob_config_init(struct aob_config *config)
                                   .measure_error = true,
                                   .images = true,
                                   .seconds = 1.5,
+                                  .narrow = 0.03,
                                   .spp = 256,
                                   .thickness = -1};
 }

@@ -24,7 +24,7 @@ struct aob_capture_desc {
     bool has_camera; /* eye and target are given; else the file's, else at 0 looking along -Z */
     struct aob_vec3 eye, target;
 };
-enum { AOB_CAPTURE_WARNINGS = 5 };
+enum { AOB_CAPTURE_WARNINGS = 8 };
 
 /* How fine the file's depths are: a step at depth d is flat + relative d + squared d^2 scene units. */
 struct aob_capture_grain {
@@ -38,7 +38,7 @@ struct aob_capture {
     size_t surface, derived; /* pixels that are no sky; of these, with a derived normal */
     size_t leaning;          /* pixels whose geometric normal is not the file's */
     /* What a user should know about how the file was read: a line for each of other channels that would do as well,
-     * depth and normals of different layers, depths that look like none, and normals that lean. */
+     * depth and normals of different layers, depths that look like another kind, and normals that are missing or lean. */
     struct aob_error warnings[AOB_CAPTURE_WARNINGS];
     size_t warning_count;
 };

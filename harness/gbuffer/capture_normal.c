@@ -102,9 +102,14 @@ static void set_normal(const struct context *context, const float *const planes[
     capture->leaning += leans;
 }
 
-static void judge_lean(struct aob_capture *capture, const struct aob_capture_desc *desc)
+/* Where the file's normals do not serve in more than a few pixels, the user should know. */
+static void tell(struct aob_capture *capture, const struct aob_capture_desc *desc, bool has_normals)
 {
-    if (capture->leaning > capture->surface / 20)
+    size_t few = capture->surface / 20;
+    if (has_normals && capture->derived > few)
+        aob_capture_warn(capture, "%s: %zu of %zu pixels have no normal: theirs are derived from the depth",
+                         desc->file, capture->derived, capture->surface);
+    if (capture->leaning > few)
         aob_capture_warn(capture,
                          "%s: %zu of %zu normals lean more than 2.5 degrees away from the surface that the "
                          "depth shows, as bump-mapped ones do: that surface's serve; normals=shading gives a "
@@ -129,6 +134,6 @@ bool aob_capture_normals(struct aob_capture *capture, const struct aob_capture_d
         for (int x = 0; x < hits->width; x++)
             if (aob_capture_has_surface(capture, x, y))
                 set_normal(&context, planes, x, y);
-    judge_lean(capture, desc);
+    tell(capture, desc, planes[0]);
     return true;
 }

@@ -35,6 +35,7 @@ struct aob_block_job {
     bool raster, triangles; /* the device draws the G-buffer; a pass draws the scene's triangles */
     bool time, error;       /* what is measured */
     double seconds;         /* of timing a case, at most */
+    double narrow;          /* timing ends early where the intervals are so narrow; 0: as timing.h says */
     struct aob_block_target *targets;
     size_t target_count;
     struct aob_block_case *cases; /* 1 .. AOB_BLOCK_MAX */

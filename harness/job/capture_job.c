@@ -6,9 +6,9 @@
 json_t *aob_capture_job_to_json(const struct aob_capture_job *job)
 {
     const struct aob_convention *c = &job->convention;
-    return json_pack("{s:s, s:o, s:o, s:i, s:b, s:i, s:b, s:o, s:o, s:o, s:s, s:s, s:f, s:f, s:o, s:o}",
-                     "job", "capture", "file", aob_json_path(job->file), "out", aob_json_path(job->out),
-                     "depth", (int)c->depth, "depth_stated", c->depth_stated, "normals", (int)c->normals,
+    return json_pack("{s:s, s:s, s:o, s:i, s:b, s:i, s:b, s:o, s:o, s:o, s:s, s:s, s:f, s:f, s:o, s:o}",
+                     "job", "capture", "file", job->file, "out", aob_json_path(job->out), "depth",
+                     (int)c->depth, "depth_stated", c->depth_stated, "normals", (int)c->normals,
                      "left_handed", c->left_handed, "near", aob_json_number(c->near), "far",
                      aob_json_number(c->far), "up", aob_json_vector(c->up, 3), "depth_channel",
                      c->depth_channel, "normal_channel", c->normal_channel, "fov_deg", job->fov_deg,

@@ -4,8 +4,7 @@
 
 json_t *aob_mesh_job_to_json(const struct aob_mesh_job *job)
 {
-    return json_pack("{s:s, s:o, s:o}", "job", "mesh", "file", aob_json_path(job->file), "out",
-                     aob_json_path(job->out));
+    return json_pack("{s:s, s:s, s:o}", "job", "mesh", "file", job->file, "out", aob_json_path(job->out));
 }
 
 bool aob_mesh_job_from_json(const json_t *object, struct aob_mesh_job *job, struct aob_error *error)

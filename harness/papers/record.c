@@ -7,38 +7,6 @@
 #include "base/text.h"
 #include "row.h"
 
-const char *const aob_paper_verdicts[] = {"reproduced", "shape only", "not reproduced",
-                                          "needs a device model", "could not be run"};
-
-static bool in_order(const struct aob_paper_row *row, const double *measured)
-{
-    double factor = measured[0] / row->figures[0];
-    if (row->count == 1 && !(factor >= 1 / 2.5 && factor <= 2.5))
-        return false;
-    for (size_t i = 0; i < row->count; i++)
-        if ((row->figures[i] > 1 && measured[i] <= 1) || (row->figures[i] < 1 && measured[i] >= 1))
-            return false;
-    for (size_t i = 0; i < row->count; i++)
-        for (size_t j = 0; j < row->count; j++)
-            if (row->figures[i] < row->figures[j] && measured[i] >= measured[j])
-                return false;
-    return true;
-}
-
-enum aob_paper_verdict aob_paper_judge(const struct aob_paper_row *row, const struct aob_paper_result *result)
-{
-    bool near = true;
-    if (row->figures[0] == 0)
-        return result->holds   ? AOB_PAPER_REPRODUCED
-               : result->shape ? AOB_PAPER_SHAPE
-                               : AOB_PAPER_NOT_REPRODUCED;
-    for (size_t i = 0; i < row->count; i++)
-        near &= fabs(result->measured[i] / row->figures[i] - 1) <= 0.25;
-    return near                              ? AOB_PAPER_REPRODUCED
-           : in_order(row, result->measured) ? AOB_PAPER_SHAPE
-                                             : AOB_PAPER_NOT_REPRODUCED;
-}
-
 static bool is_number(const json_t *own, double number)
 {
     return fabs(aob_json_to_number(own) - number) <= 1e-6 * fabs(number);
@@ -104,23 +72,57 @@ const json_t *aob_paper_find(const struct aob_paper_run *run, const char *techni
     return NULL;
 }
 
-double aob_paper_cost(const json_t *record, const char *passes)
+bool aob_paper_find_all(const struct aob_paper_run *run, const char *technique, const char *const *values,
+                        size_t count, const json_t **records, struct aob_error *error)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!(records[i] = aob_paper_find(run, technique, values[i], error)))
+            return false;
+    return true;
+}
+
+/* A ratio to the fixed pass; too few rounds have no interval. */
+static struct aob_paper_figure read_ratio(const json_t *object)
+{
+    const json_t *low = json_object_get(object, "ci_low"), *high = json_object_get(object, "ci_high");
+    return (struct aob_paper_figure){aob_json_to_number(json_object_get(object, "ratio_to_ref")),
+                                     json_is_number(low) ? json_number_value(low) : -INFINITY,
+                                     json_is_number(high) ? json_number_value(high) : INFINITY};
+}
+
+struct aob_paper_figure aob_paper_cost(const json_t *record, const char *passes)
 {
     const json_t *time = json_object_get(record, "time"), *pass;
+    struct aob_paper_figure sum = aob_paper_exact(0);
     size_t at;
-    double sum = 0;
+    if (!passes)
+        return read_ratio(time);
     json_array_foreach(json_object_get(time, "passes"), at, pass)
     {
         const char *name = json_string_value(json_object_get(pass, "name"));
-        bool counts = !passes || strncmp(name, passes, strlen(passes)) == 0;
-        sum += counts ? aob_json_to_number(json_object_get(pass, "cpu_ms")) : 0;
+        if (strncmp(name, passes, strlen(passes)) == 0)
+            sum = aob_paper_sum(sum, read_ratio(pass));
     }
-    return sum / aob_json_to_number(json_object_get(time, "ref_cpu_ms"));
+    return sum;
+}
+
+void aob_paper_costs_to_first(const json_t *const *records, size_t count, const char *passes,
+                              struct aob_paper_figure *figures)
+{
+    figures[0] = aob_paper_exact(1);
+    for (size_t i = 1; i < count; i++)
+        figures[i] =
+            aob_paper_quotient(aob_paper_cost(records[i], passes), aob_paper_cost(records[0], passes));
 }
 
 double aob_paper_error(const json_t *record, const char *field)
 {
     return aob_json_to_number(json_object_get(json_object_get(record, "error"), field));
+}
+
+double aob_paper_member(const json_t *record, const char *object, const char *name)
+{
+    return aob_json_to_number(json_object_get(json_object_get(record, object), name));
 }
 
 bool aob_paper_image(const struct aob_paper_run *run, const json_t *record, struct aob_image *image,
@@ -135,8 +137,8 @@ bool aob_paper_image(const struct aob_paper_run *run, const json_t *record, stru
     return ok;
 }
 
-bool aob_paper_compare(const struct aob_paper_run *run, const json_t *a, const json_t *b, double *rmse,
-                       struct aob_error *error)
+bool aob_paper_compare(const struct aob_paper_run *run, const json_t *a, const json_t *b,
+                       struct aob_paper_figure *rmse, struct aob_error *error)
 {
     struct aob_image first = {0}, second = {0};
     bool ok = aob_paper_image(run, a, &first, error) && aob_paper_image(run, b, &second, error);
@@ -146,7 +148,7 @@ bool aob_paper_compare(const struct aob_paper_run *run, const json_t *a, const j
     double sum = 0;
     for (size_t i = 0; p && q && i < count; i++)
         sum += ((double)p[i] - q[i]) * ((double)p[i] - q[i]);
-    *rmse = sqrt(sum / (double)count);
+    *rmse = aob_paper_exact(sqrt(sum / (double)count));
     aob_image_finish(&first);
     aob_image_finish(&second);
     return ok && ((p && q) || aob_fail(error, "%s: an image without technique.AO", run->folder));

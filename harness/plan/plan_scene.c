@@ -7,6 +7,13 @@
 #include "scene/scene_folder.h"
 #include "scene/source.h"
 
+struct chooser {
+    struct aob_plan *plan;
+    struct aob_table seen;          /* sources of geometry: the first scene that has each */
+    struct aob_scene_folder folder; /* of the user, read for the first name that is not listed */
+    bool folder_read;
+};
+
 static bool choose_view(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
                         struct aob_error *error)
 {
@@ -74,10 +81,10 @@ static double metre_of(const struct aob_scene_choice *choice)
 }
 
 /* A listed scene, one of the user's folder by its name, or a mesh file. */
-static bool find_scene(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
-                       struct aob_error *error)
+static bool find_scene(struct chooser *chooser, struct aob_plan_scene *scene,
+                       const struct aob_scene_choice *choice, struct aob_error *error)
 {
-    struct aob_scene_folder folder;
+    struct aob_scene_folder *folder = &chooser->folder;
     scene->info = choice->name ? aob_scene_find(choice->name) : NULL;
     scene->name = aob_strdup(choice->name ? choice->name : choice->given ? choice->given : choice->file);
     if (scene->info && choice->metres_per_unit > 0)
@@ -88,12 +95,11 @@ static bool find_scene(struct aob_plan_scene *scene, const struct aob_scene_choi
     scene->file = aob_strdup(scene->info ? scene->info->file : choice->file);
     if (scene->info || choice->file)
         return true;
-    if (!aob_scene_folder_read(&folder, error))
+    if (!chooser->folder_read && !aob_scene_folder_read(folder, error))
         return aob_fail_in(error, "unknown scene '%s'", scene->name);
-    scene->file = aob_strdup(aob_scene_folder_find(&folder, scene->name));
-    bool ok = scene->file || fail_unknown(scene->name, &folder, error);
-    aob_scene_folder_finish(&folder);
-    return ok;
+    chooser->folder_read = true;
+    scene->file = aob_strdup(aob_scene_folder_find(folder, scene->name));
+    return scene->file || fail_unknown(scene->name, folder, error);
 }
 
 /* A frame of another renderer, of the size and seen by the camera that it was loaded with. */
@@ -116,15 +122,15 @@ static bool choose_capture(struct aob_plan_scene *scene, const struct aob_scene_
 }
 
 /* The digest of a mesh takes a pass over its triangles or its file, so views of one scene share it. */
-static bool find_digest(struct aob_plan *plan, size_t index, struct aob_table *seen, struct aob_error *error)
+static bool find_digest(struct chooser *chooser, size_t index, struct aob_error *error)
 {
-    struct aob_plan_scene *scene = &plan->scenes[index];
+    struct aob_plan_scene *scenes = chooser->plan->scenes, *scene = &scenes[index];
     struct aob_text source = {0};
     aob_text_add(&source, "%s %s", scene->file ? "file" : "scene", scene->file ? scene->file : scene->name);
-    size_t first = aob_table_put(seen, source.data, index);
+    size_t first = aob_table_put(&chooser->seen, source.data, index);
     aob_text_finish(&source);
     if (first != index)
-        memcpy(scene->geometry, plan->scenes[first].geometry, sizeof scene->geometry);
+        memcpy(scene->geometry, scenes[first].geometry, sizeof scene->geometry);
     else if (!aob_source_digest(scene->info, scene->file, scene->geometry, error))
         return scene->info && scene->info->package && !aob_file_exists(scene->file)
                    ? aob_fail(error, "scene '%s' needs %s: apt-get install %s", scene->name, scene->file,
@@ -134,13 +140,13 @@ static bool find_digest(struct aob_plan *plan, size_t index, struct aob_table *s
     return true;
 }
 
-static bool choose_scene(struct aob_plan *plan, size_t index, struct aob_table *seen, struct aob_error *error)
+static bool choose_scene(struct chooser *chooser, size_t index, struct aob_error *error)
 {
-    const struct aob_scene_choice *choice = &plan->config->scenes[index];
-    struct aob_plan_scene *scene = &plan->scenes[index];
+    const struct aob_scene_choice *choice = &chooser->plan->config->scenes[index];
+    struct aob_plan_scene *scene = &chooser->plan->scenes[index];
     if (choice->capture)
         return choose_capture(scene, choice, error);
-    return find_scene(scene, choice, error) && find_digest(plan, index, seen, error) &&
+    return find_scene(chooser, scene, choice, error) && find_digest(chooser, index, error) &&
            choose_camera(scene, choice, error);
 }
 
@@ -170,14 +176,15 @@ static void name_views(struct aob_plan *plan)
 bool aob_plan_choose_scenes(struct aob_plan *plan, struct aob_error *error)
 {
     const struct aob_config *config = plan->config;
-    struct aob_table seen = {0};
+    struct chooser chooser = {.plan = plan};
     bool ok = true;
     plan->scene_count = config->scene_count;
     plan->scenes = AOB_NEW_ARRAY(struct aob_plan_scene, config->scene_count);
     for (size_t i = 0; ok && i < config->scene_count; i++)
-        ok = choose_scene(plan, i, &seen, error) ||
+        ok = choose_scene(&chooser, i, error) ||
              aob_config_fail_at(config, config->scenes[i].line, config->scenes[i].column, error);
-    aob_table_finish(&seen);
+    aob_table_finish(&chooser.seen);
+    aob_scene_folder_finish(&chooser.folder);
     if (ok)
         name_views(plan);
     return ok;

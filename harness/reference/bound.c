@@ -40,6 +40,44 @@ static bool has_area(const struct aob_mesh *mesh)
     return false;
 }
 
+/* Our own arrays and, for each triangle with an area, Embree's tree. With 80 bytes for that the sum is 0.93 to 1.02 of what
+ * was measured on plane and grass. */
+static double bytes_of(const struct aob_bound_size *size, size_t pixels)
+{
+    return 60.0 * (double)size->vertices + 40.0 * (double)size->triangles +
+           80.0 * (double)(size->triangles - pixels);
+}
+
+static bool judge_memory(const struct aob_bound_size *size, const struct aob_hits *hits, size_t memory,
+                         struct aob_error *error)
+{
+    double bytes = bytes_of(size, (size_t)hits->width * (size_t)hits->height);
+    return !memory || bytes <= (double)memory ||
+           aob_fail(
+               error,
+               "its %zu triangles need %.3g GB of memory, and it may take %.3g GB: lower the resolution or "
+               "the guard band",
+               size->triangles, bytes * 1e-9, (double)memory * 1e-9);
+}
+
+/* The mesh gets all its room at once, because a growing array takes up to three times of what it holds. */
+static bool rebuild(const struct aob_camera *camera, const struct aob_projection *projection,
+                    const struct aob_hits *hits, const struct aob_bound_desc *desc,
+                    struct aob_tracer **tracer, struct aob_error *error)
+{
+    struct aob_bound_size size = aob_bound_mesh_size(camera, projection, hits, desc);
+    if (!judge_memory(&size, hits, desc->memory, error))
+        return false;
+    struct aob_mesh mesh = {.positions = AOB_NEW_ARRAY(struct aob_vec3, size.vertices),
+                            .vertex_capacity = size.vertices,
+                            .triangles = aob_alloc(size.triangles, sizeof *mesh.triangles),
+                            .triangle_capacity = size.triangles};
+    bool solid = aob_bound_mesh(camera, projection, hits, desc, &mesh) && has_area(&mesh);
+    *tracer = solid ? aob_tracer_create(&mesh, error) : NULL;
+    aob_mesh_finish(&mesh);
+    return !solid || *tracer;
+}
+
 struct aob_bound *aob_bound_create(const struct aob_camera *camera, const struct aob_projection *projection,
                                    const struct aob_hits *hits, const struct aob_bound_desc *desc,
                                    struct aob_error *error)
@@ -49,14 +87,9 @@ struct aob_bound *aob_bound_create(const struct aob_camera *camera, const struct
         return NULL;
     }
     struct aob_bound *bound = AOB_NEW(struct aob_bound);
-    struct aob_mesh mesh = {0};
     bound->camera = *camera;
     copy_hits(&bound->hits, hits);
-    bool solid = aob_bound_mesh(camera, projection, hits, desc, &mesh) && has_area(&mesh);
-    if (solid)
-        bound->tracer = aob_tracer_create(&mesh, error);
-    aob_mesh_finish(&mesh);
-    if (!solid || bound->tracer)
+    if (rebuild(camera, projection, hits, desc, &bound->tracer, error))
         return bound;
     aob_fail_in(error, "screen-space bound of %dx%d pixels", hits->width, hits->height);
     aob_bound_destroy(bound);

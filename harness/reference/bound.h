@@ -29,12 +29,14 @@ enum aob_bound_kind { AOB_BOUND_INFINITE, AOB_BOUND_THIN, AOB_BOUND_SLAB };
 struct aob_bound_desc {
     enum aob_bound_kind kind;
     double thickness; /* slab: along the view axis, scene units, > 0; else unused */
+    size_t memory;    /* bytes that it may take; 0: no ceiling */
 };
 
 struct aob_bound;
 
 /* Reads `depth` (0: sky) and `normal` of the hits, and keeps nothing of them. NULL after one line if the thickness is
- * not positive, or if aob_tracer_create fails. A picture that has nothing but sky, or nothing that can be joined, is
+ * not positive, if aob_tracer_create fails, or if it needs more memory than it may take: 0.3 to 4 KB a pixel, most where
+ * thin things are cut everywhere. A picture that has nothing but sky, or nothing that can be joined, is
  * open everywhere. It is used by one thread at a time, as a tracer is. */
 struct aob_bound *aob_bound_create(const struct aob_camera *camera, const struct aob_projection *projection,
                                    const struct aob_hits *hits, const struct aob_bound_desc *desc,

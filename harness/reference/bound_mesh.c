@@ -300,6 +300,44 @@ static void add_bounds(const struct rebuild *r)
     }
 }
 
+static void count_quads(struct aob_bound_size *size, size_t quads)
+{
+    size->vertices += CORNERS * quads;
+    size->triangles += 2 * quads;
+}
+
+/* As add_cell adds it: a whole cell takes the pixels' own vertices, all else has quads of its own. */
+static void count_cell(const struct rebuild *r, int x, int y, struct aob_bound_size *size)
+{
+    struct cell cell;
+    bool slab = r->desc->kind == AOB_BOUND_SLAB;
+    cell_init(r, x, y, &cell);
+    if (cell.joined[0] && cell.joined[1] && cell.joined[2] && cell.joined[3]) {
+        size->triangles += 2;
+        count_quads(size, slab);
+        return;
+    }
+    for (int k = 0; k < CORNERS && r->desc->kind != AOB_BOUND_THIN; k++) {
+        bool seen = is_seen(&cell, k);
+        count_quads(size, seen && slab ? 2 : seen);
+        if (!cell.joined[k])
+            count_quads(size, (size_t)seen + is_seen(&cell, next_corner(k)));
+    }
+}
+
+struct aob_bound_size aob_bound_mesh_size(const struct aob_camera *camera,
+                                          const struct aob_projection *projection,
+                                          const struct aob_hits *hits, const struct aob_bound_desc *desc)
+{
+    struct rebuild r = {camera, projection, hits, desc, aob_camera_axes(camera), 0, NULL};
+    size_t pixels = (size_t)hits->width * (size_t)hits->height;
+    struct aob_bound_size size = {pixels + 2 * CORNERS, pixels};
+    for (int y = 0; y + 1 < hits->height; y++)
+        for (int x = 0; x + 1 < hits->width; x++)
+            count_cell(&r, x, y, &size);
+    return size;
+}
+
 bool aob_bound_mesh(const struct aob_camera *camera, const struct aob_projection *projection,
                     const struct aob_hits *hits, const struct aob_bound_desc *desc, struct aob_mesh *mesh)
 {

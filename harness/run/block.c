@@ -136,6 +136,7 @@ static json_t *make_job(const struct block *block)
                                 .time = config->measure_time,
                                 .error = config->measure_error,
                                 .seconds = config->seconds,
+                                .narrow = config->narrow,
                                 .targets = targets,
                                 .target_count = files->target_count,
                                 .cases = cases,

@@ -1,4 +1,5 @@
 #include "run.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -39,6 +40,8 @@ static bool read_config(struct run *run, struct aob_error *error)
             config->sizes[i].width = desc->max_width;
     if (desc->max_seconds > 0 && config->seconds > desc->max_seconds)
         config->seconds = desc->max_seconds;
+    config->seconds *= exp2(desc->patience);
+    config->narrow *= exp2(-desc->patience);
     if (desc->max_spp && config->spp > desc->max_spp)
         config->spp = desc->max_spp;
     return true;

@@ -16,6 +16,7 @@ struct aob_run_desc {
     int max_width; /* pixels; of wider pictures only the middle columns, at their scale, so that a pixel costs what
                            it did; 0: as the config says */
     double max_seconds; /* of timing a case; 0: as the config says */
+    int patience;       /* times to double these seconds and to halve the interval that ends timing early */
     int max_spp;        /* rays a pixel of the reference, even; 0: as the config says */
 };
 

@@ -39,9 +39,11 @@ bool aob_gltf_check_required(const struct aob_gltf_file *file, struct aob_error 
 
 void aob_gltf_note_unknown(const json_t *element, const char *what, struct aob_mesh *mesh)
 {
+    json_t *extensions = json_object_get(element, "extensions"), *extension;
     const char *name;
-    json_t *extension;
-    json_object_foreach((json_t *)(uintptr_t)json_object_get(element, "extensions"), name,
-                        extension) if (!is_known(name))
-        aob_mesh_note(mesh, "the extension %s of its %s is not applied", name, what);
+    json_object_foreach(extensions, name, extension)
+    {
+        if (!is_known(name))
+            aob_mesh_note(mesh, "the extension %s of its %s is not applied", name, what);
+    }
 }

@@ -81,6 +81,8 @@ static bool add_part(struct import *import, const json_t *node, const json_t *me
         !aob_gltf_whole(&import->gltf, node, "a node", "skin", aob_gltf_none, &skin, error) ||
         (skin != aob_gltf_none && !aob_gltf_skin(primitive, skin, &import->nodes, part, &skinned, error)))
         return false;
+    if (skinned && places->count > 1)
+        aob_mesh_note(import->mesh, "a skinned mesh is placed once: its instances are not applied");
     if (skinned)
         return aob_mesh_part_add(part, &identity, import->mesh, path, error);
     for (size_t i = 0; i < places->count; i++)
@@ -133,6 +135,10 @@ static bool fill_instances(const struct import *import, const struct aob_affine 
         take(&attributes[0], i, none, 3, move);
         take(&attributes[1], i, still, 4, turn);
         take(&attributes[2], i, same, 3, scale);
+        if (!aob_gltf_is_turn(turn))
+            return aob_fail(error,
+                            "%s: the rotation of instance %zu is no unit quaternion: the file is damaged",
+                            import->gltf.file->path, i);
         struct aob_affine own = aob_gltf_trs(move, turn, scale);
         places->map[i] = aob_affine_multiply(node, &own);
     }

@@ -3,11 +3,20 @@
 #include <stdlib.h>
 #include "base/memory.h"
 
+static double quaternion_length(const double q[4])
+{
+    return sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+}
+
+bool aob_gltf_is_turn(const double turn[4])
+{
+    return fabs(quaternion_length(turn) - 1) < 0.05;
+}
+
 struct aob_affine aob_gltf_trs(const double move[3], const double turn[4], const double scale[3])
 {
-    double size = sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3]);
-    double s = size > 0 ? 1 / size : 0, x = turn[0] * s, y = turn[1] * s, z = turn[2] * s;
-    double w = size > 0 ? turn[3] * s : 1;
+    double s = 1 / quaternion_length(turn), x = turn[0] * s, y = turn[1] * s, z = turn[2] * s,
+           w = turn[3] * s;
     const double rotation[3][3] = {
         {1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
         {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
@@ -66,6 +75,16 @@ static bool read_index(struct aob_gltf *gltf, const json_t *list, size_t at, siz
     return aob_gltf_element(gltf, "nodes", *node, error);
 }
 
+static bool check_rotation(const struct walk *walk, size_t node, const json_t *element,
+                           struct aob_error *error)
+{
+    double turn[4] = {0, 0, 0, 1};
+    aob_gltf_vector(element, "rotation", turn, 4);
+    return aob_gltf_is_turn(turn) ||
+           aob_fail(error, "%s: the rotation of node %zu is no unit quaternion: the file is damaged",
+                    walk->gltf->file->path, node);
+}
+
 static bool read_parents(struct walk *walk, size_t node_count, struct aob_error *error)
 {
     for (size_t i = 0; i < node_count; i++)
@@ -82,7 +101,7 @@ static bool read_parents(struct walk *walk, size_t node_count, struct aob_error 
                                 walk->gltf->file->path, child);
             walk->parent[child] = i;
         }
-        if (!element)
+        if (!element || !check_rotation(walk, i, element, error))
             return false;
     }
     return true;
@@ -119,8 +138,6 @@ static bool place_nodes(struct walk *walk, struct aob_gltf_nodes *nodes, struct 
 
 static void add_root(struct walk *walk, struct aob_gltf_nodes *nodes, size_t root)
 {
-    if (walk->seen[root])
-        return;
     walk->seen[root] = true;
     walk->stack[walk->depth++] = root;
     while (walk->depth) {
@@ -130,13 +147,20 @@ static void add_root(struct walk *walk, struct aob_gltf_nodes *nodes, size_t roo
         if (is_hidden(element))
             continue;
         nodes->order[nodes->count++] = node;
-        for (size_t k = json_array_size(children); k-- > 0;) {
-            size_t child = (size_t)json_integer_value(json_array_get(children, k));
-            if (!walk->seen[child])
-                walk->stack[walk->depth++] = child;
-            walk->seen[child] = true;
-        }
+        for (size_t k = json_array_size(children); k-- > 0;)
+            walk->stack[walk->depth++] = (size_t)json_integer_value(json_array_get(children, k));
     }
+}
+
+/* A node that is drawn twice is a mistake of the file (glTF 2.0, 5.26.1), and readers differ on it. */
+static bool check_root(const struct walk *walk, size_t root, struct aob_error *error)
+{
+    if (walk->parent[root] != aob_gltf_none)
+        return aob_fail(error, "%s: node %zu is in its scene's list and below node %zu: the file is damaged",
+                        walk->gltf->file->path, root, walk->parent[root]);
+    return !walk->seen[root] ||
+           aob_fail(error, "%s: node %zu is twice in its scene's list: the file is damaged",
+                    walk->gltf->file->path, root);
 }
 
 static bool choose_nodes(struct walk *walk, struct aob_gltf_nodes *nodes, struct aob_error *error)
@@ -156,7 +180,7 @@ static bool choose_nodes(struct walk *walk, struct aob_gltf_nodes *nodes, struct
     const json_t *element = aob_gltf_element(gltf, "scenes", scene, error);
     const json_t *roots = json_object_get(element, "nodes");
     for (size_t k = 0; k < json_array_size(roots); k++) {
-        if (!read_index(gltf, roots, k, &root, error))
+        if (!read_index(gltf, roots, k, &root, error) || !check_root(walk, root, error))
             return false;
         add_root(walk, nodes, root);
     }

@@ -5,10 +5,14 @@
 #include <assimp/scene.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
+#include "base/file.h"
 #include "base/memory.h"
 #include "import_material.h"
 #include "mesh_part.h"
-#include "ply_pad.h"
+#include "ply_head.h"
+
+enum { FILE_LIMIT_BITS = 32 };
 
 /* assimp places nodes without a look at mirrors, and joins vertices and makes normals by distances in file units; so
  * these three are done by mesh_part.h. */
@@ -121,6 +125,30 @@ static void note_what_is_left_out(const struct aiScene *scene, const struct aiMe
         aob_mesh_note(mesh, "morph targets are not applied in this format");
 }
 
+/* What says in a file that a mesh is the cage of a subdivision surface: polygons of LightWave, and what Blender and Maya
+ * write into FBX, as binary and as text. assimp takes the cage for the mesh. */
+static const struct mark {
+    const char *ending, *bytes;
+    size_t size;
+} marks[] = {
+    {".lwo", "PTCH", 4},           {".lwo", "SUBD", 4},           {".fbx", "SmoothnessI\1", 12},
+    {".fbx", "SmoothnessI\2", 12}, {".fbx", "Smoothness: 1", 13}, {".fbx", "Smoothness: 2", 13},
+};
+
+static void note_subdivision(const char *path, struct aob_mesh *mesh)
+{
+    const char *ending = strrchr(path, '.');
+    for (size_t i = 0; ending && i < AOB_COUNT(marks); i++) {
+        size_t size = 0;
+        if (strcasecmp(ending, marks[i].ending) != 0)
+            continue;
+        char *bytes = aob_file_read(path, (size_t)1 << FILE_LIMIT_BITS, &size, NULL);
+        if (bytes && memmem(bytes, size, marks[i].bytes, marks[i].size))
+            aob_mesh_note(mesh, "subdivision is not applied in this format: the mesh is its cage");
+        free(bytes);
+    }
+}
+
 /* A node of the file with all below it. */
 static bool add_node(const struct aiScene *scene, const struct aiNode *node, const struct aob_affine *above,
                      struct aob_mesh *mesh, const char *path, struct aob_error *error)
@@ -141,11 +169,14 @@ static bool add_node(const struct aiScene *scene, const struct aiNode *node, con
 
 bool aob_assimp_import(struct aob_mesh *mesh, const char *path, struct aob_error *error)
 {
+    if (!aob_ply_check(path, error))
+        return false;
     const struct aob_affine identity = aob_affine_identity();
     const struct aiScene *scene = import_scene(path);
     if (!scene)
         return aob_fail(error, "%s: cannot load: %s", path, aiGetErrorString());
     bool ok = add_node(scene, scene->mRootNode, &identity, mesh, path, error);
+    note_subdivision(path, mesh);
     aiReleaseImport(scene);
     return ok;
 }

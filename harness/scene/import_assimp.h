@@ -4,6 +4,6 @@
 #include "mesh.h"
 
 /* Adds the parts of the file to an empty mesh, in their places. What the file has and the mesh has not (bones,
- * morph targets) is noted. False after one line that begins with the path. */
+ * morph targets, subdivision) is noted. False after one line that begins with the path. */
 bool aob_assimp_import(struct aob_mesh *mesh, const char *path, struct aob_error *error);
 #endif

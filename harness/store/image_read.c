@@ -143,9 +143,13 @@ bool aob_image_reader_attributes(struct aob_image_reader *r)
     return true;
 }
 
-/* The chunk must lie within the image, whatever a damaged file says. */
+/* The chunk must lie within the image, whatever a damaged file says. Its bytes are never more than its pixels', because
+ * what does not shrink is stored as it is; the library takes a chunk without any for one without pixels. */
 static bool chunk_fits(const struct aob_image_reader *r, const exr_chunk_info_t *chunk, int x, int y)
 {
+    bool raw = chunk->compression == EXR_COMPRESSION_NONE;
+    if (chunk->packed_size < (raw ? chunk->unpacked_size : 1) || chunk->packed_size > chunk->unpacked_size)
+        return false;
     return chunk->width >= 1 && chunk->height >= 1 && x >= 0 && y >= 0 &&
            (int64_t)x + chunk->width <= r->image->width && (int64_t)y + chunk->height <= r->image->height;
 }
@@ -187,7 +191,7 @@ static void convert_whole_numbers(struct aob_image_reader *r, const exr_chunk_in
 static bool read_chunk(struct aob_image_reader *r, const exr_chunk_info_t *chunk, int x, int y)
 {
     if (!chunk_fits(r, chunk, x, y))
-        return aob_fail(r->error, "%s: damaged: a block lies outside of the image", r->path);
+        return aob_fail(r->error, "%s: damaged: a block has another size than its pixels", r->path);
     exr_result_t rc = r->decoding ? exr_decoding_update(r->file, r->part, chunk, &r->pipeline)
                                   : exr_decoding_initialize(r->file, r->part, chunk, &r->pipeline);
     if (rc == EXR_ERR_SUCCESS) {
@@ -248,6 +252,8 @@ bool aob_image_reader_open(struct aob_image_reader *r)
 {
     exr_context_initializer_t init = EXR_DEFAULT_CONTEXT_INITIALIZER;
     init.error_handler_fn = ignore_message;
+    /* Otherwise the library steps over what it cannot read in a header, and assumes the rest: a window, a compression. */
+    init.flags = EXR_CONTEXT_FLAG_STRICT_HEADER;
     exr_result_t rc = exr_start_read(&r->file, r->path, &init);
     return rc == EXR_ERR_SUCCESS ||
            aob_fail(r->error, "%s: cannot read the image: %s", r->path, exr_get_default_error_message(rc));

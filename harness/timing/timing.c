@@ -75,7 +75,7 @@ static bool run_slot(struct run *run, size_t slot, size_t round, struct aob_erro
     run->cpu[slot][round] = fmax(cpu / run->repeats, 1e-9);
     run->wall[slot][round] = fmax(wall / run->repeats, 1e-9);
     for (int p = 0; slot >= SLOT_CASES && p < frame->graph.pass_count; p++)
-        run->pass_cpu[slot - SLOT_CASES][p][round] = pass_cpu[p] / run->repeats;
+        run->pass_cpu[slot - SLOT_CASES][p][round] = fmax(pass_cpu[p] / run->repeats, 1e-9);
     return true;
 }
 
@@ -156,9 +156,10 @@ static bool is_check_point(size_t rounds)
 
 static bool narrow_enough(const struct run *run)
 {
+    double factor = 1 + (run->desc->narrow > 0 ? run->desc->narrow : 0.03);
     for (size_t s = SLOT_CASES; s < run->slots; s++) {
         struct aob_ratio r = aob_paired_ratio(judged(run, s), judged(run, SLOT_FIXED), run->rounds);
-        if (!r.bounded || r.high > r.ratio * 1.03 || r.low < r.ratio / 1.03)
+        if (!r.bounded || r.high > r.ratio * factor || r.low < r.ratio / factor)
             return false;
     }
     return true;
@@ -199,8 +200,11 @@ static void summarise(const struct run *run, size_t index, struct aob_timing *ti
     timing->wall_ms = timing->clean_rounds ? aob_median(clean, timing->clean_rounds) : NAN;
     timing->to_fixed = aob_paired_ratio(judged(run, slot), judged(run, SLOT_FIXED), run->rounds);
     timing->measured_s = total_seconds(run, slot);
-    for (int p = 0; p < run->desc->frames[index]->graph.pass_count; p++)
+    for (int p = 0; p < run->desc->frames[index]->graph.pass_count; p++) {
         timing->pass_cpu_ms[p] = aob_median(run->pass_cpu[index][p], run->rounds);
+        timing->pass_to_fixed[p] =
+            aob_paired_ratio(run->pass_cpu[index][p], run->cpu[SLOT_FIXED], run->rounds);
+    }
 }
 
 bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_block_timing *result,

@@ -15,6 +15,7 @@ static bool time_frames(struct aob_block *block, const size_t *which, size_t cou
                                                   .frames = frames,
                                                   .frame_count = count,
                                                   .seconds = block->job.seconds,
+                                                  .narrow = block->job.narrow,
                                                   .seed = 1,
                                                   .wall = !block->gpu->info.software},
                         &timing, error))
@@ -57,13 +58,24 @@ bool aob_block_measure(struct aob_block *block, struct aob_error *error)
     return !cheap_count || time_frames(block, cheap, cheap_count, error);
 }
 
+/* The interval is null where there are too few rounds for one. */
+static json_t *bound_to_json(const struct aob_ratio *ratio, double bound)
+{
+    return ratio->bounded ? json_real(bound) : json_null();
+}
+
 static json_t *passes_to_json(const struct aob_frame *frame, const struct aob_timing *t)
 {
     json_t *passes = json_array();
-    for (int p = 0; p < frame->graph.pass_count; p++)
+    for (int p = 0; p < frame->graph.pass_count; p++) {
+        const struct aob_ratio *ratio = &t->pass_to_fixed[p];
         if (frame->passes[p])
-            json_array_append_new(passes, json_pack("{s:s, s:f}", "name", frame->graph.passes[p].name,
-                                                    "cpu_ms", t->pass_cpu_ms[p]));
+            json_array_append_new(passes,
+                                  json_pack("{s:s, s:f, s:f, s:o, s:o}", "name", frame->graph.passes[p].name,
+                                            "cpu_ms", t->pass_cpu_ms[p], "ratio_to_ref", ratio->ratio,
+                                            "ci_low", bound_to_json(ratio, ratio->low), "ci_high",
+                                            bound_to_json(ratio, ratio->high)));
+    }
     return passes;
 }
 
@@ -72,14 +84,13 @@ json_t *aob_block_time_to_json(const struct aob_block *block, size_t f)
     const struct aob_block_timing *run = &block->timing[f];
     const struct aob_timing *t = &run->cases[0];
     const char *threads = getenv("LP_NUM_THREADS");
-    bool bounded = t->to_fixed.bounded;
     return json_pack("{s:s, s:f, s:o, s:f, s:o, s:o, s:i, s:i, s:i, s:f, s:f, s:f, s:f, s:o}", "clock",
                      block->gpu->info.software ? "cpu" : "wall", "cpu_ms", t->cpu_ms, "wall_ms",
                      aob_json_number(t->wall_ms), "ratio_to_ref", t->to_fixed.ratio, "ci_low",
-                     bounded ? json_real(t->to_fixed.low) : json_null(), "ci_high",
-                     bounded ? json_real(t->to_fixed.high) : json_null(), "rounds", (int)t->rounds,
-                     "clean_rounds", (int)t->clean_rounds, "threads",
-                     threads ? atoi(threads) : aob_machine_cores(), "setup_ms", block->setup_ms[f],
-                     "ref_cpu_ms", run->fixed_cpu_ms, "control_low", run->control.low, "control_high",
-                     run->control.high, "passes", passes_to_json(&block->frames[f], t));
+                     bound_to_json(&t->to_fixed, t->to_fixed.low), "ci_high",
+                     bound_to_json(&t->to_fixed, t->to_fixed.high), "rounds", (int)t->rounds, "clean_rounds",
+                     (int)t->clean_rounds, "threads", threads ? atoi(threads) : aob_machine_cores(),
+                     "setup_ms", block->setup_ms[f], "ref_cpu_ms", run->fixed_cpu_ms, "control_low",
+                     run->control.low, "control_high", run->control.high, "passes",
+                     passes_to_json(&block->frames[f], t));
 }

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
+#include "base/machine.h"
 #include "base/memory.h"
 #include "gbuffer/gbuffer.h"
 #include "reference/bound.h"
@@ -36,6 +37,30 @@ struct scene {
     struct aob_tracer *tracer; /* NULL of a capture, whose only surfaces are its pixels */
     struct aob_hits hits;
 };
+
+/* At least: 72 bytes a pixel were measured for the hits and their file, and the terms of one trace are held together. What a
+ * screen-space bound takes depends on what the view shows (reference/bound.h). */
+static double bytes_of(const struct aob_view_job *job)
+{
+    const struct aob_job_view *view = &job->view;
+    double pixels = (double)view->width * view->height, bytes = 0;
+    for (size_t i = 0; i < job->term_count; i++)
+        if (!job->terms[i].term.bound)
+            bytes += job->terms[i].term.bent ? 20 * pixels : 8 * pixels;
+    return bytes + 72.0 * (view->width + 2 * view->guard) * (view->height + 2 * view->guard);
+}
+
+static bool judge_memory(const struct aob_view_job *job, struct aob_error *error)
+{
+    const struct aob_job_view *view = &job->view;
+    double bytes = bytes_of(job), memory = (double)aob_machine_memory();
+    return bytes <= memory ||
+           aob_fail(
+               error,
+               "a view of %dx%d pixels with a guard band of %d and %zu visibilities needs %.3g GB of memory, "
+               "and it may take %.3g GB: lower the resolution or the guard band, or give fewer targets",
+               view->width, view->height, view->guard, job->term_count, bytes * 1e-9, memory * 1e-9);
+}
 
 /* Nothing could be compared: every figure of the view would be the mean of no pixel. The guard band does not count. */
 static bool judge_hits(const struct scene *scene, struct aob_error *error)
@@ -117,7 +142,8 @@ static enum aob_bound_kind kind_of(double thickness)
 static bool trace_bound(const struct scene *scene, double thickness, const struct aob_visibility_desc *desc,
                         struct aob_visibility *result, struct aob_error *error)
 {
-    struct aob_bound_desc kind = {.kind = kind_of(thickness), .thickness = thickness};
+    struct aob_bound_desc kind = {
+        .kind = kind_of(thickness), .thickness = thickness, .memory = aob_machine_memory()};
     struct aob_bound *bound =
         aob_bound_create(&scene->job->view.camera, &scene->projection, &scene->hits, &kind, error);
     bool ok = bound && aob_bound_visibility(bound, desc, result, error);
@@ -175,7 +201,8 @@ static bool view(struct aob_worker *worker, struct aob_error *error)
     struct scene scene = {.job = &job,
                           .projection = aob_camera_projection(&job.view.camera, job.view.width,
                                                               job.view.height, job.view.guard)};
-    bool ok = job.view.captured ? load_view(&scene, error) : cast_view(&scene, error);
+    bool ok = judge_memory(&job, error) &&
+              (job.view.captured ? load_view(&scene, error) : cast_view(&scene, error));
     for (size_t i = 0; ok && i < job.term_count; i++)
         if (!aob_file_exists(job.terms[i].out))
             ok = trace_with(&scene, &job.terms[i].term, error);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, defaults, papers, demo, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, defaults, damaged, papers, demo, mutants, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -31,6 +31,16 @@ if wanted reference; then
       *) row "$name" "$value" "$unit" ;;
     esac
   done < <(build/release/bench/bench_tracer)
+fi
+
+if wanted damaged; then
+  while read -r name value unit; do
+    case $name in
+      *_files) row "damaged: $name" "$value" "$unit" ">=" 5000 ;;
+      *_faults) row "damaged: $name" "$value" "$unit" "<=" 0 ;;
+      *) row "damaged: $name" "$value" "$unit" ;;
+    esac
+  done < <(AOBUDGET_BUILD=$PWD/build/release build/release/bench/bench_damaged 5000)
 fi
 
 if wanted fetch; then
@@ -67,6 +77,13 @@ if wanted demo; then
   done
   row "demo: harness overhead (the rest)" "$(awk -v r="$rest" -v t="$(number "$run" total)" 'BEGIN { printf "%.1f", 100 * r / t }')" "%" "<=" 15
   row "demo: size of the page with its figures" "$(du -sm "$folder/demo/report" | cut -f1)" MB
+fi
+
+if wanted mutants; then
+  ./dev mutants >"$folder/mutants" 2>/dev/null || grep -vE '^mutant |^mutants: | killed +[0-9]+$' "$folder/mutants" || true
+  read -r _ killed _ all _ _ seconds _ < <(grep '^mutants: ' "$folder/mutants")
+  row "mutants: single faults that a test finds" "${killed:-0}" "" ">=" "${all:-1}"
+  row "mutants: duration" "${seconds:-0}" s
 fi
 
 if wanted test; then

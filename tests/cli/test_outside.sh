@@ -20,7 +20,22 @@ for file in bin/aobudget bin/aobudget-plot lib/libaoviz.so lib/aobudget/modules/
   share/aobudget/shaders/steps/blur.glsl lib/cmake/aobudget/aobudgetConfig.cmake; do
   check "$file" test -s "$prefix/$file"
 done
-check "no path of tree or build" bash -c "! grep -rIF -e '$tree' -e '$AOBUDGET_BUILD' '$prefix'"
+# A path is named where it begins and ends as one: in a tree at /aobudget, share/aobudget is none of its paths.
+names() { # PATH: whether a text file of the prefix names it
+  local quoted
+  quoted=$(sed 's/[][\\.*^$+?(){}|/]/\\&/g' <<<"$1")
+  grep -rIE "(^|[^[:alnum:]_./}>]|-[IL])$quoted(/|[^[:alnum:]_.-]|$)" "$prefix"
+}
+nowhere() { ! names "$1"; }
+check "no path of the tree" nowhere "$tree"
+check "no path of the build" nowhere "$AOBUDGET_BUILD"
+for named in "$folder/a tree" /aobudget; do
+  for text in "$named" "include=$named/include" "-I$named/include" "(\"$named\")"; do
+    echo "$text" >"$prefix/planted"
+    check "a path is found in $text" names "$named"
+  done
+done
+rm "$prefix/planted"
 check "the plotter finds its library" bash -c "ldd '$prefix/bin/aobudget-plot' | grep -F 'libaoviz.so => $prefix/'"
 check "the plotter starts" bash -c "echo '{\"figures\": []}' | '$prefix/bin/aobudget-plot'"
 check "an installed built-in" "$program" list techniques --module "$prefix/lib/aobudget/modules/gtao.so"

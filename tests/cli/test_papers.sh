@@ -5,6 +5,11 @@ root=$(dirname "$0")/../..
 check "all rows run" "$program" papers --quick --quiet --out "$folder/out" --json "$folder/a.json"
 check "figures where a row has a config" jq -e '.quick and all(.rows[]; .verdict != "could not be run") and
   ([.rows[] | select(.measured | length > 0)] | length == 22)' "$folder/a.json"
+check "each figure in its interval" jq -e 'all(.rows[]; (.measured | length) == (.intervals | length)
+  and all([.measured, .intervals] | transpose[]; .[1][0] <= .[0] and .[0] <= .[1][1]))' "$folder/a.json"
+check "an interval has some width where there are times, and none where there are not" jq -e '
+  (.rows[] | select(.name == "alchemy-vo").intervals[0] | .[0] < .[1]) and
+  (.rows[] | select(.name == "alchemy-lod").intervals | all(.[0] == .[1]))' "$folder/a.json"
 check "a reason where one is owed" jq -e 'all(.rows[]; (.reason == "") == (.verdict == "reproduced"))' "$folder/a.json"
 names() { sed -n 's/^| \([a-z0-9]*-[a-z0-9-]*\) | .*/\1/p' "$1"; }
 check "docs/papers.md has these rows" diff <(names "$folder/out/papers.md") <(names "$root/docs/papers.md")

@@ -14,7 +14,7 @@ check "a frame" "$program" shot --technique none --scene corner --backend null -
 cat >"set up/config.yaml" <<END
 name: paths
 scenes: [{file: meshes/one.obj}, {file: $folder/set up/two.obj}, {file: ../set up/two.obj, eye: [0, 1, 4], target: [0, 0, 0]},
-  {capture: frame.exr}, {name: "capture:./frame.exr", fov_deg: 50}]
+  {capture: frame.exr}, {name: "capture:./frame.exr", fov_deg: 60}]
 resolutions: [32x18]
 backends: ["null"]
 techniques: [{name: none}]

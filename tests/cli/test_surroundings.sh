@@ -45,4 +45,14 @@ if [ -z "${AOBUDGET_SANITIZED:-}" ]; then
   check "with 3.5 GB of memory" bash -c 'ulimit -v 3500000 && exec "$@"' _ "${shot[@]}"
   check "a mesh too" bash -c 'ulimit -v 3500000 && exec "$@"' _ "${shot[@]/corner/far.obj}"
 fi
+
+# What a view needs of memory is judged before it is taken, against what the machine has or `ulimit -m` leaves (which the kernel
+# does not hold). First the picture alone, 1920 x 1080 x 72 bytes and one truth; then the surface that is rebuilt from it.
+view() { # KILOBYTES SIZE
+  bash -c "ulimit -m $1 && exec \"\$@\"" _ "$program" shot --technique gtao --scene plane --backend null --size "$2" --reference-spp 2
+}
+expect 2 "scene 'plane': a view of 1920x1080 pixels with a guard band of 0 and 2 visibilities needs 0.166 GB of memory, and it may take 0.102 GB: lower the resolution or the guard band, or give fewer targets" view 100000 1920x1080
+expect 2 "GB of memory, and it may take 0.205 GB: lower the resolution or the guard band" view 200000 960x540
+check "which is the screen-space bound's" grep -q "scene 'plane': screen-space bound of 960x540 pixels: its [0-9]* triangles need 0\.[23]" "$folder/.stderr"
+check "a smaller one fits" view 100000 96x54
 finish

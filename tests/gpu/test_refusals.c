@@ -38,26 +38,27 @@ static void refuse_pass(struct aob_gpu *gpu, struct aob_gpu_pass_desc desc, cons
     assert_contains(error.text, why);
 }
 
-static void refuses_wrong_passes(void **state)
-{
-    struct aob_gpu *gpu = *state;
-    struct aob_gpu_program *plain =
-        program(gpu, "layout(location = 0) out float r;\nvoid main() { r = 1; }\n");
-    struct aob_gpu_program *reader =
-        program(gpu, "layout(BIND(4)) uniform sampler2D s;\nlayout(location = 0) out float r;\n"
-                     "void main() { r = texelFetch(s, ivec2(0), 0).x; }\n");
-    struct aob_gpu_texture *a = texture(gpu, AOB_R8, NULL), *b = texture(gpu, AOB_R8, NULL);
-    struct aob_gpu_texture *small =
-        make(gpu, (struct aob_gpu_texture_desc){.width = 4, .height = 4, .uses = ALL_USES});
-    const struct aob_gpu_target one[] = {{a, 0}}, sizes[] = {{a, 0}, {small, 0}}, twice[] = {{a, 0}, {a, 0}},
-                                none[] = {{NULL, 0}};
-    const float block[4] = {0};
-    struct aob_gpu_pass_desc good = {.program = plain, .targets = one, .target_count = 1};
-    struct aob_gpu_pass_desc desc = good;
+static const char constant_text[] = "layout(location = 0) out float r;\nvoid main() { r = 1; }\n";
+static const char reader_text[] = "layout(BIND(4)) uniform sampler2D s;\nlayout(location = 0) out float r;\n"
+                                  "void main() { r = texelFetch(s, ivec2(0), 0).x; }\n";
+
+/* A copy of `good` in which the rest of the arguments is changed. */
 #define REFUSE(why, ...)                                                                                     \
     desc = good;                                                                                             \
     __VA_ARGS__;                                                                                             \
     refuse_pass(gpu, desc, why)
+
+static void refuses_wrong_passes(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    struct aob_gpu_program *plain = program(gpu, constant_text), *reader = program(gpu, reader_text);
+    struct aob_gpu_texture *a = texture(gpu, AOB_R8, NULL),
+                           *small = make(
+                               gpu, (struct aob_gpu_texture_desc){.width = 4, .height = 4, .uses = ALL_USES});
+    const struct aob_gpu_target one[] = {{a, 0}}, sizes[] = {{a, 0}, {small, 0}}, twice[] = {{a, 0}, {a, 0}},
+                                none[] = {{NULL, 0}};
+    const float block[4] = {0};
+    struct aob_gpu_pass_desc good = {.program = plain, .targets = one, .target_count = 1}, desc;
     REFUSE("without a program", desc.program = NULL);
     REFUSE("0 targets", desc.target_count = 0);
     REFUSE("9 targets", desc.target_count = 9);
@@ -68,9 +69,25 @@ static void refuses_wrong_passes(void **state)
     REFUSE("uniform block", desc.uniform_size = 4);
     REFUSE("uniform block", desc.uniforms = block, desc.uniform_size = 1 << 20);
     REFUSE("nothing at 4", desc.program = reader);
+    aob_gpu_texture_destroy(gpu, a);
+    aob_gpu_texture_destroy(gpu, small);
+    aob_gpu_program_destroy(gpu, plain);
+    aob_gpu_program_destroy(gpu, reader);
+}
+
+static void refuses_wrong_inputs(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    struct aob_gpu_program *plain = program(gpu, constant_text);
+    struct aob_gpu_texture *a = texture(gpu, AOB_R8, NULL), *b = texture(gpu, AOB_R8, NULL);
+    const struct aob_gpu_target one[] = {{a, 0}};
     struct aob_gpu_bind binds[2] = {{.binding = 4, .texture = b}, {.binding = 5, .texture = b}};
-    good.binds = binds;
-    good.bind_count = 2;
+    struct aob_gpu_pass_desc good = {.program = plain,
+                                     .targets = one,
+                                     .target_count = 1,
+                                     .binds = binds,
+                                     .bind_count = 2},
+                             desc;
     REFUSE("binding 0", binds[1].binding = 0);
     REFUSE("binding 32", binds[1].binding = 32);
     REFUSE("two textures at binding 4", binds[1].binding = 4);
@@ -81,29 +98,17 @@ static void refuses_wrong_passes(void **state)
     REFUSE("kind 7", binds[1].kind = (enum aob_gpu_bind_kind)7);
     binds[1].kind = AOB_GPU_SAMPLED;
     REFUSE("filter 7", binds[1].filter = (enum aob_filter)7);
-#undef REFUSE
-    struct aob_gpu_texture *made[] = {a, b, small};
-    for (size_t i = 0; i < AOB_COUNT(made); i++)
-        aob_gpu_texture_destroy(gpu, made[i]);
+    aob_gpu_texture_destroy(gpu, a);
+    aob_gpu_texture_destroy(gpu, b);
     aob_gpu_program_destroy(gpu, plain);
-    aob_gpu_program_destroy(gpu, reader);
 }
+#undef REFUSE
 
 static struct aob_gpu_texture *levels_for(struct aob_gpu *gpu, uint32_t uses)
 {
     return make(gpu, (struct aob_gpu_texture_desc){.width = 8, .height = 5, .levels = 4, .uses = uses});
 }
 
-static void refuses_wrong_levels(void **state)
-{
-    struct aob_gpu *gpu = *state;
-    struct aob_gpu_program *reader =
-        program(gpu, "layout(BIND(4)) uniform sampler2D s;\nlayout(location = 0) out float r;\n"
-                     "void main() { r = texelFetch(s, ivec2(0), 0).x; }\n");
-    struct aob_gpu_texture *texture = levels_for(gpu, ALL_USES);
-    struct aob_gpu_target target;
-    struct aob_gpu_bind bind;
-    struct aob_gpu_pass_desc desc;
 #define SET(...)                                                                                             \
     target = (struct aob_gpu_target){texture, 1};                                                            \
     bind = (struct aob_gpu_bind){.binding = 4, .texture = texture, .level_count = 1};                        \
@@ -113,6 +118,15 @@ static void refuses_wrong_levels(void **state)
 #define REFUSE(why, ...)                                                                                     \
     SET(__VA_ARGS__);                                                                                        \
     refuse_pass(gpu, desc, why)
+
+static void refuses_wrong_levels(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    struct aob_gpu_program *reader = program(gpu, reader_text);
+    struct aob_gpu_texture *texture = levels_for(gpu, ALL_USES);
+    struct aob_gpu_target target;
+    struct aob_gpu_bind bind;
+    struct aob_gpu_pass_desc desc;
     SET(run_pass(gpu, &desc, NULL));
     SET(bind.first_level = 2, bind.level_count = 0, run_pass(gpu, &desc, NULL));
     SET(desc.width = 4, desc.height = 2, run_pass(gpu, &desc, NULL));
@@ -134,15 +148,22 @@ static void refuses_wrong_levels(void **state)
     REFUSE("area of 5x0 on targets of 4x2", desc.width = 5);
     REFUSE("area of 4x3 on targets of 4x2", desc.width = 4, desc.height = 3);
     REFUSE("area of -1x0 on targets of 4x2", desc.width = -1);
+    aob_gpu_texture_destroy(gpu, texture);
+    aob_gpu_program_destroy(gpu, reader);
+}
 #undef REFUSE
 #undef SET
+
+static void refuses_to_read_wrong_levels(void **state)
+{
+    struct aob_gpu *gpu = *state;
+    struct aob_gpu_texture *texture = levels_for(gpu, ALL_USES);
     unsigned char texels[8 * 5];
     struct aob_error error = {""};
     assert_false(aob_gpu_texture_read(gpu, texture, 4, texels, &error));
     assert_contains(error.text, "8x5 has no level 4 to read: it has 0..3");
     assert_false(aob_gpu_texture_read(gpu, texture, -1, texels, &error));
     aob_gpu_texture_destroy(gpu, texture);
-    aob_gpu_program_destroy(gpu, reader);
 }
 
 /* Each use is taken away once, and only what needs it is refused. */
@@ -243,10 +264,14 @@ static void validation_fails_the_call(void **state)
 
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(refuses_wrong_textures),   cmocka_unit_test(refuses_wrong_passes),
-        cmocka_unit_test(refuses_wrong_levels),     cmocka_unit_test(refuses_a_use_that_was_not_asked_for),
-        cmocka_unit_test(refuses_wrong_uniforms),   cmocka_unit_test(refuses_a_binding_beyond_the_last),
-        cmocka_unit_test(validation_fails_the_call)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(refuses_wrong_textures),
+                                       cmocka_unit_test(refuses_wrong_passes),
+                                       cmocka_unit_test(refuses_wrong_inputs),
+                                       cmocka_unit_test(refuses_wrong_levels),
+                                       cmocka_unit_test(refuses_to_read_wrong_levels),
+                                       cmocka_unit_test(refuses_a_use_that_was_not_asked_for),
+                                       cmocka_unit_test(refuses_wrong_uniforms),
+                                       cmocka_unit_test(refuses_a_binding_beyond_the_last),
+                                       cmocka_unit_test(validation_fails_the_call)};
     return aob_rig_device_tests(argc, argv, tests, AOB_COUNT(tests));
 }

@@ -44,15 +44,13 @@ copy_tree() {
 
 configure() {
   (cd "$copy" && cmake --preset release) >"$log" 2>&1 || give_up "the copy cannot be configured: see $log"
-  ctest --test-dir "$build" --show-only=json-v1 |
-    jq -r '.tests[] | "\(.name) \(.command[0] | split("/") | last)"' >"$build/mutants.tests"
 }
 
 # What is built for a test: the program with its modules, and the test itself where that is a program.
 build_for() { # TEST...
   local targets=(command_line) test
   for test in "$@"; do
-    targets+=("$(awk -v t="$test" '$1 == t && $2 ~ /^test_/ { print $2 }' "$build/mutants.tests")")
+    targets+=("$(awk -v t="$test" '$1 == t && $2 != "bash" { print $2 }' "$build/tests.txt")")
   done
   (cd "$copy" && cmake --build --preset release --target $(printf '%s\n' "${targets[@]}" | sort -u) -- --quiet) >"$log" 2>&1
 }

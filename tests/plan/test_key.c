@@ -28,51 +28,52 @@ static struct identity identify(const char *text, const char *device_class)
 #define TECHNIQUE "techniques: [{name: gtao, params: {slices: 2}}]\n"
 #define ALL       NAME SCENE SIZE BACKEND TECHNIQUE
 
+static const struct {
+    const char *text;
+    bool key, series; /* whether it changes */
+} changes[] = {
+    /* names and wishes */
+    {"name: other\n" SCENE SIZE BACKEND TECHNIQUE, false, false},
+    {ALL "measure: {time: false}\n", false, false},
+    {ALL "measure: {error: false}\n", false, false},
+    {ALL "measure: {images: false}\n", false, false},
+    {ALL "measure: {seconds: 7}\n", false, false},
+    /* what is said already */
+    {ALL "target: {radius: 0.5}\n", false, false},
+    {ALL "reference: {spp: 256}\n", false, false},
+    {ALL "options: {fetch: sampled}\n", false, false},
+    /* the question */
+    {ALL "target: {radius: 1}\n", true, false},
+    {ALL "target: {radius: 0.5, weighting: uniform}\n", true, false},
+    {ALL "target: [{radius: 0.5}, {radius: 1}]\n", true, false},
+    {NAME SCENE SIZE BACKEND
+     "techniques: [{name: gtao, params: {slices: 2}}, {name: hbao, params: {radius: 3}}]\n",
+     true, false},
+    {ALL "reference: {spp: 64}\n", true, false},
+    {ALL "reference: {thickness: 0.5}\n", true, false},
+    /* the case */
+    {NAME SCENE SIZE BACKEND "techniques: [{name: gtao, params: {slices: 3}}]\n", true, true},
+    {NAME SCENE SIZE BACKEND "techniques: [{name: none}]\n", true, true},
+    {ALL "options: {fetch: storage}\n", true, true},
+    {NAME SCENE "resolutions: [8x9]\n" BACKEND TECHNIQUE, true, true},
+    {NAME SCENE SIZE "backends: [vulkan]\n" TECHNIQUE, true, true},
+    {NAME "scenes: [{name: corner, eye: [0, 1, 4], target: [0, 1, 0], fov_deg: 61}]\n" SIZE BACKEND TECHNIQUE,
+     true, true},
+    {NAME "scenes: [{name: spheres, eye: [0, 1, 4], target: [0, 1, 0]}]\n" SIZE BACKEND TECHNIQUE, true,
+     true},
+};
+
 static void test_changes_of_a_config(void **state)
 {
     (void)state;
-    static const struct {
-        const char *text;
-        bool key, series; /* whether it changes */
-    } rows[] = {
-        /* names and wishes */
-        {"name: other\n" SCENE SIZE BACKEND TECHNIQUE, false, false},
-        {ALL "measure: {time: false}\n", false, false},
-        {ALL "measure: {error: false}\n", false, false},
-        {ALL "measure: {images: false}\n", false, false},
-        {ALL "measure: {seconds: 7}\n", false, false},
-        /* what is said already */
-        {ALL "target: {radius: 0.5}\n", false, false},
-        {ALL "reference: {spp: 256}\n", false, false},
-        {ALL "options: {fetch: sampled}\n", false, false},
-        /* the question */
-        {ALL "target: {radius: 1}\n", true, false},
-        {ALL "target: {radius: 0.5, weighting: uniform}\n", true, false},
-        {ALL "target: [{radius: 0.5}, {radius: 1}]\n", true, false},
-        {NAME SCENE SIZE BACKEND
-         "techniques: [{name: gtao, params: {slices: 2}}, {name: hbao, params: {radius: 3}}]\n",
-         true, false},
-        {ALL "reference: {spp: 64}\n", true, false},
-        {ALL "reference: {thickness: 0.5}\n", true, false},
-        /* the case */
-        {NAME SCENE SIZE BACKEND "techniques: [{name: gtao, params: {slices: 3}}]\n", true, true},
-        {NAME SCENE SIZE BACKEND "techniques: [{name: none}]\n", true, true},
-        {ALL "options: {fetch: storage}\n", true, true},
-        {NAME SCENE "resolutions: [8x9]\n" BACKEND TECHNIQUE, true, true},
-        {NAME SCENE SIZE "backends: [vulkan]\n" TECHNIQUE, true, true},
-        {NAME
-         "scenes: [{name: corner, eye: [0, 1, 4], target: [0, 1, 0], fov_deg: 61}]\n" SIZE BACKEND TECHNIQUE,
-         true, true},
-        {NAME "scenes: [{name: spheres, eye: [0, 1, 4], target: [0, 1, 0]}]\n" SIZE BACKEND TECHNIQUE, true,
-         true},
-    };
     struct identity first = identify(ALL, "cpu");
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct identity id = identify(rows[i].text, "cpu");
-        if ((strcmp(id.key, first.key) != 0) != rows[i].key)
-            fail_msg("the key is %s by: %s", rows[i].key ? "not changed" : "changed", rows[i].text);
-        if ((strcmp(id.series, first.series) != 0) != rows[i].series)
-            fail_msg("the series is %s by: %s", rows[i].series ? "not changed" : "changed", rows[i].text);
+    for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
+        struct identity id = identify(changes[i].text, "cpu");
+        if ((strcmp(id.key, first.key) != 0) != changes[i].key)
+            fail_msg("the key is %s by: %s", changes[i].key ? "not changed" : "changed", changes[i].text);
+        if ((strcmp(id.series, first.series) != 0) != changes[i].series)
+            fail_msg("the series is %s by: %s", changes[i].series ? "not changed" : "changed",
+                     changes[i].text);
     }
     struct identity other = identify(ALL, "discrete");
     assert_string_equal(other.key, first.key);

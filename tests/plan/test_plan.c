@@ -147,98 +147,97 @@ static void test_estimate(void **state)
 }
 
 /* Every refusal: one line with file, line and column, and what is wrong. */
+static const struct {
+    const char *text, *place, *says;
+} refusals[] = {
+    {"", "", "empty"},
+    {"[1, 2", ":1:", "not YAML"},
+    {"just text", ":1:1", "mapping"},
+    {HEAD "technics: []\n", ":5:1", "unknown key 'technics'"},
+    {HEAD "name: again\n" NONE, ":5:1", "twice"},
+    {"scenes: [{name: corner}]\n" NONE, "", "'name' is missing"},
+    {HEAD, "", "'techniques' is missing"},
+    {HEAD "techniques: [{name: gtoa}]\n", ":5:21", "unknown technique 'gtoa'"},
+    {HEAD "techniques: [{name: gtao, params: {radii: 1}}]\n", ":5:43", "no 'radii'; known: radius"},
+    {HEAD "techniques: [{name: gtao, params: {radius: 0.5x}}]\n", ":5:44", "'0.5x' is not a number"},
+    {HEAD "techniques: [{name: gtao, params: {radius: -1}}]\n", ":5:44", "outside"},
+    {HEAD "techniques: [{name: gtao, params: {slices: 1.5}}]\n", ":5:44", "whole number"},
+    {HEAD "techniques: [{name: gtao, sweep: [{param: radius}]}]\n", ":5:35", "from and to"},
+    {HEAD "techniques: [{name: gtao, sweep: [{param: radius, from: 2, to: 1, step: 1}]}]\n", ":5:35",
+     "empty"},
+    {HEAD "techniques: [{name: gtao, sweep: [{param: radius, from: 0, to: 1, step: 1e-9}]}]\n", ":5:35",
+     "1000"},
+    {HEAD "techniques: [{name: gtao, params: {radius: 1}, sweep: [{param: radius, values: [1]}]}]\n",
+     ":5:", "twice"},
+    {"name: t\nscenes: [{name: corner}]\nresolutions: [0x0]\nbackends: [null]\n" NONE, ":3:15", "0x0"},
+    {"name: t\nscenes: [{name: corner}]\nresolutions: [99999x2]\nbackends: [null]\n" NONE, ":3:15", "16384"},
+    {"name: t\nscenes: [{name: crner}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":2:10",
+     "unknown scene"},
+    {"name: t\nscenes: [{name: corner, view: up}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":2:10",
+     "no view 'up'"},
+    {"name: t\nscenes: [{file: /nonexistent.obj}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":2:10",
+     "cannot open"},
+    {"name: t\nscenes: [{name: corner, eye: [0, 0]}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
+     ":2:", "three numbers"},
+    {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 1]}]\nresolutions: "
+     "[8x8]\nbackends: [null]\n" NONE,
+     ":2:", "eye"},
+    {"name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [metal]\n" NONE, ":4:12",
+     "unknown backend 'metal'"},
+    {HEAD "techniques: [{name: none, backends: [vulkan, metal]}]\n", ":5:46", "unknown backend 'metal'"},
+    {HEAD "techniques: [{name: none, backends: []}]\n", ":5:37", "the list of backends is empty"},
+    {"name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [metal]\n"
+     "techniques: [{name: none, backends: [null]}]\n",
+     ":4:12", "unknown backend 'metal'"},
+    {"name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\n"
+     "techniques: [{name: none, backends: [null]}, {name: gtao}]\n",
+     "", "'backends' is missing"},
+    {"name: ../t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":1:7", "letters"},
+    {"name: t\nscenes: [{name: corner, fov_deg: 30}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
+     ":2:", "need eye and target"},
+    {"name: t\nscenes: [{name: corner, shift: [0.5, 0]}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
+     ":2:", "need eye and target"},
+    {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], shift: [1]}]\nresolutions: "
+     "[8x8]\nbackends: [null]\n" NONE,
+     ":2:", "two numbers are expected"},
+    {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], shift: [99, 0]}]\nresolutions: "
+     "[8x8]\nbackends: [null]\n" NONE,
+     ":2:", "shift 99"},
+    {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], previous: {eye: [0, 0, "
+     "1]}}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
+     ":2:", "needs both eye and target"},
+    {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], previous: {eye: [0, 0, 1], "
+     "target: [0, 0, 1]}}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
+     ":2:", "previous eye and target"},
+    {HEAD "techniques: [{name: gtao, sweep: [{param: radius, values: [1], from: 1, to: 2, step: 1}]}]\n",
+     ":5:35", "not both"},
+    /* counted before it is expanded: 2 views, 2 sizes, 2 backends, 1000^3 points */
+    {HEAD "techniques: [{name: gtao, sweep: [{param: radius, from: 1, to: 1000, step: 1},\n"
+          "{param: falloff, from: 0, to: 0.999, step: 0.001}, {param: noise_index, from: 0, to: 999, "
+          "step: 1}]}]\n",
+     ":5:35: ", "more than 20000 cases, namely 8e+09"},
+    {HEAD "techniques: [{name: gtao, params: {radius: [1, 1, 1], slices: [" FIFTY FIFTY "1]}}]\n"
+          "options: {guard_band: [" FIFTY "0], near: [" FIFTY "0]}\n",
+     ":5:63: ", "more than 20000 cases, namely 6.30482e+06"},
+    {"name: t\nscenes: [{name: corner}]\nresolutions: [16384x16384]\nbackends: [null]\n" NONE, ": ",
+     "40 million pixels"},
+    {HEAD NONE "reference: {spp: 33}\n", ":6:18", "even"},
+    {HEAD NONE "options: {fetch: texture}\n", ":6:18", "sampled, storage"},
+    {HEAD NONE "measure: {time: yes}\n", ":6:17", "true nor false"},
+};
+
 static void test_refusals(void **state)
 {
     (void)state;
-    static const struct {
-        const char *text, *place, *says;
-    } rows[] = {
-        {"", "", "empty"},
-        {"[1, 2", ":1:", "not YAML"},
-        {"just text", ":1:1", "mapping"},
-        {HEAD "technics: []\n", ":5:1", "unknown key 'technics'"},
-        {HEAD "name: again\n" NONE, ":5:1", "twice"},
-        {"scenes: [{name: corner}]\n" NONE, "", "'name' is missing"},
-        {HEAD, "", "'techniques' is missing"},
-        {HEAD "techniques: [{name: gtoa}]\n", ":5:21", "unknown technique 'gtoa'"},
-        {HEAD "techniques: [{name: gtao, params: {radii: 1}}]\n", ":5:43", "no 'radii'; known: radius"},
-        {HEAD "techniques: [{name: gtao, params: {radius: 0.5x}}]\n", ":5:44", "'0.5x' is not a number"},
-        {HEAD "techniques: [{name: gtao, params: {radius: -1}}]\n", ":5:44", "outside"},
-        {HEAD "techniques: [{name: gtao, params: {slices: 1.5}}]\n", ":5:44", "whole number"},
-        {HEAD "techniques: [{name: gtao, sweep: [{param: radius}]}]\n", ":5:35", "from and to"},
-        {HEAD "techniques: [{name: gtao, sweep: [{param: radius, from: 2, to: 1, step: 1}]}]\n", ":5:35",
-         "empty"},
-        {HEAD "techniques: [{name: gtao, sweep: [{param: radius, from: 0, to: 1, step: 1e-9}]}]\n", ":5:35",
-         "1000"},
-        {HEAD "techniques: [{name: gtao, params: {radius: 1}, sweep: [{param: radius, values: [1]}]}]\n",
-         ":5:", "twice"},
-        {"name: t\nscenes: [{name: corner}]\nresolutions: [0x0]\nbackends: [null]\n" NONE, ":3:15", "0x0"},
-        {"name: t\nscenes: [{name: corner}]\nresolutions: [99999x2]\nbackends: [null]\n" NONE, ":3:15",
-         "16384"},
-        {"name: t\nscenes: [{name: crner}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":2:10",
-         "unknown scene"},
-        {"name: t\nscenes: [{name: corner, view: up}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":2:10",
-         "no view 'up'"},
-        {"name: t\nscenes: [{file: /nonexistent.obj}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":2:10",
-         "cannot open"},
-        {"name: t\nscenes: [{name: corner, eye: [0, 0]}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
-         ":2:", "three numbers"},
-        {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 1]}]\nresolutions: "
-         "[8x8]\nbackends: [null]\n" NONE,
-         ":2:", "eye"},
-        {"name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [metal]\n" NONE, ":4:12",
-         "unknown backend 'metal'"},
-        {HEAD "techniques: [{name: none, backends: [vulkan, metal]}]\n", ":5:46", "unknown backend 'metal'"},
-        {HEAD "techniques: [{name: none, backends: []}]\n", ":5:37", "the list of backends is empty"},
-        {"name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [metal]\n"
-         "techniques: [{name: none, backends: [null]}]\n",
-         ":4:12", "unknown backend 'metal'"},
-        {"name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\n"
-         "techniques: [{name: none, backends: [null]}, {name: gtao}]\n",
-         "", "'backends' is missing"},
-        {"name: ../t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [null]\n" NONE, ":1:7",
-         "letters"},
-        {"name: t\nscenes: [{name: corner, fov_deg: 30}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
-         ":2:", "need eye and target"},
-        {"name: t\nscenes: [{name: corner, shift: [0.5, 0]}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
-         ":2:", "need eye and target"},
-        {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], shift: [1]}]\nresolutions: "
-         "[8x8]\nbackends: [null]\n" NONE,
-         ":2:", "two numbers are expected"},
-        {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], shift: [99, 0]}]\nresolutions: "
-         "[8x8]\nbackends: [null]\n" NONE,
-         ":2:", "shift 99"},
-        {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], previous: {eye: [0, 0, "
-         "1]}}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
-         ":2:", "needs both eye and target"},
-        {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], previous: {eye: [0, 0, 1], "
-         "target: [0, 0, 1]}}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
-         ":2:", "previous eye and target"},
-        {HEAD "techniques: [{name: gtao, sweep: [{param: radius, values: [1], from: 1, to: 2, step: 1}]}]\n",
-         ":5:35", "not both"},
-        /* counted before it is expanded: 2 views, 2 sizes, 2 backends, 1000^3 points */
-        {HEAD "techniques: [{name: gtao, sweep: [{param: radius, from: 1, to: 1000, step: 1},\n"
-              "{param: falloff, from: 0, to: 0.999, step: 0.001}, {param: noise_index, from: 0, to: 999, "
-              "step: 1}]}]\n",
-         ":5:35: ", "more than 20000 cases, namely 8e+09"},
-        {HEAD "techniques: [{name: gtao, params: {radius: [1, 1, 1], slices: [" FIFTY FIFTY "1]}}]\n"
-              "options: {guard_band: [" FIFTY "0], near: [" FIFTY "0]}\n",
-         ":5:63: ", "more than 20000 cases, namely 6.30482e+06"},
-        {"name: t\nscenes: [{name: corner}]\nresolutions: [16384x16384]\nbackends: [null]\n" NONE, ": ",
-         "40 million pixels"},
-        {HEAD NONE "reference: {spp: 33}\n", ":6:18", "even"},
-        {HEAD NONE "options: {fetch: texture}\n", ":6:18", "sampled, storage"},
-        {HEAD NONE "measure: {time: yes}\n", ":6:17", "true nor false"},
-    };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++) {
         struct aob_config config;
         struct aob_plan plan;
         struct aob_error error;
-        if (make(rows[i].text, &config, &plan, &error))
-            fail_msg("accepted: %s", rows[i].text);
+        if (make(refusals[i].text, &config, &plan, &error))
+            fail_msg("accepted: %s", refusals[i].text);
         assert_contains(error.text, path);
-        assert_contains(error.text, rows[i].place);
-        assert_contains(error.text, rows[i].says);
+        assert_contains(error.text, refusals[i].place);
+        assert_contains(error.text, refusals[i].says);
         assert_null(strchr(error.text, '\n'));
     }
 }

@@ -1,6 +1,11 @@
 /* The screen-space bound: a closed form, and what must hold on every scene. */
 #include "bound_shot.h"
+#include <stdio.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "reference/bound_mesh.h"
 #include "reference/oracle.h"
 
 /* --- Closed form: half a sheet above a floor, from straight above. Solid below, it is a wall on the floor. ---
@@ -195,9 +200,94 @@ static void bad_input_is_refused(void **state)
     finish_shot(&shot);
 }
 
+/* The judgement of its memory begins with these counts. */
+static void its_size_is_foretold(void **state)
+{
+    (void)state;
+    for (const struct aob_scene_info *const *scene = aob_scenes; *scene; scene++)
+        for (size_t v = 0; (*scene)->build && v < (*scene)->view_count; v++)
+            for (int kind = AOB_BOUND_INFINITE; kind <= AOB_BOUND_SLAB; kind++) {
+                const struct aob_bound_desc desc = {.kind = (enum aob_bound_kind)kind, .thickness = 0.1};
+                struct aob_mesh mesh = {0};
+                struct shot shot;
+                scene_shot(&shot, (*scene)->name, (*scene)->views[v].camera, 64, 36);
+                struct aob_bound_size size =
+                    aob_bound_mesh_size(&shot.camera, &shot.projection, &shot.hits, &desc);
+                assert_true(aob_bound_mesh(&shot.camera, &shot.projection, &shot.hits, &desc, &mesh));
+                assert_int_equal(size.vertices, mesh.vertex_count);
+                assert_int_equal(size.triangles, mesh.triangle_count);
+                aob_mesh_finish(&mesh);
+                finish_shot(&shot);
+            }
+}
+
+static double peak_gb(void)
+{
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return (double)usage.ru_maxrss * 1024e-9;
+}
+
+/* What a process of its own takes for it at most, in gigabytes. */
+static double measure_memory(const struct shot *shot, struct aob_bound_desc desc)
+{
+    int ends[2];
+    double taken = 0;
+    assert_int_equal(pipe(ends), 0);
+    pid_t pid = fork();
+    assert_true(pid >= 0);
+    if (pid == 0) {
+        double before = peak_gb();
+        struct aob_bound *bound =
+            aob_bound_create(&shot->camera, &shot->projection, &shot->hits, &desc, NULL);
+        taken = bound ? peak_gb() - before : NAN;
+        _exit(write(ends[1], &taken, sizeof taken) != sizeof taken);
+    }
+    close(ends[1]);
+    assert_int_equal(read(ends[0], &taken, sizeof taken), sizeof taken);
+    close(ends[0]);
+    assert_int_equal(waitpid(pid, NULL, 0), pid);
+    return taken;
+}
+
+/* Too little memory is told with what is needed, which is what it really takes; and with so much it is built. */
+static void it_keeps_to_its_memory(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *scene;
+        int view;
+        enum aob_bound_kind kind;
+    } rows[] = {{"plane", 0, AOB_BOUND_SLAB},
+                {"plane", 0, AOB_BOUND_INFINITE},
+                {"grass", 0, AOB_BOUND_SLAB},
+                {"grass", 0, AOB_BOUND_INFINITE}};
+    for (size_t i = 0; i < AOB_COUNT(rows); i++) {
+        struct aob_bound_desc desc = {.kind = rows[i].kind, .thickness = 0.1, .memory = 1};
+        struct aob_error error = {""};
+        struct shot shot;
+        double needed;
+        scene_shot(&shot, rows[i].scene, aob_scene_find(rows[i].scene)->views[rows[i].view].camera, 320, 180);
+        assert_null(aob_bound_create(&shot.camera, &shot.projection, &shot.hits, &desc, &error));
+        const char *number = strstr(error.text, " triangles need ");
+        assert_non_null(number);
+        assert_int_equal(sscanf(number, " triangles need %lf GB of memory", &needed), 1);
+        assert_non_null(strstr(error.text, "lower the resolution or the guard band"));
+        desc.memory = (size_t)(1.01e9 * needed); /* it is printed with three digits */
+        double taken = measure_memory(&shot, desc);
+        printf("%s, kind %d: needs %.3f GB, takes %.3f\n", rows[i].scene, (int)rows[i].kind, needed, taken);
+        assert_true(taken > 0.5 * needed && taken < 1.5 * needed);
+        desc.memory = (size_t)(0.99e9 * needed);
+        assert_null(aob_bound_create(&shot.camera, &shot.projection, &shot.hits, &desc, &error));
+        finish_shot(&shot);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(it_keeps_to_its_memory),
+        cmocka_unit_test(its_size_is_foretold),
         cmocka_unit_test(a_plane_is_open),
         cmocka_unit_test(a_point_in_a_crease_sees_half),
         cmocka_unit_test(bounds_hold_on_every_scene),

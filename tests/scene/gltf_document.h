@@ -76,6 +76,28 @@ static inline void document_finish(struct document *d)
     d->count = 0;
 }
 
+static inline void document_put_u32(struct aob_text *text, size_t value)
+{
+    uint32_t number = (uint32_t)value;
+    aob_text_add_bytes(text, (const char *)&number, 4);
+}
+
+/* The document as a .glb. */
+static inline void document_binary(const struct document *d, struct aob_text *glb)
+{
+    char *json = document_json(d, "");
+    size_t padded = (strlen(json) + 3) / 4 * 4;
+    aob_text_add(glb, "glTF");
+    document_put_u32(glb, 2);
+    document_put_u32(glb, 12 + 8 + padded + 8 + d->bytes.size);
+    document_put_u32(glb, padded);
+    aob_text_add(glb, "JSON%s%.*s", json, (int)(padded - strlen(json)), "   ");
+    document_put_u32(glb, d->bytes.size);
+    aob_text_add_bytes(glb, "BIN", 4);
+    aob_text_add_bytes(glb, d->bytes.data, d->bytes.size);
+    free(json);
+}
+
 static inline void document_load(struct document *d, struct aob_mesh *mesh)
 {
     char *json = document_json(d, NULL);

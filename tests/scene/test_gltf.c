@@ -264,6 +264,7 @@ static void skins_are_applied(void **state)
 {
     static const char joints[] = "{'translation': [0, 8, 0]}, {'rotation': [0, 0, 1, 0]}";
     static const char still[] = "{'translation': [0, 8, 0]}, {}";
+    static const char turned[] = "{'translation': [0, 8, 0], 'rotation': [0, 0, 1, 0]}, {}";
     static const char mirror[] = "{'translation': [0, 8, 0], 'scale': [-1, 1, 1]}, {}";
     static const float first[2] = {1, 0}, second[2] = {0, 1}, both[2] = {0.5f, 0.5f}, twice[2] = {2, 2},
                        none[2] = {0, 0};
@@ -278,7 +279,8 @@ static void skins_are_applied(void **state)
                  {both, "", still, {0, 5, 0}, {1, 7, 3}, 6},
                  {twice, "", still, {0, 5, 0}, {1, 7, 3}, 6},
                  {none, "", joints, {0, 10, 0}, {1, 12, 3}, 6},
-                 {first, "", mirror, {-1, 10, 0}, {0, 12, 3}, 6}};
+                 {first, "", mirror, {-1, 10, 0}, {0, 12, 3}, 6},
+                 {first, "", turned, {-1, 18, 0}, {0, 20, 3}, 6}};
     (void)state;
     for (size_t i = 0; i < AOB_COUNT(cases); i++) {
         struct aob_mesh mesh;
@@ -371,6 +373,7 @@ static void broken_documents_are_refused(void **state)
         {"", BOX ", 'mode': 9", "", "mode 9"},
         {", 'children': [0]", BOX, "", "below itself"},
         {", 'skin': 3", BOX, "", "3 of its 0 skins"},
+        {", 'rotation': [0.6, 0, 1, 0.8]", BOX, "", "no unit quaternion"},
         {"", BOX ", 'material': 2", "", "2 of its 0 materials"},
     };
     struct aob_error error;
@@ -382,6 +385,11 @@ static void broken_documents_are_refused(void **state)
         document_refuse(&d, &error);
         assert_contains(error.text, cases[i].why);
     }
+    struct document twice = {0};
+    document_put_box(&twice);
+    aob_text_add(&twice.rest, "'scenes': [{'nodes': [0, 0]}], 'nodes': [{'mesh': 0}], " MESH);
+    document_refuse(&twice, &error);
+    assert_contains(error.text, "node 0 is twice");
     refuse_text("gltf", "{\"asset\": {\"version\": \"3.0\"}}", &error);
     assert_contains(error.text, "3.0");
     refuse_text("glb", "glTF", &error);
@@ -426,39 +434,18 @@ static void buffers_are_found(void **state)
     }
 }
 
-static void add_u32(struct aob_text *text, size_t value)
-{
-    uint32_t number = (uint32_t)value;
-    aob_text_add_bytes(text, (const char *)&number, 4);
-}
-
-static void make_binary(struct aob_text *glb)
-{
-    struct document d = {0};
-    document_put_box(&d);
-    add_scene(&d, "", BOX, "");
-    char *json = document_json(&d, "");
-    size_t padded = (strlen(json) + 3) / 4 * 4;
-    aob_text_add(glb, "glTF");
-    add_u32(glb, 2);
-    add_u32(glb, 12 + 8 + padded + 8 + d.bytes.size);
-    add_u32(glb, padded);
-    aob_text_add(glb, "JSON%s%.*s", json, (int)(padded - strlen(json)), "   ");
-    add_u32(glb, d.bytes.size);
-    aob_text_add_bytes(glb, "BIN", 4);
-    aob_text_add_bytes(glb, d.bytes.data, d.bytes.size);
-    free(json);
-    document_finish(&d);
-}
-
 static void binary_files_are_read(void **state)
 {
     (void)state;
+    struct document d = {0};
     struct aob_text glb = {0};
     struct paths paths;
     struct aob_mesh mesh;
     struct aob_error error;
-    make_binary(&glb);
+    document_put_box(&d);
+    add_scene(&d, "", BOX, "");
+    document_binary(&d, &glb);
+    document_finish(&d);
     make_paths(&paths, "glb");
     assert_true(aob_file_write(paths.source, glb.data, glb.size, NULL));
     assert_int_equal(load(paths.source, paths.flat), LOADED);

@@ -268,6 +268,30 @@ static void normals_are_made_within_60_degrees(void **state)
     }
 }
 
+/* Of two packaged files the first is a cage of subdivision patches. */
+static void what_is_left_out_is_said(void **state)
+{
+    static const struct {
+        const char *file, *said;
+    } cases[] = {{"/usr/share/assimp/models/LWO/LWO2/Subdivision.lwo", "subdivision is not applied"},
+                 {"/usr/share/assimp/models/FBX/animation_with_skeleton.fbx", "bones are not applied"},
+                 {"/usr/share/assimp/models/FBX/box.fbx", NULL}};
+    (void)state;
+    for (size_t i = 0; i < AOB_COUNT(cases); i++) {
+        struct paths paths;
+        struct aob_mesh mesh;
+        struct aob_error lines[AOB_MESH_WARNINGS];
+        make_paths(&paths, "obj");
+        assert_int_equal(load(cases[i].file, paths.flat), LOADED); /* ./dev installs these */
+        assert_true(aob_mesh_restore(&mesh, paths.flat, NULL));
+        assert_int_equal(aob_mesh_suspect(&mesh, "mesh", lines), cases[i].said != NULL);
+        if (cases[i].said)
+            assert_non_null(strstr(lines[0].text, cases[i].said));
+        aob_mesh_finish(&mesh);
+        unlink(paths.flat);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -278,6 +302,7 @@ int main(void)
         cmocka_unit_test(bad_files_are_refused_with_one_line),
         cmocka_unit_test(truncated_files_are_sound_or_refused),
         cmocka_unit_test(mirrors_turn_the_winding_in_other_formats),
+        cmocka_unit_test(what_is_left_out_is_said),
         cmocka_unit_test(tiny_and_large_units_lose_nothing),
         cmocka_unit_test(normals_are_made_within_60_degrees),
     };

@@ -76,11 +76,6 @@ static bool build_many_levels(struct aob_graph *g, const void *values)
     (void)values;
     return aob_texture(g, .name = "t", .levels = 13).id;
 }
-static void fill(const void *values, void *texels)
-{
-    (void)values;
-    (void)texels;
-}
 static bool build_table_with_levels(struct aob_graph *g, const void *values)
 {
     (void)values;

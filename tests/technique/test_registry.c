@@ -143,56 +143,65 @@ static void test_foreign_files_are_refused(void **state)
     free(old);
 }
 
+static const struct aob_shader no_shaders[] = {{NULL, NULL}};
+static const struct aob_technique good_technique = {.abi = AOB_ABI,
+                                                    .size = sizeof good_technique,
+                                                    .name = "good",
+                                                    .title = "t",
+                                                    .citation = "c",
+                                                    .shaders = no_shaders,
+                                                    .values_size = 4,
+                                                    .build = build_nothing};
+
 static void test_bad_tables_are_refused(void **state)
 {
     (void)state;
-    static const struct aob_shader shaders[] = {{NULL, NULL}};
-    const struct aob_technique good = {.abi = AOB_ABI,
-                                       .size = sizeof good,
-                                       .name = "good",
-                                       .title = "t",
-                                       .citation = "c",
-                                       .shaders = shaders,
-                                       .values_size = 4,
-                                       .build = (bool (*)(struct aob_graph *, const void *))(uintptr_t)1};
     struct aob_error error;
-    struct aob_technique bad = good;
-    assert_true(aob_technique_judge(&good, &error));
+    struct aob_technique bad = good_technique;
+    assert_true(aob_technique_judge(&good_technique, &error));
     bad.abi = 7;
     assert_false(aob_technique_judge(&bad, &error));
     assert_contains(error.text, "made for module interface 7 ");
     assert_contains(error.text, "this program has 4 ");
-    bad = good;
+    bad = good_technique;
     bad.size = sizeof bad - 8;
     assert_false(aob_technique_judge(&bad, &error));
     bad.size = sizeof bad + 8;
     assert_false(aob_technique_judge(&bad, &error));
-    bad = good;
+    bad = good_technique;
     bad.name = "Bad-Name";
     assert_false(aob_technique_judge(&bad, &error));
-    bad = good;
+    bad = good_technique;
     bad.build = NULL;
     assert_false(aob_technique_judge(&bad, &error));
-    const struct aob_param outside = {.name = "p", .doc = "d", .min = 0, .max = 1, .initial = 2};
-    bad = good;
-    bad.params = &outside;
+}
+
+static void expect_param(const struct aob_param *param, const char *says)
+{
+    struct aob_technique bad = good_technique;
+    struct aob_error error = {{0}};
+    bad.params = param;
     bad.param_count = 1;
-    assert_false(aob_technique_judge(&bad, &error));
-    const struct aob_param beyond = {.name = "p", .doc = "d", .offset = 4};
-    bad.params = &beyond;
-    assert_false(aob_technique_judge(&bad, &error));
-    const struct aob_param even = {
-        .name = "p", .doc = "d", .type = AOB_INT, .max = 9, .initial = 4, .rule = AOB_ODD};
-    bad.params = &even;
-    assert_false(aob_technique_judge(&bad, &error));
-    assert_contains(error.text, "rule");
-    const struct aob_param real = {.name = "p", .doc = "d", .max = 9, .initial = 1, .rule = AOB_ODD};
-    bad.params = &real;
-    assert_false(aob_technique_judge(&bad, &error));
-    struct aob_param odd = even;
-    odd.initial = 3;
-    bad.params = &odd;
-    assert_true(aob_technique_judge(&bad, &error));
+    if (aob_technique_judge(&bad, &error) != !says)
+        fail_msg("%s", error.text);
+    if (says)
+        assert_contains(error.text, says);
+}
+
+static void test_bad_params_are_refused(void **state)
+{
+    (void)state;
+    const struct aob_param
+        outside = {.name = "p", .doc = "d", .min = 0, .max = 1, .initial = 2},
+        beyond = {.name = "p", .doc = "d", .offset = 4},
+        even = {.name = "p", .doc = "d", .type = AOB_INT, .max = 9, .initial = 4, .rule = AOB_ODD},
+        odd = {.name = "p", .doc = "d", .type = AOB_INT, .max = 9, .initial = 3, .rule = AOB_ODD},
+        real = {.name = "p", .doc = "d", .max = 9, .initial = 1, .rule = AOB_ODD};
+    expect_param(&outside, "outside its bounds");
+    expect_param(&beyond, "offset");
+    expect_param(&even, "rule");
+    expect_param(&odd, NULL);
+    expect_param(&real, "rule");
 }
 
 /* Text that JSON cannot carry would be missing from list, records and the page, without a word. */
@@ -254,6 +263,7 @@ int main(void)
                                        cmocka_unit_test(test_foreign_files_are_refused),
                                        cmocka_unit_test(test_rows_that_would_mislead_are_refused),
                                        cmocka_unit_test(test_bad_tables_are_refused),
+                                       cmocka_unit_test(test_bad_params_are_refused),
                                        cmocka_unit_test(test_texts_that_would_vanish_are_refused),
                                        cmocka_unit_test(test_travels_as_json)};
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -23,6 +23,54 @@ static const struct aob_param params[] = {
         }                                                                                                    \
     }
 
+static inline bool build_chain(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex raw = RAW(g), done = aob_texture(g, .name = "done"),
+            unused = aob_texture(g, .name = "unused", .divisor = 2);
+    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH, .out = OUT(raw)) &&
+           aob_pass(g, .name = "extra", .shader = "two", .in = {{.name = "i", .tex = raw}},
+                    .out = OUT(unused)) &&
+           aob_pass(g, .name = "last", .shader = "two", .in = {{.name = "i", .tex = raw}},
+                    .out = OUT(done)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, done);
+}
+
+static inline void fill(const void *values, void *texels)
+{
+    (void)values;
+    (void)texels;
+}
+
+static inline bool depth_pass(struct aob_graph *g, aob_tex depth, uint32_t reads)
+{
+    return aob_pass(g, .name = "last", .shader = "two", .reads = reads, .depth = depth, .out = OUT(RAW(g)));
+}
+
+static inline bool triangles_pass(struct aob_graph *g, const char *vertex, uint32_t count, float reach)
+{
+    aob_tex raw = RAW(g);
+    return aob_pass(g, .name = "first", .shader = "one", .draw = AOB_TRIANGLES, .vertex = vertex,
+                    .per_triangle = count, .reach = reach, .out = OUT(raw)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, raw);
+}
+
+static inline bool give(struct aob_graph *g, enum aob_output which, enum aob_format format)
+{
+    aob_tex raw = RAW(g), more = aob_texture(g, .name = "more", .format = format);
+    aob_pass(g, .name = "first", .shader = "one", .out = OUT(raw));
+    aob_pass(g, .name = "second", .shader = "two", .out = OUT(more));
+    return aob_output(g, AOB_OUT_VISIBILITY, raw) && aob_output(g, which, more);
+}
+
+static inline bool defines_pass(struct aob_graph *g, const char *name)
+{
+    aob_tex raw = RAW(g);
+    return aob_pass(g, .name = "first", .shader = "one", .defines = {{"A", -2}, {name, 7}},
+                    .out = OUT(raw)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, raw);
+}
+
 static bool try_build(struct aob_pass_graph *graph, bool (*build)(struct aob_graph *, const void *),
                       struct aob_error *error)
 {

@@ -235,6 +235,20 @@ static void test_bias_cures_coarse_encodings(void **state)
     aob_gpu_close(gpu);
 }
 
+/* By octaves of the depth from 5 m on. */
+static void expect_fewer_farther(const double samples[4], const size_t pixels[4])
+{
+    double before = INFINITY;
+    for (int i = 0; i < 4; i++)
+        if (pixels[i]) {
+            double mean = samples[i] / (double)pixels[i];
+            printf("alchemy, bands: %.2f samples a pixel at %d m and beyond (%zu pixels)\n", mean, 5 << i,
+                   pixels[i]);
+            assert_true(mean < before);
+            before = mean;
+        }
+}
+
 /* Table 1, figure 5: a pixel whose disc covers b bands has the image of b times as many fixed samples. */
 static void test_bands(void **state)
 {
@@ -243,7 +257,7 @@ static void test_bands(void **state)
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
     struct aob_rig rig;
     float banded[W * H], fixed[BANDS + 1][W * H];
-    double samples[4] = {0}, before = INFINITY;
+    double samples[4] = {0};
     size_t other = 0, pixels[4] = {0};
     aob_rig_scene(&rig, "atrium", "nave", W, H, 0);
     for (double radius = 0.01; radius < 1; radius *= 40) { /* 0.01: less than half a pixel at most places */
@@ -266,14 +280,7 @@ static void test_bands(void **state)
             }
         }
     }
-    for (int i = 0; i < 4; i++)
-        if (pixels[i]) {
-            double mean = samples[i] / (double)pixels[i];
-            printf("alchemy, bands: %.2f samples a pixel at %d m and beyond (%zu pixels)\n", mean, 5 << i,
-                   pixels[i]);
-            assert_true(mean < before);
-            before = mean;
-        }
+    expect_fewer_farther(samples, pixels);
     printf("alchemy, bands: %zu of %d values differ from those of fixed counts\n", other, 2 * W * H);
     assert_true(pixels[0] && pixels[1] && pixels[2]);
     assert_true(other <= 4); /* a disc on the edge of two bands */

@@ -81,6 +81,8 @@ static void test_a_band_knows_what_is_outside(void **state)
         if (blind ? near[0] - near[1] < 0.01 : fabs(near[0] - near[1]) > 0.01)
             fail_msg("%s: %.4f at the edge, %.4f with a band", settings[t][0], near[0], near[1]);
         assert_near(middle[0], middle[1], 0.01);
+        if (strcmp(settings[t][0], "none") == 0)
+            assert_true(near[1] == 1 && middle[1] == 1);
     }
     aob_gpu_close(gpu);
 }

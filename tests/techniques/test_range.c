@@ -101,7 +101,7 @@ static const struct row {
      "radius=0.5 attenuation=0.5 directions=64 steps=64 min_step=0 weighting=uniform blur=0 intensity=1 "
      "angle_bias=0",
      attenuated, false, false},
-    {"ray_march", "radius=0.5 attenuation=0.5 directions=64 rays=24 steps=64 weighting=uniform", attenuated,
+    {"ray_march", "radius=0.5 attenuation=0.5 directions=32 rays=16 steps=64 weighting=uniform", attenuated,
      false, false},
     {"gtao", "radius=0.5 falloff=0.5 slices=32 steps=64 weighting=cosine blur=0", faded, false, false},
     {"alchemy", "radius=0.5 samples=199 bias=0 epsilon=4e-9 contrast=1 intensity=0.2 blur=0", obscured, true,

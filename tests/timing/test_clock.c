@@ -167,15 +167,20 @@ static double outlying(int index, int round)
     return index == 1 && round >= 0 && round % 2 == 0 && round < 2 * outliers ? 4 * excess : 4;
 }
 
-static size_t rounds_with(int count, double factor)
+static size_t rounds_for(int count, double factor, double narrow)
 {
     struct script *s = script_create();
     s->cpu_ms = outlying;
     outliers = count;
     excess = factor;
-    size_t rounds = measure(s, (struct aob_timing_desc){.seconds = 1e9}).cases[0].rounds;
+    size_t rounds = measure(s, (struct aob_timing_desc){.seconds = 1e9, .narrow = narrow}).cases[0].rounds;
     script_destroy(s);
     return rounds;
+}
+
+static size_t rounds_with(int count, double factor)
+{
+    return rounds_for(count, factor, 0);
 }
 
 /* The interval of n = 20 goes from the 6th to the 15th value, of 30 from the 10th to the 21st, of 45 from the 16th to the
@@ -196,6 +201,10 @@ static void test_stops_when_narrow(void **state)
     assert_int_equal(rounds_with(6, 1.0301), 30);
     assert_int_equal(rounds_with(6, 1 / 1.0299), 20);
     assert_int_equal(rounds_with(6, 1 / 1.0301), 30);
+    assert_int_equal(rounds_for(6, 1.0099, 0.01), 20);
+    assert_int_equal(rounds_for(6, 1.0101, 0.01), 30);
+    assert_int_equal(rounds_for(6, 1.0599, 0.06), 20);
+    assert_int_equal(rounds_for(6, 1 / 1.0601, 0.06), 30);
 }
 
 /* Seconds are of wall time and for each case: a round of three cases at 8 ms of wall time and two fixed passes of 4 takes
@@ -288,8 +297,11 @@ static void test_clock_choice(void **state)
             assert_near(t.cases[i].cpu_ms, 4, 1e-5);
             assert_near(t.cases[i].wall_ms, 10 * (i + 1), 1e-5);
             assert_near(t.cases[i].measured_s, 20 * 0.01 * (i + 1), 1e-6);
-            for (int p = 0; p <= i; p++)
-                assert_near(t.cases[i].pass_cpu_ms[p], 4.0 * 2 * (p + 1) / ((i + 1) * (i + 2)), 1e-5);
+            for (int p = 0; p <= i; p++) {
+                double share = 2.0 * (p + 1) / ((i + 1) * (i + 2));
+                assert_near(t.cases[i].pass_cpu_ms[p], 4 * share, 1e-5);
+                assert_near(t.cases[i].pass_to_fixed[p].ratio, 2 * share, 1e-6);
+            }
         }
         assert_near(t.fixed_cpu_ms, 2, 1e-9);
         assert_near(t.fixed_s, 2 * 20 * 0.004, 1e-9);

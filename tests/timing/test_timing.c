@@ -61,8 +61,12 @@ static void test_exact_clock(void **state)
         assert_near(t->to_fixed.low, passes[i], 1e-9);
         assert_near(t->to_fixed.high, passes[i], 1e-9);
         assert_int_equal(t->rounds, 20); /* narrow enough at the first check point */
-        for (int p = 0; p < frames[i + 1].graph.pass_count; p++)
+        for (int p = 0; p < frames[i + 1].graph.pass_count; p++) {
             assert_near(t->pass_cpu_ms[p], pass_ms, 1e-9);
+            assert_true(t->pass_to_fixed[p].bounded);
+            assert_near(t->pass_to_fixed[p].low, 1, 1e-9);
+            assert_near(t->pass_to_fixed[p].high, 1, 1e-9);
+        }
     }
     assert_near(timing.control.ratio, 1, 1e-9);
     assert_near(timing.fixed_cpu_ms, pass_ms, 1e-9);
