@@ -87,8 +87,8 @@ static void set_params(const struct aob_technique *technique, const char *params
     char copy[512], *rest = copy;
     struct aob_error error = {{0}};
     snprintf(copy, sizeof copy, "%s", params);
-    aob_param_defaults(technique->params, technique->param_count, numbers);
-    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, chosen);
+    aob_param_defaults(technique->params, technique->param_count, 1, numbers);
+    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, 1, chosen);
     for (char *word; (word = strsep(&rest, " "));) {
         char *value = strchr(word, '=');
         if (!value)

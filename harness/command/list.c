@@ -42,8 +42,9 @@ static void print_params(const struct aob_param *params, size_t count, struct ao
             for (int c = 0; params[i].choices[c]; c++)
                 aob_text_add(&text, "%s%s", c ? "|" : "  of ", params[i].choices[c]);
         else
-            aob_text_add(&text, "  in %g .. %g %s", params[i].min, params[i].max,
-                         aob_unit_name(params[i].unit));
+            aob_text_add(&text, "%s  in %g .. %g %s",
+                         params[i].unit == AOB_UNIT_LENGTH && params[i].initial > 0 ? " m" : "",
+                         params[i].min, params[i].max, aob_unit_name(params[i].unit));
         if (aob_param_rule(&params[i]))
             aob_text_add(&text, ", %s", aob_param_rule(&params[i]));
         aob_text_add_line(out, "    %-12s %s", params[i].name, text.data);
@@ -77,10 +78,11 @@ static json_t *scene_to_json(const struct aob_scene_info *scene)
         json_object_set_new(view, "name", json_string(scene->views[i].name));
         json_array_append_new(views, view);
     }
-    return json_pack("{s:s, s:s, s:f, s:s?, s:s?, s:s?, s:s?, s:b, s:o}", "name", scene->name, "geometry",
-                     scene->title, "metres_per_unit", scene->metres_per_unit, "file", scene->file, "package",
-                     scene->package, "licence", scene->licence, "sha256", scene->sha256, "available",
-                     !scene->file || aob_file_exists(scene->file), "views", views);
+    return json_pack("{s:s, s:s, s:f, s:f, s:s?, s:s?, s:s?, s:s?, s:b, s:o}", "name", scene->name,
+                     "geometry", scene->title, "metres_per_unit", scene->metres_per_unit, "metre",
+                     scene->metre, "file", scene->file, "package", scene->package, "licence", scene->licence,
+                     "sha256", scene->sha256, "available", !scene->file || aob_file_exists(scene->file),
+                     "views", views);
 }
 
 /* A file name that is not UTF-8 cannot be in JSON, nor in a plan: jansson packs no object then. */

@@ -16,7 +16,7 @@
 struct options {
     struct aob_common common;
     const char *technique, *scene; /* scene: a listed one, a mesh file or capture:FILE */
-    const char *view, *eye, *target, *fov, *ortho, *shift, *size, *backend, *reference_spp;
+    const char *view, *eye, *target, *fov, *ortho, *shift, *metres_per_unit, *size, *backend, *reference_spp;
     const char *target_radius, *target_weighting;
     const char *reference_radius;                 /* what the first of these was called */
     const char *convention[AOB_CONVENTION_COUNT]; /* of a capture, by enum aob_convention_key */
@@ -37,6 +37,7 @@ static const struct aob_flag flags[] = {
     TEXT("fov", "DEG", fov, "vertical field of view (60)"),
     TEXT("ortho", "H", ortho, "orthographic, H scene units high"),
     TEXT("shift", "x,y", shift, "image moved right, up; in its heights"),
+    TEXT("metres-per-unit", "M", metres_per_unit, "of a mesh file or capture, for default lengths (1)"),
     TEXT("size", "WxH", size, "pixels (480x270)"),
     TEXT("backend", "NAME", backend, "see: aobudget list backends (vulkan)"),
     {"p", "name=value", "a parameter or run option; may be repeated", AOB_FLAG_MANY,
@@ -113,7 +114,9 @@ static bool choose_camera(const struct options *o, struct aob_scene_choice *scen
     if (o->shift && !aob_parse_vec2(o->shift, scene->shift))
         return aob_fail(error, "--shift: '%s' is not x,y", o->shift);
     return read_number("fov", o->fov, 1, 170, &scene->fov_deg, error) &&
-           read_number("ortho", o->ortho, 1e-9, 1e12, &scene->ortho_height, error);
+           read_number("ortho", o->ortho, 1e-9, 1e12, &scene->ortho_height, error) &&
+           read_number("metres-per-unit", o->metres_per_unit, AOB_CONFIG_MIN_UNIT, AOB_CONFIG_MAX_UNIT,
+                       &scene->metres_per_unit, error);
 }
 
 static bool choose_params(const struct options *o, struct aob_config *config, struct aob_error *error)

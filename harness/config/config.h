@@ -54,6 +54,7 @@ struct aob_scene_choice {
     double eye[3], target[3];
     double fov_deg, ortho_height; /* of a capture 0 until stated */
     double shift[2];              /* of the image, in its heights: x right, y up */
+    double metres_per_unit;       /* of a mesh file or capture; 0 until stated */
     bool moves;
     struct aob_pose previous;         /* if it moves: a frame earlier */
     struct aob_convention convention; /* of a capture */
@@ -64,6 +65,8 @@ struct aob_scene_choice {
     int line, column;
 };
 enum { AOB_CONFIG_MAX_VIEWS = 20000, AOB_CONFIG_MAX_CASES = 20000 };
+#define AOB_CONFIG_MIN_UNIT 1e-9 /* metres */
+#define AOB_CONFIG_MAX_UNIT 1e9
 struct aob_target { /* one question: which visibility is asked for */
     double radius;  /* scene units, a float's value; INFINITY allowed */
     bool uniform;   /* weighting of the directions; false: by the cosine */

@@ -51,6 +51,9 @@ static bool read_scene_entry(struct aob_yaml *yaml, const char *key, yaml_node_t
         return (reader->lens = true) && aob_yaml_number(yaml, node, 1, 170, &choice->fov_deg);
     if (strcmp(key, "shift") == 0)
         return (reader->lens = true) && aob_yaml_vec2(yaml, node, choice->shift);
+    if (strcmp(key, "metres_per_unit") == 0)
+        return aob_yaml_number(yaml, node, AOB_CONFIG_MIN_UNIT, AOB_CONFIG_MAX_UNIT,
+                               &choice->metres_per_unit);
     if (strcmp(key, "previous") == 0)
         return (reader->lens = choice->moves = true) && aob_pose_read(yaml, node, &choice->previous);
     choice->ortho = reader->lens = true;
@@ -103,12 +106,30 @@ static void resolve_path(const struct aob_yaml *yaml, struct aob_scene_choice *c
     *path = aob_path_beside(yaml->path, choice->given);
 }
 
+static const char *const keys[] = {"name",
+                                   "file",
+                                   "capture",
+                                   "view",
+                                   "views",
+                                   "eye",
+                                   "target",
+                                   "fov_deg",
+                                   "ortho_height",
+                                   "shift",
+                                   "previous",
+                                   "depth",
+                                   "near",
+                                   "far",
+                                   "normals",
+                                   "handed",
+                                   "up",
+                                   "depth_channel",
+                                   "normal_channel",
+                                   "metres_per_unit",
+                                   NULL};
+
 bool aob_config_read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
 {
-    static const char *const keys[] = {
-        "name",    "file",         "capture", "view",          "views",          "eye",  "target",
-        "fov_deg", "ortho_height", "shift",   "previous",      "depth",          "near", "far",
-        "normals", "handed",       "up",      "depth_channel", "normal_channel", NULL};
     struct scene_reader reader = {.config = user};
     bool ok =
         aob_yaml_mapping(yaml, node, keys, read_scene_entry, &reader) && judge_scene(yaml, node, &reader);

@@ -231,8 +231,8 @@ MEASURE(aob_paper_alchemy_dragon)
 
 MEASURE(aob_paper_alchemy_epsilon)
 {
-    static const char *const values[] = {"epsilon=1e-6", "epsilon=1e-5", "epsilon=1e-3", "epsilon=1e-2"};
-    const json_t *records[4], *middle = aob_paper_find(run, "alchemy", "epsilon=1e-4", error);
+    static const char *const values[] = {"epsilon=4e-6", "epsilon=4e-5", "epsilon=4e-3", "epsilon=4e-2"};
+    const json_t *records[4], *middle = aob_paper_find(run, "alchemy", "epsilon=4e-4", error);
     if (!middle || !aob_paper_find_all(run, "alchemy", values, 4, records, error))
         return false;
     result->holds = AOB_PAPER_YES;
@@ -248,7 +248,7 @@ MEASURE(aob_paper_alchemy_epsilon)
 WHY(aob_paper_alchemy_epsilon_why)
 {
     const struct aob_paper_figure *m = outcome->result.measured;
-    const json_t *record = aob_paper_find(outcome->run, "alchemy", "epsilon=1e-2", NULL);
+    const json_t *record = aob_paper_find(outcome->run, "alchemy", "epsilon=4e-2", NULL);
     double radius = record ? aob_paper_member(record, "params", "radius") : NAN;
     double others = fmax(fmax(m[0].value, m[1].value), m[2].value);
     if (others < AOB_PAPER_STEP && m[3].value >= AOB_PAPER_STEP && radius > 0)

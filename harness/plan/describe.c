@@ -3,6 +3,23 @@
 #include "base/memory.h"
 #include "technique/param.h"
 
+static void find_defaults(const struct aob_case *c, double *defaults)
+{
+    aob_param_defaults(c->technique->params, c->technique->param_count, c->scene->metre, defaults);
+}
+
+/* A default length is another number in a scene of another unit, and yet the same default. */
+static void vary_params(const struct aob_case *c, const struct aob_case *first, bool *varied)
+{
+    double own[AOB_MAX_PARAM], other[AOB_MAX_PARAM];
+    find_defaults(c, own);
+    find_defaults(first, other);
+    for (size_t p = 0; p < c->technique->param_count; p++) {
+        bool defaults = c->params[p] == own[p] && first->params[p] == other[p];
+        varied[p] = varied[p] || (c->params[p] != first->params[p] && !defaults);
+    }
+}
+
 /* Each case is compared with the first one, and in its parameters with the first one of its technique. */
 void aob_plan_vary(struct aob_plan *plan)
 {
@@ -19,8 +36,7 @@ void aob_plan_vary(struct aob_plan *plan)
         for (size_t o = 0; o < AOB_OPTION_COUNT; o++)
             v->options[o] = v->options[o] || c->options[o] != first->options[o];
         first = firsts[t] = firsts[t] ? firsts[t] : c;
-        for (size_t p = 0; p < c->technique->param_count; p++)
-            v->params[t][p] = v->params[t][p] || c->params[p] != first->params[p];
+        vary_params(c, first, v->params[t]);
     }
     free(firsts);
 }
@@ -30,13 +46,14 @@ struct values {
     size_t count;
     const double *values;
     const bool *varied;
+    double metre;
 };
 
 /* Those that vary, or those that do not and are not at their defaults either. */
 static void add_values(const struct values *v, bool varied, struct aob_text *text)
 {
     double defaults[AOB_MAX_PARAM];
-    aob_param_defaults(v->params, v->count, defaults);
+    aob_param_defaults(v->params, v->count, v->metre, defaults);
     for (size_t i = 0; i < v->count; i++) {
         if (v->varied[i] != varied || (!varied && v->values[i] == defaults[i]))
             continue;
@@ -48,9 +65,10 @@ static void add_values(const struct values *v, bool varied, struct aob_text *tex
 void aob_case_describe(const struct aob_plan *plan, const struct aob_case *c, struct aob_text *text)
 {
     const struct aob_variation *v = &plan->variation;
-    const struct values all[] = {{c->technique->params, c->technique->param_count, c->params,
-                                  v->params[c->technique - plan->techniques->items]},
-                                 {aob_option_params, AOB_OPTION_COUNT, c->options, v->options}};
+    const struct values all[] = {
+        {c->technique->params, c->technique->param_count, c->params,
+         v->params[c->technique - plan->techniques->items], c->scene->metre},
+        {aob_option_params, AOB_OPTION_COUNT, c->options, v->options, c->scene->metre}};
     if (v->scene)
         aob_text_add(text, "%s/%s ", c->scene->name, c->scene->view);
     aob_text_add(text, "%s", c->technique->name);

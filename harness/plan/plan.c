@@ -24,7 +24,7 @@ static bool add_cases(struct aob_plan *plan, struct aob_case *base, struct aob_p
                       struct aob_plan_axes *options, struct aob_error *error)
 {
     double values[AOB_MAX_PARAM];
-    aob_param_defaults(base->technique->params, base->technique->param_count, values);
+    aob_param_defaults(base->technique->params, base->technique->param_count, base->scene->metre, values);
     base->params = values;
     do {
         aob_plan_axes_apply(params, values);
@@ -59,7 +59,7 @@ static bool expand_technique(struct aob_plan *plan, struct aob_case base,
                                             .from = choice->axes,
                                             .count = choice->axis_count};
     const struct aob_backend_choice *backends = aob_config_backends(plan->config, choice);
-    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, base.options);
+    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, base.scene->metre, base.options);
     bool ok = aob_plan_axes_init(&params, &desc, error);
     for (size_t b = 0; ok && b < backends->count; b++) {
         base.backend = aob_gpu_find(backends->names[b].text)->name;

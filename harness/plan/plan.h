@@ -20,9 +20,10 @@ struct aob_plan_scene {                /* one view of one scene */
         view; /* "front", "camera", "camera-2", "capture" or "framed" (from the mesh's box, once it is loaded) */
     struct aob_camera camera; /* unset while framed */
     bool framed;
-    bool loaded;  /* by this run: its warnings are printed, its framing is known */
-    bool checked; /* by this run: run/check.h */
-    double metres_per_unit;
+    bool loaded;                 /* by this run: its warnings are printed, its framing is known */
+    bool checked;                /* by this run: run/check.h */
+    double metre;                /* scene units that stand for a metre in default lengths (scene.h) */
+    bool unit_stated;            /* how long its unit is was stated, or it is a listed scene */
     char geometry[AOB_KEY_SIZE]; /* of the geometry's source, the same for every build of the program */
     char digest[AOB_KEY_SIZE];   /* of that and the version of what reads it */
     /* What the cases are compared with, at most AOB_CONFIG_MAX_TARGETS: the config's, or each radius of the scene's cases

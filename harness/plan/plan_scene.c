@@ -74,6 +74,12 @@ static bool fail_unknown(const char *name, const struct aob_scene_folder *folder
     return false;
 }
 
+/* A unit of which nothing is known is taken as a metre; what is then odd is told once the mesh is loaded. */
+static double metre_of(const struct aob_scene_choice *choice)
+{
+    return choice->metres_per_unit > 0 ? 1 / choice->metres_per_unit : 1;
+}
+
 /* A listed scene, one of the user's folder by its name, or a mesh file. */
 static bool find_scene(struct chooser *chooser, struct aob_plan_scene *scene,
                        const struct aob_scene_choice *choice, struct aob_error *error)
@@ -81,7 +87,11 @@ static bool find_scene(struct chooser *chooser, struct aob_plan_scene *scene,
     struct aob_scene_folder *folder = &chooser->folder;
     scene->info = choice->name ? aob_scene_find(choice->name) : NULL;
     scene->name = aob_strdup(choice->name ? choice->name : choice->given ? choice->given : choice->file);
-    scene->metres_per_unit = scene->info ? scene->info->metres_per_unit : 1;
+    if (scene->info && choice->metres_per_unit > 0)
+        return aob_fail(error, "scene '%s' is listed, so its unit is known: leave metres_per_unit out",
+                        scene->info->name);
+    scene->unit_stated = scene->info || choice->metres_per_unit > 0;
+    scene->metre = scene->info ? scene->info->metre : metre_of(choice);
     scene->file = aob_strdup(scene->info ? scene->info->file : choice->file);
     if (scene->info || choice->file)
         return true;
@@ -102,7 +112,7 @@ static bool choose_capture(struct aob_plan_scene *scene, const struct aob_scene_
     scene->gbuffer = choice->gbuffer;
     scene->width = choice->width;
     scene->height = choice->height;
-    scene->metres_per_unit = 1;
+    scene->metre = metre_of(choice);
     memcpy(scene->digest, choice->digest, sizeof scene->digest);
     memcpy(scene->geometry, choice->geometry, sizeof scene->geometry);
     bool ok = choose_camera(scene, choice, error);

@@ -34,7 +34,7 @@ void aob_plan_add_targets(struct aob_plan *plan)
         for (size_t t = 0; t < config->target_count; t++)
             add_target(scene, config->targets[t]);
         if (!scene->target_count)
-            add_target(scene, (struct aob_target){.radius = (double)(float)(1 / scene->metres_per_unit)});
+            add_target(scene, (struct aob_target){.radius = (double)(float)scene->metre});
     }
     aob_table_finish(&seen);
 }

@@ -15,6 +15,9 @@
 #include "reference/bound.h"
 #include "reference/tracer.h"
 
+/* Metres. A mesh beyond these is of another unit, or one that a radius of half a metre swallows or hardly touches. */
+static const double SHORTEST_MESH = 0.5, LONGEST_MESH = 100;
+
 struct box {
     struct aob_vec3 low, high;
 };
@@ -29,6 +32,17 @@ static void take_box(void *user, const json_t *object)
         return;
     *box = (struct box){answer.low, answer.high};
     json_array_foreach(answer.warnings, at, warning) aob_warn("%s", json_string_value(warning));
+}
+
+/* Nobody sees from a file how long its unit is, and default lengths are metres. */
+static void warn_of_unit(const struct aob_plan_scene *scene, const struct box *box)
+{
+    struct aob_vec3 side = aob_vec_sub(box->high, box->low);
+    double longest = fmax(side.x, fmax(side.y, side.z));
+    if (!scene->unit_stated && longest > 0 && (longest < SHORTEST_MESH || longest > LONGEST_MESH))
+        aob_warn("%s: its unit is taken as a metre, so it is %.3g m across, and default lengths (a radius of "
+                 "0.5 m) may not suit it: state metres_per_unit (0.01: centimetres)",
+                 scene->name, longest);
 }
 
 /* Each mesh is imported once a run. Limits grow with the file, so a small hostile file cannot loop or allocate for
@@ -49,6 +63,7 @@ static bool import_mesh(struct aob_measurement *m, struct aob_plan_scene *scene,
     if (!aob_dispatch_job(m->dispatch, &desc, error))
         return strstr(error->text, scene->file) ? false
                                                 : aob_fail_in(error, "%s: the mesh loader", scene->file);
+    warn_of_unit(scene, &box);
     if (scene->framed)
         scene->camera = aob_scene_framing(box.low, box.high);
     scene->loaded = true;

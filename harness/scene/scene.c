@@ -21,6 +21,7 @@ static const struct aob_scene_info plane = {
     .name = "plane",
     .title = "Flat floor y = 0, 40 x 40 m about the origin: visibility is 1 everywhere",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = plane_views,
     .view_count = AOB_COUNT(plane_views),
     .build = build_plane,
@@ -42,6 +43,7 @@ static const struct aob_scene_info corner = {
         "Floor y = 0 (z 0..40) and wall z = 0 (y 0..40), x -20..20 m, meeting at 90 degrees: visibility in "
         "closed form",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = corner_views,
     .view_count = AOB_COUNT(corner_views),
     .build = build_corner,
@@ -69,6 +71,7 @@ static const struct aob_scene_info spheres = {
         "Floor y = 0, 40 x 40 m; spheres of radius 1 at (0, 1, 0), 0.5 at (1.41421, 0.5, 0), 0.25 at (-0.6, "
         "0.25, 0.8), all touching, 0.125 at (0.5, 0.125, 1.5) on the floor, 0.4 at (-1.5, 0.6, 0.6) above it",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = spheres_views,
     .view_count = AOB_COUNT(spheres_views),
     .build = build_spheres,
@@ -105,6 +108,7 @@ static const struct aob_scene_info cornell = {
         "0.68, "
         "left wall 0.63 0.065 0.05, right wall 0.14 0.45 0.091",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = cornell_views,
     .view_count = AOB_COUNT(cornell_views),
     .build = build_cornell,
@@ -127,6 +131,7 @@ static const struct aob_scene_info plates = {
         "Floor y = 0, 8 x 8 m about the origin; plates of 2 x 2 m, 0.01 m thick, from y = 0.3, 0.6 and 0.9: "
         "thin solids that stack",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = plates_views,
     .view_count = AOB_COUNT(plates_views),
     .build = build_plates,
@@ -143,6 +148,7 @@ static const struct aob_scene_info bunny = {
         "Stanford bunny, 69,666 triangles, box 2 x 1.98 x 1.55 units about the origin (the clay model is "
         "0.156 m wide), without a floor",
     .metres_per_unit = 0.078,
+    .metre = 1,
     .views = bunny_views,
     .view_count = AOB_COUNT(bunny_views),
     .file = "/usr/share/glmark2/models/bunny.obj",
@@ -161,6 +167,7 @@ static const struct aob_scene_info horse = {
     .title =
         "Rearing horse, 7,172 triangles, box 1.25 x 0.77 x 1.70 units about the origin, upright along -Z",
     .metres_per_unit = 1.4,
+    .metre = 0.62,
     .views = horse_views,
     .view_count = AOB_COUNT(horse_views),
     .file = "/usr/share/glmark2/models/horse.3ds",
@@ -178,6 +185,7 @@ static const struct aob_scene_info engine = {
     .name = "engine",
     .title = "Two-cylinder engine, 110,336 triangles, box 743 x 273 x 268 units (millimetres by its size)",
     .metres_per_unit = 0.001,
+    .metre = 137,
     .views = engine_views,
     .view_count = AOB_COUNT(engine_views),
     .file = "/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb",
@@ -194,6 +202,7 @@ static const struct aob_scene_info cornell_box = {
     .name = "cornell_box",
     .title = "The measured Cornell box, 34 triangles, room 556 x 549 x 559 mm, open at z = 0",
     .metres_per_unit = 0.001,
+    .metre = 278,
     .views = cornell_box_views,
     .view_count = AOB_COUNT(cornell_box_views),
     .file = "/usr/share/doc/embree3/models/cornell_box.obj",

@@ -14,6 +14,9 @@ struct aob_view {
 struct aob_scene_info {
     const char *name, *title; /* title: one sentence with the geometry in numbers */
     double metres_per_unit;
+    /* Scene units that stand for a metre in the default lengths of techniques. It is 1 / metres_per_unit; of a packaged
+     * model at most half of the box's middle side: defaults are made for rooms, and would swallow a smaller model. */
+    double metre;
     const struct aob_view *views; /* view_count; the first is the default */
     size_t view_count;
     void (*build)(struct aob_mesh *mesh); /* procedural; NULL: loaded from `file` */

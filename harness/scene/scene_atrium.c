@@ -138,6 +138,7 @@ const struct aob_scene_info aob_scene_atrium = {
              "ceilings 6.5 m above the aisles, balustrades of 99 posts each, a niche under an arch of radius "
              "2.5 at each end",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = atrium_views,
     .view_count = AOB_COUNT(atrium_views),
     .build = build_atrium,

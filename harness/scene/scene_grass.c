@@ -121,6 +121,7 @@ const struct aob_scene_info aob_scene_grass = {
              "without thickness, 4 to 10 mm wide and 0.09 to 0.38 m tall, in 640 clumps among 8 rounded "
              "rocks up to 1.3 m wide",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = grass_views,
     .view_count = AOB_COUNT(grass_views),
     .build = build_grass,

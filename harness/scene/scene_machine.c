@@ -200,6 +200,7 @@ const struct aob_scene_info aob_scene_machine = {
              "shafts in bearings, pipes 300, 120 and 24 mm thick with bends and flanges, bolts of 3 to 35 mm "
              "radius",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = machine_views,
     .view_count = AOB_COUNT(machine_views),
     .build = build_machine,

@@ -17,6 +17,7 @@ const struct aob_scene_info aob_scene_wall = {
     .title = "Floor y = 0 (z 0..40), wall z = 0 of height 0.25 m, x -20..20 m: visibility of the floor in "
              "closed form (O3)",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = wall_views,
     .view_count = AOB_COUNT(wall_views),
     .build = build_wall,
@@ -37,6 +38,7 @@ const struct aob_scene_info aob_scene_sheet = {
     .title = "Floor y = 0, 40 x 40 m about the origin; 0.2 m above its half x < 0 a sheet without thickness: "
              "visibility of the floor in closed form (O4)",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = sheet_views,
     .view_count = AOB_COUNT(sheet_views),
     .build = build_sheet,
@@ -56,6 +58,7 @@ const struct aob_scene_info aob_scene_sphere = {
     .title = "Sphere of radius 0.5 m about the origin, 36,480 triangles, nothing else: visibility is 1 "
              "everywhere (O5)",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = sphere_views,
     .view_count = AOB_COUNT(sphere_views),
     .build = build_sphere,
@@ -85,6 +88,7 @@ const struct aob_scene_info aob_scene_room = {
         "Closed cube of 0.2 m about the origin, seen from inside: visibility is 0 everywhere for a radius "
         "beyond its diagonal (O6)",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = room_views,
     .view_count = AOB_COUNT(room_views),
     .build = build_room,
@@ -106,6 +110,7 @@ const struct aob_scene_info aob_scene_disc = {
         "Floor y = 0, 40 x 40 m about the origin; disc of radius 0.15 m without thickness at (0, 0.15, 0), "
         "level: visibility of the floor about its axis in closed form (O7)",
     .metres_per_unit = 1,
+    .metre = 1,
     .views = disc_views,
     .view_count = AOB_COUNT(disc_views),
     .build = build_disc,

@@ -28,7 +28,8 @@ bool aob_score_judge(const struct aob_score_desc *desc, struct aob_error *error)
  * has no pixel. */
 void aob_score(const struct aob_score_desc *desc, struct aob_metrics *metrics);
 
-/* Finds a technique that draws nothing: its image has one value over pixels whose truth spans more than 0.05. Then it
- * returns false, with a line that gives the value. */
-bool aob_score_judge_drawn(const struct aob_score_desc *desc, struct aob_error *error);
+/* Finds a technique that draws nothing: its image spans at most 0.002, where the truth, and `claim`, the technique's own
+ * definition (NULL: not known), span more than 0.05. A span is that of the pixels between the quantiles 0.01 and 0.99.
+ * Then it returns false, with a line that gives the value. */
+bool aob_score_judge_drawn(const struct aob_score_desc *desc, const float *claim, struct aob_error *error);
 #endif

@@ -40,6 +40,9 @@ const struct aob_metric aob_metric_table[] = {
            .doc = "RMS of the part that the depth buffer does not know."),
     METRIC(estimator_rmse, .title = "estimator", .better = AOB_BETTER_LESS,
            .doc = "RMS of the part that the technique could still gain from the same depth buffer."),
+    METRIC(claim_bias, .title = "bias to own definition", .better = AOB_BETTER_ZERO,
+           .doc =
+               "Mean of technique minus its own traced definition; a negative one is darker than it claims."),
     METRIC(definition_missing, .group = "covariance", .title = "definition x missing",
            .better = AOB_BETTER_NONE, .doc = "Mean product of these two parts of the error."),
     METRIC(definition_estimator, .group = "covariance", .title = "definition x estimator",

@@ -20,7 +20,7 @@ enum aob_better {
 /* A score of one image against one target; NAN where a value is not known. Docs: the table. */
 struct aob_metrics {
     double rmse, band_rmse, border_rmse, border_share, mae, bias, p95, max, reference_se;
-    double definition_rmse, missing_rmse, estimator_rmse;
+    double definition_rmse, missing_rmse, estimator_rmse, claim_bias;
     double definition_missing, definition_estimator, missing_estimator;
     double flip, ssim, pixels, band_pixels;
     double bent_mean, bent_p95, bent_pixels;

@@ -82,10 +82,19 @@ void aob_param_print(const struct aob_param *param, double value, struct aob_tex
         }
 }
 
-void aob_param_defaults(const struct aob_param *params, size_t count, double *values)
+/* A scene may be so small or so large that the length would leave its bounds: the bound is the nearest that there is. */
+static double default_value(const struct aob_param *param, double metre)
+{
+    if (param->type != AOB_FLOAT)
+        return param->initial;
+    double value = param->unit == AOB_UNIT_LENGTH ? param->initial * metre : param->initial;
+    return (double)(float)fmin(fmax(value, param->min), param->max);
+}
+
+void aob_param_defaults(const struct aob_param *params, size_t count, double metre, double *values)
 {
     for (size_t i = 0; i < count; i++)
-        values[i] = params[i].type == AOB_FLOAT ? (double)(float)params[i].initial : params[i].initial;
+        values[i] = default_value(&params[i], metre);
 }
 
 void aob_param_pack(const struct aob_param *params, size_t count, const double *values, void *into,

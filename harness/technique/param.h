@@ -20,7 +20,8 @@ bool aob_param_parse(const struct aob_param *param, const char *text, double *va
 /* Shortest text that parses back to the same float or int; a choice by its name. */
 void aob_param_print(const struct aob_param *param, double value, struct aob_text *text);
 
-void aob_param_defaults(const struct aob_param *params, size_t count, double *values);
+/* A default length is in metres; `metre` says how many scene units stand for one (scene.h). */
+void aob_param_defaults(const struct aob_param *params, size_t count, double metre, double *values);
 
 /* Into the struct that the table's offsets index; `size` bytes, zeroed first. */
 void aob_param_pack(const struct aob_param *params, size_t count, const double *values, void *into,

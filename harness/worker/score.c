@@ -5,6 +5,7 @@
 #include "base/clock.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "blank.h"
 #include "block.h"
 #include "case_image.h"
 #include "score/bent.h"
@@ -178,11 +179,15 @@ static json_t *score_target(const struct aob_block *block, const struct aob_bloc
 }
 
 /* `none` claims nothing, and draws it; the null backend draws nothing of any. */
-static bool judge_drawn(const struct aob_block *block, const struct aob_block_case *c,
-                        const struct aob_case_image *image, struct aob_error *error)
+static bool judge_drawn(const struct aob_block *block, size_t f, const struct aob_case_image *image,
+                        struct aob_error *error)
 {
+    const struct aob_block_case *c = &block->job.cases[block->case_of_frame[f]];
     struct aob_score_desc desc = describe(block, image, image->truth, NULL, 1);
-    return !c->definition || block->gpu->info.draws_nothing || aob_score_judge_drawn(&desc, error);
+    if (!c->definition || block->gpu->info.draws_nothing ||
+        aob_score_judge_drawn(&desc, image->definition, error))
+        return true;
+    return aob_blank_explain(block->frames[f].graph.technique, c, &desc, error);
 }
 
 /* Against one target; the truth of the case's own one stays with the image. */
@@ -249,7 +254,7 @@ static bool judge_and_score(const struct aob_block *block, size_t f, struct aob_
         json_object_del(answer, "errors");
         return false;
     }
-    return !image->truth || judge_drawn(block, c, image, error) || refuse(answer);
+    return !image->truth || judge_drawn(block, f, image, error) || refuse(answer);
 }
 
 static bool draw(struct aob_block *block, size_t f, struct aob_case_image *image, struct aob_error *error)

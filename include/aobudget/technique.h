@@ -72,7 +72,7 @@ struct aob_param {
     enum aob_scale scale;
     enum aob_stage stage;
     double min, max;    /* inclusive, in `unit` */
-    double initial;     /* the text's default */
+    double initial;     /* the text's default. A length in metres: the harness turns it into scene units */
     enum aob_rule rule; /* of an AOB_INT without choices; rules across parameters are check()'s */
     const char *const *
         choices; /* NULL, or NULL-ended names of 0, 1, 2...; min and max are then unused: leave them 0. What is off

@@ -8,7 +8,7 @@
 
 /* What the cases say of the values of one technique's parameters, or of the options. */
 struct words {
-    json_t *first;    /* the value that was met first, by name */
+    json_t *first;    /* the value that was met first, by name; a default as it stands in `defaults` */
     json_t *varying;  /* names of those that had another one since */
     json_t *defaults; /* values; NULL: not known */
 };
@@ -29,13 +29,26 @@ json_t *aob_label_defaults(const json_t *technique)
     {
         const json_t *choices = json_object_get(param, "choices");
         double initial = aob_member_number(param, "initial");
+        bool length = strcmp(aob_member_text(param, "unit"), "scene_units") == 0;
         if (json_is_array(choices))
             json_object_set(defaults, aob_member_text(param, "name"),
                             json_array_get(choices, initial >= 0 && initial < 1e6 ? (size_t)initial : 0));
         else if (isfinite(initial))
-            json_object_set_new(defaults, aob_member_text(param, "name"), json_real(initial));
+            json_object_set_new(defaults, aob_member_text(param, "name"),
+                                length ? json_pack("{s:f}", "metres", initial) : json_real(initial));
     }
     return defaults;
+}
+
+bool aob_label_is_default(const struct aob_row *row, const json_t *usual, const json_t *value)
+{
+    double metre = aob_member_number(row->json, "metre");
+    if (!json_is_object(usual))
+        return aob_label_same(usual, value);
+    json_t *length = json_real(aob_member_number(usual, "metres") * (isfinite(metre) ? metre : 1));
+    bool same = aob_label_same(length, value);
+    json_decref(length);
+    return same;
 }
 
 static json_t *option_defaults(void)
@@ -50,13 +63,15 @@ static json_t *option_defaults(void)
     return defaults;
 }
 
-static void meet(struct words *words, const json_t *values)
+static void meet(struct words *words, const struct aob_row *row, const json_t *values)
 {
     const char *name;
     json_t *value;
     json_object_foreach((json_t *)values, name, value)
     {
         const json_t *first = json_object_get(words->first, name);
+        json_t *usual = json_object_get(words->defaults, name);
+        value = usual && aob_label_is_default(row, usual, value) ? usual : value;
         if (!first)
             json_object_set(words->first, name, value);
         else if (!aob_label_same(first, value))
@@ -82,14 +97,15 @@ static void add_varying(struct aob_text *text, const struct words *words, const 
     }
 }
 
-static void add_unusual(struct aob_text *text, const struct words *words, const json_t *values)
+static void add_unusual(struct aob_text *text, const struct words *words, const struct aob_row *row,
+                        const json_t *values)
 {
     const char *name;
     json_t *value;
     json_object_foreach((json_t *)values, name, value)
     {
         const json_t *usual = json_object_get(words->defaults, name);
-        if (usual && !json_object_get(words->varying, name) && !aob_label_same(usual, value))
+        if (usual && !json_object_get(words->varying, name) && !aob_label_is_default(row, usual, value))
             add_pair(text, name, value);
     }
 }
@@ -105,8 +121,8 @@ static char *label_of(const struct aob_row *row, const struct words *params, con
     const json_t *p = json_object_get(row->json, "params"), *o = json_object_get(row->json, "options");
     add_varying(&text, params, p);
     add_varying(&text, options, o);
-    add_unusual(&text, params, p);
-    add_unusual(&text, options, o);
+    add_unusual(&text, params, row, p);
+    add_unusual(&text, options, row, o);
     return text_of(&text);
 }
 
@@ -170,8 +186,8 @@ void aob_labels_make(struct aob_rows *rows)
         params[k] = (struct words){json_object(), json_object(), defaults_of(rows, rows->techniques[k])};
     for (size_t i = 0; i < rows->count; i++) {
         const struct aob_row *row = &rows->list[i];
-        meet(&params[row->technique_place], json_object_get(row->json, "params"));
-        meet(&options, json_object_get(row->json, "options"));
+        meet(&params[row->technique_place], row, json_object_get(row->json, "params"));
+        meet(&options, row, json_object_get(row->json, "options"));
     }
     for (size_t i = 0; i < rows->count; i++)
         rows->list[i].label = label_of(&rows->list[i], &params[rows->list[i].technique_place], &options);

@@ -53,7 +53,7 @@ static bool is_default(const json_t *defaults, const struct aob_row *row)
     json_t *initial;
     json_object_foreach((json_t *)defaults, name, initial)
     {
-        if (!aob_label_same(initial, json_object_get(values, name)))
+        if (!aob_label_is_default(row, initial, json_object_get(values, name)))
             return false;
     }
     return true;

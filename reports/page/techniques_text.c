@@ -21,6 +21,11 @@ static void add_value(struct aob_text *page, double value)
         aob_text_add(page, "\u2013");
 }
 
+static bool is_length(const json_t *param)
+{
+    return strcmp(aob_member_text(param, "unit"), "scene_units") == 0;
+}
+
 static void add_bounds(struct aob_text *page, const json_t *param)
 {
     const json_t *choices = json_object_get(param, "choices");
@@ -28,7 +33,7 @@ static void add_bounds(struct aob_text *page, const json_t *param)
     if (!json_is_array(choices)) {
         aob_text_add(page, " ");
         add_value(page, initial);
-        aob_text_add(page, " | ");
+        aob_text_add(page, "%s | ", is_length(param) && initial > 0 ? " m" : "");
         add_value(page, aob_member_number(param, "min"));
         aob_text_add(page, " .. ");
         add_value(page, aob_member_number(param, "max"));
@@ -50,7 +55,7 @@ static void add_bounds(struct aob_text *page, const json_t *param)
 static const char *unit_of(const json_t *param)
 {
     const char *unit = aob_member_text(param, "unit");
-    if (strcmp(unit, "scene_units") == 0)
+    if (is_length(param))
         return "scene units";
     return strcmp(unit, "none") == 0 || strcmp(unit, "count") == 0 ? "" : unit;
 }

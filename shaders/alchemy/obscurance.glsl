@@ -28,7 +28,7 @@ void main()
     float disc = aob_pixel_radius(-position.z, param.radius);
     float turn = 2.0 * AOB_PI * aob_random(p, 0);
     int count = sample_count(disc);
-    float sum = 0.0;
+    float rr = param.radius * param.radius, sum = 0.0;
     for (int i = 0; i < MOST_SAMPLES; i++) {
         if (i >= count)
             break;
@@ -36,9 +36,9 @@ void main()
         float r = disc * sqrt((float(i) + 0.5) / float(count));
         vec3 v = aob_position(centre + ivec2(floor(0.5 + r * vec2(cos(angle), sin(angle))))) - position;
         float vv = dot(v, v);
-        float in_range = vv < param.radius * param.radius ? 1.0 : 0.0;
-        sum += in_range * max(0.0, dot(v, normal) + position.z * param.bias) / (vv + param.epsilon);
+        float in_range = vv < rr ? 1.0 : 0.0;
+        sum += in_range * max(0.0, dot(v, normal) + position.z * param.bias) / (vv + param.epsilon * rr);
     }
-    float a = max(0.0, 1.0 - 2.0 * param.intensity / float(max(count, 1)) * sum);
+    float a = max(0.0, 1.0 - 2.0 * param.intensity * param.radius / float(max(count, 1)) * sum);
     visibility = pow(a, param.contrast);
 }

@@ -2,10 +2,12 @@
  * Obscurance Algorithm", HPG 2011: equation 10, a separable cross-bilateral filter, the cross of the composite.
  *
  * Notes. Equations 4 and 6 lack the 1/pi of equation 3; with it, equation 10 is the mean over directions of
- * g(t) = sigma t / (t^2 + epsilon), in 1/metres and not bounded by 1. It samples a disc, not directions, and leaves the
- * difference alone, as the text does. The text draws bands of the sample count (figure 5, table 1) but not where they
- * change: here after each `band_pixels` of the projected radius, and no samples where it is below half a pixel, since
- * all of them would be the pixel itself. A guard band is a run option. */
+ * g(t) = sigma t / (t^2 + epsilon), which is not bounded by 1. The text's sigma is a length and its epsilon a square of
+ * one, so its picture depends on the unit; here both are shares of the radius, and the picture is the same at every
+ * scale. The text's images have r = 0.5 m, sigma = 1 and epsilon = 1e-4: intensity 2, epsilon 4e-4. It samples a disc, not
+ * directions, and leaves the difference alone, as the text does. The text draws bands of the sample count (figure 5, table
+ * 1) but not where they change: here after each `band_pixels` of the projected radius, and no samples where it is below
+ * half a pixel, since all of them would be the pixel itself. A guard band is a run option. */
 #include <aobudget/steps.h>
 #include <math.h>
 #include "shaders.h"
@@ -19,15 +21,19 @@ static const struct aob_param params[] = {
     AOB_PARAM(struct values, radius, .unit = AOB_UNIT_LENGTH, .scale = AOB_LOG2, .min = 1e-6, .max = 1e6,
               .initial = 0.5, .doc = "Radius r of the sampled disc and farthest distance of an occluder."),
     AOB_PARAM(struct values, intensity, .min = 0, .max = 100, .initial = 1,
-              .doc = "The text's sigma: scales the obscurance before it is subtracted from 1."),
+              .doc =
+                  "The text's sigma as a share of the radius: scales the obscurance before it is subtracted "
+                  "from 1."),
     AOB_PARAM(struct values, contrast, .min = 0.01, .max = 100, .initial = 1,
               .doc = "The text's k: exponent of the result; more darkens the dark."),
     AOB_PARAM(
         struct values, bias, .min = 0, .max = 1, .initial = 1e-4,
         .doc = "The text's beta, times the depth: more hides self-occlusion, and leaks light into corners."),
     AOB_PARAM(
-        struct values, epsilon, .min = 1e-12, .max = 1, .initial = 1e-4,
-        .doc = "The text's epsilon, square scene units: keeps the division finite; more lights up corners."),
+        struct values, epsilon, .min = 1e-12, .max = 1, .initial = 4e-4,
+        .doc =
+            "The text's epsilon as a share of the squared radius: keeps the division finite; more lights up "
+            "corners."),
     AOB_PARAM(struct values, samples, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT,
               .min = 1, .max = 4096, .initial = 12,
               .doc = "Points on the disc a pixel (the text's s) where bands are off; more lowers noise."),
@@ -47,12 +53,11 @@ static const struct aob_param params[] = {
               .doc = "Seed of the spiral's rotation per pixel."),
 };
 
-/* Equation 10 amounts to g(t) = sigma t / (t^2 + epsilon) under the cosine; t in scene units. */
+/* Equation 10 amounts to g(t) = sigma t / (t^2 + epsilon) under the cosine; all in radii. */
 static float falloff(const void *values, float t)
 {
     const struct values *v = values;
-    float distance = t * v->radius;
-    return v->intensity * distance / (distance * distance + v->epsilon);
+    return v->intensity * t / (t * t + v->epsilon);
 }
 
 static float map(const void *values, float visibility)
@@ -75,7 +80,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    alchemy, .title = "Alchemy ambient obscurance", .revision = 3, .shaders = aob_shaders_alchemy,
+    alchemy, .title = "Alchemy ambient obscurance", .revision = 4, .shaders = aob_shaders_alchemy,
     .citation = "McGuire, Osman, Bukowski, Hennessy: The Alchemy Screen-Space Ambient Obscurance "
                 "Algorithm, HPG 2011",
     .summary =
@@ -83,9 +88,13 @@ AOB_TECHNIQUE(
         "tangent plane over its squared distance (equation 10), subtracted from 1.",
     .notes =
         "Equations 4 and 6 lack the 1/pi of equation 3; equation 10 is taken as it stands, so the "
-        "definition's "
-        "falloff is intensity t / (t^2 + epsilon) with t in scene units, which no scale leaves alone. It "
-        "samples the disc, not directions.",
+        "definition's falloff is intensity t / (t^2 + epsilon), which is not bounded by 1. The text's sigma "
+        "is "
+        "a length and its epsilon a squared one; here they are shares of the radius and of its square, so "
+        "that no unit shows: the text's images (r = 0.5 m, sigma 1, epsilon 1e-4) have intensity 2 and "
+        "epsilon 4e-4, and are darker than the default. It samples the disc, not directions: on a "
+        "golden-angle spiral of equal areas, turned by a random angle in each pixel, where the text takes "
+        "random points.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .map = map},
     .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .build = build);

@@ -13,7 +13,7 @@ static const char *const switches[] = {"off", "on", NULL};
 
 static const struct aob_param params[] = {
     AOB_PARAM(struct values, radius, .unit = AOB_UNIT_LENGTH, .scale = AOB_LOG2, .min = 1e-6, .max = 1e6,
-              .initial = 0.5,
+              .initial = 0.25,
               .doc =
                   "The text's delta: farthest distance of an occluder, and how far a volume reaches beyond "
                   "its triangle; more darkens more, and draws larger volumes."),
@@ -28,7 +28,10 @@ static const struct aob_param params[] = {
     AOB_PARAM(struct values, cull, .stage = AOB_CONSTANT, .choices = switches, .initial = 1,
               .doc = "On draws a volume over the tiles only whose surfaces lie in its depths, and not at all "
                      "where there are none; off over all of its rectangle; the image is the same."),
-    AOB_PARAM_DIVISOR(struct values, divisor),
+    AOB_PARAM(struct values, divisor, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_HOST, .min = 1,
+              .max = 4, .rule = AOB_POWER_OF_TWO, .initial = 4,
+              .doc = "Divides the size of the AO, upsampled at the end: 1 full, 2 half, 4 quarter (the text "
+                     "samples less than each pixel too); less costs up to 16 times as much."),
 };
 
 static float falloff(const void *values, float t)
@@ -79,7 +82,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    ao_volumes, .title = "Ambient occlusion volumes", .revision = 4, .shaders = aob_shaders_ao_volumes,
+    ao_volumes, .title = "Ambient occlusion volumes", .revision = 5, .shaders = aob_shaders_ao_volumes,
     .summary = "The scene's triangles themselves, not the depth buffer, occlude: each is clipped to the "
                "pixel's tangent plane and to the radius, and its form factor is added in closed form.",
     .notes =

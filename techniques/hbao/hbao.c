@@ -36,9 +36,9 @@ static const struct aob_param params[] = {
     AOB_PARAM(struct values, steps, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT,
               .min = 1, .max = 1024, .initial = 8,
               .doc = "Samples along a direction (N_s); more finds horizons more exactly."),
-    AOB_PARAM(struct values, min_step, .unit = AOB_UNIT_PIXEL, .min = 0, .max = 64, .initial = 1,
-              .doc = "Where a step is shorter than this the pixel stays open (the text's early exit, at one "
-                     "texel); more is cheaper and loses occlusion far away."),
+    AOB_PARAM(struct values, min_step, .unit = AOB_UNIT_PIXEL, .min = 0, .max = 64, .initial = 0,
+              .doc = "Where a step is shorter than this the pixel stays open; more is cheaper and loses "
+                     "occlusion far away. The text's early exit is at 1, 0 is without."),
     AOB_PARAM(struct values, weighting, .stage = AOB_CONSTANT, .choices = weightings,
               .initial = AOB_WEIGHT_UNIFORM,
               .doc = "How directions are weighted: by the bare solid angle as in equation 6.2.3, or with the "
@@ -101,7 +101,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    hbao, .title = "Horizon-based ambient occlusion", .revision = 3, .shaders = aob_shaders_hbao,
+    hbao, .title = "Horizon-based ambient occlusion", .revision = 4, .shaders = aob_shaders_hbao,
     .summary =
         "Visibility from horizons about the view axis: along even directions in the image each sample "
         "that raises the horizon adds the sector it closes, attenuated by its distance. Elevations are "
@@ -111,9 +111,11 @@ AOB_TECHNIQUE(
         "follows from that. Directions even in the image stand for even azimuths, as in the text: exact "
         "without perspective only. The text gives the tile of jitters no numbers; its 16 pairs are even in "
         "both. Half-size AO is blurred at its own size and then upsampled; the text does both in one. "
-        "Outside the image there is nothing, where the text repeats the edge. The text's early exit shows as "
-        "an edge "
-        "in deep views; min_step 0 is without. MSAA is left out.",
+        "Outside the image there is nothing, where the text repeats the edge. A tangent is that of the exact "
+        "plane through the point and across its normal, perspective included; the text adds steps along "
+        "the image's axes (6.2.11), which is not perspective correct. The text's early exit shows as an edge "
+        "in deep views, and leaves all of "
+        "one open whose steps are below a texel, so it is off by default. MSAA is left out.",
     .citation = "Bavoil, Sainz: Image-Space Horizon-Based Ambient Occlusion, ShaderX7 (2009), 6.2",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff, .map = map},

@@ -206,7 +206,11 @@ AOB_TECHNIQUE(
                "wins.",
     .notes = "Reflected offsets keep their lengths (listing 1.2.6 normalises them); the fall is (1 - x)^p "
              "as in the text; the average is weighted as `distance_weight` says, since text and listing "
-             "differ; what lies in the tangent plane occludes nothing. The definition is that of the wide "
+             "differ. A sample passes two tests of depth where the text has one: the surface lies more than "
+             "epsilon "
+             "in front of the sample, as in the text, and it also rises more than epsilon above the tangent "
+             "plane, since depths of texel centres would make a slanted plane occlude itself; this loses "
+             "occluders that are lower than epsilon. The definition is that of the wide "
              "set, along rays that lie in the view: no exact one over distance exists. The text's noise tile "
              "is 256 pixels "
              "wide, its depth a quarter size; the cap of the screen radius shrinks the sphere.",

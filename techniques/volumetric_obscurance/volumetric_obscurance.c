@@ -96,7 +96,11 @@ AOB_TECHNIQUE(
     .notes = "The set-up is that of a secondary text: lines come in point-symmetric pairs; depth differences "
              "in perspective are "
              "taken as zc (1 - zc/z), which keeps walls open and holds for radii well below the depth; two "
-             "resolutions are mixed evenly before the clamp; blur and upsampling read normals.",
+             "resolutions are mixed evenly before the clamp. Without normals more than half of the sphere is "
+             "empty "
+             "at a convex edge, so its value is above 1 there: the clamp hides that on open surfaces, but in "
+             "the mean of two resolutions it takes away what the other one found, and convex parts that are "
+             "occluded are too bright; blur and upsampling read normals.",
     .citation = "Loos, Sloan: Volumetric Obscurance, I3D 2010, as compared in McGuire et al.: The Alchemy "
                 "Screen-Space Ambient Obscurance Algorithm, HPG 2011",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),

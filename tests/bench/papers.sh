@@ -1,11 +1,11 @@
 # Sourced by bench.sh: what the scene's own triangles cost, and the texts' figures.
 if wanted volumes; then
   # The bunny has 69,666 triangles. A pair in one block, so that their ratio holds on a busy machine.
-  entry ao_volumes 'radius: 0.1' '{param: cull, values: [off, on]}' |
+  entry ao_volumes 'radius: 0.1, divisor: 1' '{param: cull, values: [off, on]}' |
     config volumes '{name: bunny}' 480x270 'error: false, seconds: 20' 'spp: 2' >"$folder/volumes.yaml"
   entry ao_volumes 'radius: 0.1, divisor: 2' '' | sed 's/, sweep: \[\]//' >>"$folder/more"
   entry ao_volumes 'radius: 0.5, divisor: 4' '' | sed 's/, sweep: \[\]//' >>"$folder/more"
-  entry ao_volumes 'radius: 0.5' '' | sed 's/, sweep: \[\]//' >>"$folder/more"
+  entry ao_volumes 'radius: 0.5, divisor: 1' '' | sed 's/, sweep: \[\]//' >>"$folder/more"
   sed -i "/^techniques:/r $folder/more" "$folder/volumes.yaml"
   build/release/aobudget run "$folder/volumes.yaml" --out "$folder/volumes" --quiet || true
   volume() { jq -r "select(.params.radius == $1 and .params.divisor == $2 and .params.cull == \"$3\") | $4" "$folder/volumes/journal.jsonl"; }
@@ -16,6 +16,14 @@ if wanted volumes; then
   row "volumes: culled / all, R 0.1" "$(awk -v a="$(volume 0.1 1 on .time.ratio_to_ref)" -v b="$(volume 0.1 1 off .time.ratio_to_ref)" 'BEGIN { printf "%.3f", a / b }')" ratio "<=" 0.9
   row "volumes: textures at full size" "$(volume 0.1 1 on .memory_bytes)" bytes
   echo "volumes: R 0.5 at full size: $(volume 0.5 1 on .reason)"
+fi
+
+if wanted defaults; then
+  build/release/aobudget run configs/defaults.yaml --out "$folder/defaults" --quiet || [ $? -eq 3 ]
+  bad() { jq -s "[.[] | select(.status $1)] | length" "$folder/defaults/journal.jsonl"; }
+  row "defaults: cases" "$(wc -l <"$folder/defaults/journal.jsonl")" "" ">=" 405
+  row "defaults: cases that are not ok" "$(bad '!= "ok"')" "" "<=" 0
+  jq -r 'select(.status != "ok") | "defaults: \(.scene)/\(.view) \(.technique): \(.status): \(.reason)"' "$folder/defaults/journal.jsonl"
 fi
 
 if wanted papers; then

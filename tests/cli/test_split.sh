@@ -67,7 +67,7 @@ awk_check "less is missing with a guard band" \
 
 # What draws the scene's triangles is not bound to the screen: nothing is missing, and falloff 1 has its own truth.
 check "volumes" "$program" shot --technique ao_volumes --scene corner --size 160x90 --backend gl-egl --reference-spp 128 \
-  -p radius=1 -p falloff=1 --json volumes.json
+  -p radius=1 -p falloff=1 -p divisor=1 --json volumes.json
 awk_check "nothing is missing to volumes" "$(jq .error.missing_rmse volumes.json) == 0"
 awk_check "their taper is traced" "$(jq .error.estimator_rmse volumes.json) < 0.005 && $(jq .error.definition_rmse volumes.json) > 0.01"
 check "by the triangles' distance" test "$(jq -r .definition.distance volumes.json)" = triangle

@@ -46,6 +46,15 @@ while read -r name params; do
     check "docs/techniques.md has $name's $param: run ./dev docs" grep -q "^| \`$param\` |" section
   done
 done < <(names)
+# The table of defaults has every technique on every listed view.
+"$program" plan "$root/configs/defaults.yaml" >plan.txt
+"$program" list scenes --json scenes.json
+while read -r place; do
+  while read -r name _; do
+    check "configs/defaults.yaml has $place $name" grep -q "$place $name " <(sed 's/$/ /' plan.txt)
+    check "docs/defaults.md has $name: run ./dev docs" grep -q "^| view |.* \`$name\` |" "$root/docs/defaults.md"
+  done < <(names)
+done < <(jq -r '.scenes[] | .name as $s | .views[] | "\($s)/\(.name)"' scenes.json)
 while read -r picture; do
   check "docs/$picture is there" test -s "$root/docs/$picture"
 done < <(sed -n 's/^!\[.*](\(.*\))$/\1/p' "$page")

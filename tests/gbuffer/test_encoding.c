@@ -48,7 +48,7 @@ static void set_option(struct aob_options *options, const char *name, const char
 {
     double values[AOB_OPTION_COUNT];
     const struct aob_param *param = aob_param_find(aob_option_params, AOB_OPTION_COUNT, name);
-    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, values);
+    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, 1, values);
     for (int i = 0; i < AOB_OPTION_COUNT; i++)
         if (aob_option_params[i].type == AOB_INT)
             values[i] = *(int32_t *)((char *)options + aob_option_params[i].offset);

@@ -52,7 +52,7 @@ static void test_radii_of_the_sweep(void **state)
     finish();
 }
 
-/* Without any radius the target is a metre, in the units of each scene. */
+/* Without any radius the target is what stands for a metre in each scene. */
 static void test_a_metre(void **state)
 {
     (void)state;
@@ -61,8 +61,8 @@ static void test_a_metre(void **state)
     assert_int_equal(plan.scenes[0].target_count, 1);
     assert_true(plan.scenes[0].targets[0].radius == 1);
     assert_int_equal(plan.scenes[1].target_count, 1);
-    assert_true(plan.scenes[1].targets[0].radius == 1000);
-    assert_true(plan.cases[1].reference_radius == 1000);
+    assert_true(plan.scenes[1].targets[0].radius == 278);
+    assert_true(plan.cases[1].reference_radius == 278);
     finish();
 }
 

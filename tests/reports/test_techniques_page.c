@@ -91,7 +91,7 @@ static void the_page_says_what_the_run_holds(void **state)
     assert_contains(page, "## `t`: A &#60;b&#62;title&#60;/b&#62;\n");
     assert_contains(page, "Who, &#42;What&#42;");
     assert_contains(page, "a_b, &#95;c&#95;");
-    assert_contains(page, "| `radius` | 0.5 | 0.1 .. 9 | scene units | Reach &#124; of it |\n");
+    assert_contains(page, "| `radius` | 0.5 m | 0.1 .. 9 | scene units | Reach &#124; of it |\n");
     assert_contains(page, "| `weighting` | `cosine` | `cosine`, `uniform` | \u2013 | Of directions |\n");
     assert_contains(
         page,

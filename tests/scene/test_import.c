@@ -36,6 +36,14 @@ static void bunny_is_as_published(void **state)
     aob_mesh_finish(&mesh);
 }
 
+static double middle_side(const struct aob_mesh *mesh)
+{
+    struct aob_vec3 low, high;
+    aob_mesh_bounds(mesh, &low, &high);
+    double x = high.x - low.x, y = high.y - low.y, z = high.z - low.z;
+    return fmax(fmin(x, y), fmin(fmax(x, y), z));
+}
+
 static void packaged_meshes_have_the_triangles_of_their_titles(void **state)
 {
     (void)state;
@@ -49,6 +57,8 @@ static void packaged_meshes_have_the_triangles_of_their_titles(void **state)
         assert_true(aob_mesh_restore(&mesh, paths.flat, NULL));
         unlink(paths.flat);
         assert_int_equal(mesh.triangle_count, title_triangles((*s)->title));
+        double metre = fmin(1 / (*s)->metres_per_unit, 0.5 * middle_side(&mesh)); /* scene.h; in two digits */
+        assert_true((*s)->metre <= 1.02 * metre && (*s)->metre >= 0.98 * metre);
         aob_mesh_finish(&mesh);
     }
 }

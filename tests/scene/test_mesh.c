@@ -222,6 +222,7 @@ static void every_procedural_scene_is_sound(void **state)
         const struct aob_scene_info *scene = *s;
         assert_ptr_equal(aob_scene_find(scene->name), scene);
         assert_true(scene->view_count >= 2 && scene->metres_per_unit > 0 && scene->title[0]);
+        assert_true(scene->file || scene->metre == 1 / scene->metres_per_unit);
         assert_ptr_equal(aob_scene_view(scene, NULL), &scene->views[0]);
         assert_null(aob_scene_view(scene, "no such view"));
         assert_int_equal(!scene->build, scene->file && scene->package);

@@ -94,27 +94,63 @@ static void test_rubbish_is_invalid(void **state)
     }
 }
 
+static void fill(float *pixels, size_t count, float value)
+{
+    for (size_t i = 0; i < count; i++)
+        pixels[i] = value;
+}
+
+/* A hundred columns and rows: a hundredth of the pixels is 100. The truth of the left half is 0.5, of the right one 1. */
 static void test_nothing_drawn(void **state)
 {
     (void)state;
-    float image[W * H], truth[W * H], depth[W * H];
-    struct aob_score_desc desc = scene(image, truth, depth);
+    enum { SIDE = 100, COUNT = SIDE * SIDE };
+    static float image[COUNT], truth[COUNT], claim[COUNT], depth[COUNT];
+    const struct aob_score_desc desc = {
+        .width = SIDE, .height = SIDE, .image = image, .truth = truth, .depth = depth, .sky_depth = 10};
     struct aob_error error = {{0}};
-    assert_true(aob_score_judge_drawn(&desc, &error));
-    for (int i = 0; i < W * H; i++)
-        image[i] = 0.25f;
-    image[W - 1] = 1; /* sky does not count */
-    assert_false(aob_score_judge_drawn(&desc, &error));
-    assert_contains(error.text, "0.25 in every pixel");
-    desc.truth = image; /* nothing to draw */
-    assert_true(aob_score_judge_drawn(&desc, &error));
+    fill(depth, COUNT, 1);
+    fill(image, COUNT, 0.25f);
+    for (int i = 0; i < COUNT; i++)
+        truth[i] = i % SIDE < SIDE / 2 ? 0.5f : 1;
+    image[7] = 1;
+    depth[7] = 11; /* sky does not count */
+    assert_false(aob_score_judge_drawn(&desc, NULL, &error));
+    assert_contains(error.text, "0.25 in 98 % of the pixels, where the truth spans 0.500 .. 1.000");
+    assert_false(aob_score_judge_drawn(&desc, truth, &error));
+    fill(claim, COUNT, 0.25f); /* the technique claims nothing else */
+    assert_true(aob_score_judge_drawn(&desc, claim, &error));
+    for (int i = 100; i < 150; i++) /* single pixels of noise are no picture */
+        image[i] = 0;
+    assert_false(aob_score_judge_drawn(&desc, NULL, &error));
+    for (int i = 150; i < 350; i++) /* two hundredths are */
+        image[i] = 0;
+    assert_true(aob_score_judge_drawn(&desc, NULL, &error));
+}
+
+/* The frame is 1 in every pixel, and so is the truth but for single pixels: right, and not blank. */
+static void test_noisy_truth_of_an_open_view(void **state)
+{
+    (void)state;
+    enum { SIDE = 100, COUNT = SIDE * SIDE };
+    static float image[COUNT], truth[COUNT], depth[COUNT];
+    const struct aob_score_desc desc = {
+        .width = SIDE, .height = SIDE, .image = image, .truth = truth, .depth = depth, .sky_depth = 10};
+    struct aob_error error = {{0}};
+    fill(depth, COUNT, 1);
+    fill(image, COUNT, 1);
+    fill(truth, COUNT, 1);
+    fill(truth, 50, 0.5f);
+    assert_true(aob_score_judge_drawn(&desc, NULL, &error));
+    fill(truth, 200, 0.5f);
+    assert_false(aob_score_judge_drawn(&desc, NULL, &error));
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_known_errors), cmocka_unit_test(test_border),
-                                       cmocka_unit_test(test_identity_and_offset),
-                                       cmocka_unit_test(test_rubbish_is_invalid),
-                                       cmocka_unit_test(test_nothing_drawn)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_known_errors),        cmocka_unit_test(test_border),
+        cmocka_unit_test(test_identity_and_offset), cmocka_unit_test(test_rubbish_is_invalid),
+        cmocka_unit_test(test_nothing_drawn),       cmocka_unit_test(test_noisy_truth_of_an_open_view)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

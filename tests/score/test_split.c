@@ -29,7 +29,8 @@ static void test_known_parts(void **state)
     assert_near(s.definition_rmse, 0.1, 1e-6);
     assert_near(s.missing_rmse, 0.05, 1e-6);
     assert_near(s.estimator_rmse, 0.02 * sqrt(x_square), 1e-6);
-    assert_near(s.definition_missing, 0, 1e-7); /* the rows cancel */
+    assert_near(s.claim_bias, 0.02 * x_mean, 1e-6); /* the missing parts of the two rows cancel */
+    assert_near(s.definition_missing, 0, 1e-7);     /* the rows cancel */
     assert_near(s.missing_estimator, 0, 1e-7);
     assert_near(s.definition_estimator, 0.1 * 0.02 * x_mean, 1e-6);
     double sum = s.definition_rmse * s.definition_rmse + s.missing_rmse * s.missing_rmse +

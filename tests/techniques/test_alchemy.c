@@ -45,7 +45,7 @@ static void test_against_quadrature(void **state)
     float ao[W * H];
     double sum = 0, bright = 0;
     aob_rig_scene(&rig, "corner", "front", W, H, 0);
-    aob_rig_run(&rig, gpu, "alchemy", "radius=0.5 samples=1024 blur=0", AOB_FETCH_SAMPLED, ao);
+    aob_rig_run(&rig, gpu, "alchemy", "radius=0.5 intensity=2 samples=1024 blur=0", AOB_FETCH_SAMPLED, ao);
     size_t occluded = 0;
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++) {
@@ -109,7 +109,8 @@ static double rmse_of(const float *a, const float *b, int count, double *bias)
     return sqrt(sum / count);
 }
 
-/* Section 2.3: "values within two orders of magnitude of epsilon = 0.0001 produced indistinguishable results". */
+/* Section 2.3: "values within two orders of magnitude of epsilon = 0.0001 produced indistinguishable results",
+ * at a radius of 0.5 and sigma 1: shares 4e-4 and 2. The exponents are those of the shares' factor 4. */
 static void test_epsilon_does_not_show(void **state)
 {
     (void)state;
@@ -119,19 +120,19 @@ static void test_epsilon_does_not_show(void **state)
         struct aob_rig rig;
         float base[W * H], other[W * H], raw[W * H];
         aob_rig_scene(&rig, views[s][0], views[s][1], W, H, 0);
-        aob_rig_run(&rig, gpu, "alchemy", "", AOB_FETCH_SAMPLED, base);
-        aob_rig_run(&rig, gpu, "alchemy", "blur=0", AOB_FETCH_SAMPLED, raw);
-        printf("alchemy on %s, RMSE x 255 to epsilon 1e-4 (before the blur):", views[s][0]);
+        aob_rig_run(&rig, gpu, "alchemy", "intensity=2", AOB_FETCH_SAMPLED, base);
+        aob_rig_run(&rig, gpu, "alchemy", "intensity=2 blur=0", AOB_FETCH_SAMPLED, raw);
+        printf("alchemy on %s, RMSE x 255 to epsilon 4e-4 (before the blur):", views[s][0]);
         for (int e = -6; e <= -2; e += e == -6 ? 3 : 1) {
             char params[64];
             double bias, filtered, plain;
-            snprintf(params, sizeof params, "epsilon=1e%d", e);
+            snprintf(params, sizeof params, "intensity=2 epsilon=4e%d", e);
             aob_rig_run(&rig, gpu, "alchemy", params, AOB_FETCH_SAMPLED, other);
             filtered = rmse_of(other, base, W * H, &bias);
-            snprintf(params, sizeof params, "blur=0 epsilon=1e%d", e);
+            snprintf(params, sizeof params, "intensity=2 blur=0 epsilon=4e%d", e);
             aob_rig_run(&rig, gpu, "alchemy", params, AOB_FETCH_SAMPLED, other);
             plain = rmse_of(other, raw, W * H, &bias);
-            printf(" 1e%d %.2f (%.2f)", e, 255 * filtered, 255 * plain);
+            printf(" 4e%d %.2f (%.2f)", e, 255 * filtered, 255 * plain);
             assert_true(e == -2 || filtered <= 1.0 / 255);
             assert_true(e == -6 || bias > 0); /* too large, it lets light into corners */
         }
@@ -151,8 +152,8 @@ static void test_large_epsilon_leaks_into_corners(void **state)
     double sums[2] = {0};
     size_t counts[2] = {0};
     aob_rig_scene(&rig, "corner", "front", W, H, 0);
-    aob_rig_run(&rig, gpu, "alchemy", "samples=64", AOB_FETCH_SAMPLED, base);
-    aob_rig_run(&rig, gpu, "alchemy", "samples=64 epsilon=1e-2", AOB_FETCH_SAMPLED, leaking);
+    aob_rig_run(&rig, gpu, "alchemy", "samples=64 intensity=2", AOB_FETCH_SAMPLED, base);
+    aob_rig_run(&rig, gpu, "alchemy", "samples=64 intensity=2 epsilon=4e-2", AOB_FETCH_SAMPLED, leaking);
     for (int i = 0; i < W * H; i++) {
         struct aob_vec3 p;
         if (!aob_rig_position(&rig, i % W, i / W, &p) || fmax(p.y, p.z) > 0.4)
@@ -207,8 +208,8 @@ static void plane_means(struct aob_gpu *gpu, double distance, double tilt, const
                                                     .height = HIGH});
         for (int i = 0; i < 2; i++) {
             char params[160];
-            snprintf(params, sizeof params, "radius=0.5 blur=0 bias=%s far=100 %s", i ? "1e-4" : "0",
-                     encoding);
+            snprintf(params, sizeof params, "radius=0.5 intensity=2 blur=0 bias=%s far=100 %s",
+                     i ? "1e-4" : "0", encoding);
             mean[i] += plane_mean(gpu, &rig, params) / AZIMUTHS;
         }
         aob_rig_finish(&rig);
@@ -329,10 +330,12 @@ static void test_corner_against_own_definition(void **state)
     float ao[W * H], truth[W * H];
     aob_rig_scene(&rig, "corner", "front", W, H, 64);
     for (int i = 0; i < 3; i++) {
-        char params[64];
+        char params[120];
         double sum = 0, bias = 0;
         size_t count = 0;
-        snprintf(params, sizeof params, "blur=0 samples=512 radius=%g", 0.5 * (1 << i));
+        double r = 0.5 * (1 << i);
+        snprintf(params, sizeof params, "blur=0 samples=512 radius=%g intensity=%g epsilon=%g", r, 1 / r,
+                 1e-4 / (r * r));
         aob_rig_run(&rig, gpu, "alchemy", params, AOB_FETCH_SAMPLED, ao);
         aob_rig_definition(&rig, "alchemy", params, 128, truth);
         for (int k = 0; k < W * H; k++)
@@ -358,12 +361,12 @@ static void test_divided_size(void **state)
     struct aob_rig rig;
     float full[W * H], low[W * H];
     aob_rig_scene(&rig, "spheres", "front", W, H, 0);
-    aob_rig_run(&rig, gpu, "alchemy", "samples=64", AOB_FETCH_SAMPLED, full);
+    aob_rig_run(&rig, gpu, "alchemy", "samples=64 intensity=2", AOB_FETCH_SAMPLED, full);
     for (int divisor = 2; divisor <= 4; divisor *= 2) {
-        char params[64];
+        char params[80];
         size_t alone, phantoms;
         double bias, rmse;
-        snprintf(params, sizeof params, "samples=64 divisor=%d", divisor);
+        snprintf(params, sizeof params, "samples=64 intensity=2 divisor=%d", divisor);
         aob_rig_run(&rig, gpu, "alchemy", params, AOB_FETCH_SAMPLED, low);
         phantoms = aob_half_phantoms(&rig, low, divisor, &alone);
         rmse = rmse_of(low, full, W * H, &bias);

@@ -74,8 +74,8 @@ static struct score score_mesh(struct aob_gpu *gpu, const struct aob_mesh *mesh,
 {
     struct aob_rig rig;
     struct aob_visibility truth;
-    char params[40];
-    snprintf(params, sizeof params, "radius=%g", radius);
+    char params[80];
+    snprintf(params, sizeof params, "radius=%g divisor=1", radius);
     aob_rig_init(&rig, mesh, camera, W, H, 0);
     trace(&rig, radius, &truth);
     aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_SAMPLED, ao);
@@ -146,8 +146,8 @@ static void check_tapered(struct aob_gpu *gpu, const char *name, const struct ao
 {
     static float ao[2][PIXELS], definition[PIXELS];
     double rmse[2] = {0}, apart = 0;
-    char params[40];
-    snprintf(params, sizeof params, "radius=%g falloff=1", radius);
+    char params[80];
+    snprintf(params, sizeof params, "radius=%g falloff=1 divisor=1", radius);
     for (int fine = 0; fine < 2; fine++) {
         struct aob_mesh pieces = fine ? cut(mesh, radius / 4) : (struct aob_mesh){0};
         struct aob_rig rig;
@@ -226,9 +226,9 @@ static void test_occluder_never_brightens(void **state)
         for (int where = 0; where < 3; where++) {
             struct aob_mesh mesh = box_on_plane();
             struct aob_rig plain, more;
-            char params[40];
+            char params[80];
             size_t same = 0, darker = 0;
-            snprintf(params, sizeof params, "radius=1 falloff=%d", falloff);
+            snprintf(params, sizeof params, "radius=1 falloff=%d divisor=1", falloff);
             aob_rig_init(&plain, &mesh, &box_camera, W, H, 0);
             aob_mesh_add_box(&mesh, aob_vec(0.5 * where - 1, 0.4 * where, 1.2),
                              aob_vec(0.5 * where - 0.4, 0.4 * where + 0.6, 1.7), 30);
@@ -257,11 +257,11 @@ static void test_divided_is_near_the_full_image(void **state)
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
     struct aob_rig rig;
     aob_rig_scene(&rig, "cornell", NULL, W, H, 0);
-    aob_rig_run(&rig, gpu, "ao_volumes", "", AOB_FETCH_SAMPLED, full);
+    aob_rig_run(&rig, gpu, "ao_volumes", "radius=0.5 divisor=1", AOB_FETCH_SAMPLED, full);
     for (int divisor = 2; divisor <= 4; divisor *= 2) {
-        char params[40];
+        char params[80];
         double sum = 0;
-        snprintf(params, sizeof params, "divisor=%d", divisor);
+        snprintf(params, sizeof params, "radius=0.5 divisor=%d", divisor);
         aob_rig_run(&rig, gpu, "ao_volumes", params, AOB_FETCH_SAMPLED, low);
         for (int i = 0; i < PIXELS; i++)
             sum += pow((double)low[i] - (double)full[i], 2) / PIXELS;

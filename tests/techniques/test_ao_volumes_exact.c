@@ -20,8 +20,8 @@ static void test_corner_is_exact(void **state)
         for (size_t r = 0; r < AOB_COUNT(radii); r++) {
             double rmse[2];
             for (int fine = 0; fine < 2; fine++) {
-                char params[40];
-                snprintf(params, sizeof params, "radius=%g sides=%d", radii[r], fine ? 16 : 8);
+                char params[80];
+                snprintf(params, sizeof params, "radius=%g sides=%d divisor=1", radii[r], fine ? 16 : 8);
                 rmse[fine] =
                     aob_rig_corner_rmse(&rig, gpu, "ao_volumes", params, aob_oracle_corner, radii[r]);
             }
@@ -53,7 +53,7 @@ static void test_closed_forms(void **state)
             struct aob_rig rig;
             struct aob_oracle_score score;
             aob_rig_scene(&rig, rows[i].scene, info->views[v].name, W, H, 0);
-            aob_rig_run(&rig, gpu, "ao_volumes", "radius=0.5", AOB_FETCH_SAMPLED, ao);
+            aob_rig_run(&rig, gpu, "ao_volumes", "radius=0.5 divisor=1", AOB_FETCH_SAMPLED, ao);
             const struct aob_oracle_desc desc = {.oracle = aob_oracle_find(rows[i].scene),
                                                  .camera = &rig.camera,
                                                  .gbuffer = &rig.gbuffer,
@@ -89,7 +89,7 @@ static void test_ground_is_open(void **state)
             aob_mesh_add_quad(&mesh, aob_vec(-half, 0, -half), aob_vec(0, 0, sides[s]),
                               aob_vec(sides[s], 0, 0));
             aob_rig_init(&rig, &mesh, &camera, W, H, 0);
-            aob_rig_run(&rig, gpu, "ao_volumes", "radius=0.5", AOB_FETCH_SAMPLED, ao);
+            aob_rig_run(&rig, gpu, "ao_volumes", "radius=0.5 divisor=1", AOB_FETCH_SAMPLED, ao);
             for (int i = 0; i < PIXELS; i++) {
                 ground += rig.hits.depth[i] > 0;
                 least = fminf(least, ao[i]);

@@ -75,7 +75,7 @@ static void run(struct aob_gpu *gpu, enum layout layout, pattern *draw, float *r
     technique.build = build;
     technique.check = NULL;
     axis = layout == TRANSPOSED;
-    aob_param_defaults(owner->params, owner->param_count, numbers);
+    aob_param_defaults(owner->params, owner->param_count, 1, numbers);
     numbers[aob_param_find(owner->params, owner->param_count, "blur") - owner->params] = TAPS;
     aob_param_pack(owner->params, owner->param_count, numbers, values, sizeof values);
     if (!aob_screen_init(&screen, gpu, &gbuffer, &(struct aob_options){0}, &error) ||

@@ -79,7 +79,7 @@ static void blur_picture(const struct aob_rig *rig, struct aob_gpu *gpu, int axi
     struct aob_screen screen;
     static struct aob_frame frame;
     struct aob_error error = {{0}};
-    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, chosen);
+    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, 1, chosen);
     aob_param_pack(aob_option_params, AOB_OPTION_COUNT, chosen, &options, sizeof options);
     if (!aob_screen_init(&screen, gpu, &rig->gbuffer, &options, &error) ||
         !aob_frame_init(&frame, &screen, &technique, &values, AOB_FETCH_SAMPLED, &error) ||

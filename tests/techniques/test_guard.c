@@ -20,7 +20,7 @@ static const char *const settings[][2] = {
     {"volumetric_obscurance", "radius=0.5 blur=5 divisor=2"},
     {"crytek_ssao", "radius=0.5 size=scene blur=5 range=4 range_default=0.5"},
     {"starcraft2_ssao", "radius=0.5 blur=5 radii=one near_factor=1 full_occlusion=1 no_occlusion=2"},
-    {"ao_volumes", "radius=0.5"},
+    {"ao_volumes", "radius=0.5 divisor=1"},
 };
 
 static void draw(struct aob_gpu *gpu, size_t which, double span, int width, int height, int guard,

@@ -104,7 +104,7 @@ static const struct row {
     {"ray_march", "radius=0.5 attenuation=0.5 directions=32 rays=16 steps=64 weighting=uniform", attenuated,
      false, false},
     {"gtao", "radius=0.5 falloff=0.5 slices=32 steps=64 weighting=cosine blur=0", faded, false, false},
-    {"alchemy", "radius=0.5 samples=199 bias=0 epsilon=1e-9 contrast=1 intensity=0.1 blur=0", obscured, true,
+    {"alchemy", "radius=0.5 samples=199 bias=0 epsilon=4e-9 contrast=1 intensity=0.2 blur=0", obscured, true,
      false},
     {"ao_volumes", "radius=0.5 falloff=0 sides=32 divisor=1", form_factor, false, false},
     {"volumetric_obscurance",

@@ -27,7 +27,7 @@ static void init(struct aob_frame *frame, const struct aob_screen *screen,
     double numbers[AOB_MAX_PARAM];
     unsigned char values[4 * AOB_MAX_PARAM] = {0};
     struct aob_error error = {{0}};
-    aob_param_defaults(technique->params, technique->param_count, numbers);
+    aob_param_defaults(technique->params, technique->param_count, 1, numbers);
     aob_param_pack(technique->params, technique->param_count, numbers, values, sizeof values);
     if (!aob_frame_init(frame, screen, technique, values, AOB_FETCH_SAMPLED, &error))
         fail_msg("%s", error.text);
