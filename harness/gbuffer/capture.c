@@ -90,7 +90,6 @@ static bool find_camera(struct aob_capture *capture, const struct aob_capture_de
                                *target = find_attribute(image, "aobudget.target", 3),
                                *shift = find_attribute(image, "aobudget.shift", 3);
     struct aob_camera *camera = &capture->camera;
-    capture->own = fov && ortho && eye && target;
     *camera = (struct aob_camera){.target = aob_vec(0, 0, -1)};
     *known = desc->has_camera || (eye && target);
     if (desc->has_camera) {
@@ -106,6 +105,8 @@ static bool find_camera(struct aob_capture *capture, const struct aob_capture_de
     bool stated = desc->fov_deg > 0 || desc->ortho_height > 0;
     camera->fov_deg = stated ? desc->fov_deg : fov ? fov->values[0] : 0;
     camera->ortho_height = stated ? desc->ortho_height : ortho ? ortho->values[0] : 0;
+    capture->own = fov && ortho && eye && target && camera->fov_deg == fov->values[0] &&
+                   camera->ortho_height == ortho->values[0];
     if (!stated && !fov && !ortho)
         return aob_fail(error,
                         "%s: the file does not say its field of view: state fov_deg (vertical) or "

@@ -33,7 +33,7 @@ struct aob_capture_grain {
 struct aob_capture {
     struct aob_camera camera;
     struct aob_hits hits; /* depth, normal, shading, primitive 0; the size is the display window's */
-    bool own;             /* this program wrote the file */
+    bool own;             /* this program wrote the file, and its field of view is not stated otherwise */
     struct aob_capture_grain grain;
     size_t surface, derived; /* pixels that are no sky; of these, with a derived normal */
     size_t leaning;          /* pixels whose geometric normal is not the file's */

@@ -96,7 +96,8 @@ static void set_normal(const struct context *context, const float *const planes[
     n = turn(n, &surface, to_camera);
     double faces = aob_vec_dot(n, to_camera);
     bool away = faces < least / 2 && surface.doubt < LIKELY; /* rounding is no lean */
-    bool leans = away || (surface.doubt < SURE && aob_vec_dot(n, surface.normal) < LEAN);
+    bool differs = surface.doubt < SURE && aob_vec_dot(n, surface.normal) < LEAN;
+    bool leans = !capture->own && (away || differs); /* our own files have the normals of triangles */
     store(capture->hits.normal[i], leans ? surface.normal : n);
     store(capture->hits.shading[i], surface.doubt < LIKELY ? aob_vec_bend(n, to_camera, least) : n);
     capture->leaning += leans;

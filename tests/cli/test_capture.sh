@@ -64,7 +64,7 @@ expect 2 "config.yaml:2:34: depth: 'deep'" "$program" plan config.yaml
 config '{capture: F.exr, depth: device}'
 expect 2 "config.yaml:2:10: depth device needs near" "$program" plan config.yaml
 config '{capture: rubbish.exr}'
-expect 2 "config.yaml:2:10: $folder/rubbish.exr: cannot read" "$program" run config.yaml --out out2
+expect 2 "config.yaml:2:10: rubbish.exr: cannot read" "$program" run config.yaml --out out2
 config '{name: corner, near: 1}'
 expect 2 "keys of a capture" "$program" plan config.yaml
 config '{name: corner}'
