@@ -33,8 +33,10 @@ static const struct aob_param params[] = {
               .max = 4, .rule = AOB_POWER_OF_TWO, .initial = 2,
               .doc =
                   "Divides the size of the (coarser) image and of the depth that it reads; more is cheaper."),
-    AOB_PARAM(struct values, hemisphere, .stage = AOB_CONSTANT, .choices = switches,
-              .doc = "On reads normals and counts the half of the sphere above the tangent plane alone."),
+    AOB_PARAM(struct values, hemisphere, .stage = AOB_CONSTANT, .choices = switches, .initial = 1,
+              .doc =
+                  "On reads normals and counts the half of the sphere above the tangent plane alone; off is "
+                  "the text's whole sphere, which is too bright where surfaces are convex."),
     AOB_PARAM(struct values, amplification, .stage = AOB_CONSTANT, .choices = switches, .initial = 1,
               .doc =
                   "On doubles the empty share of the sphere, so that a wall is open; off leaves it at 0.5."),
@@ -91,16 +93,18 @@ static bool build(struct aob_graph *graph, const void *values)
 AOB_TECHNIQUE(
     volumetric_obscurance, .title = "Volumetric obscurance", .revision = 2,
     .shaders = aob_shaders_volumetric_obscurance,
-    .summary = "The empty share of a sphere about the surface point, by lines along the view that end at the "
-               "depth buffer, doubled: a flat wall is open.",
-    .notes = "The set-up is that of a secondary text: lines come in point-symmetric pairs; depth differences "
-             "in perspective are "
-             "taken as zc (1 - zc/z), which keeps walls open and holds for radii well below the depth; two "
-             "resolutions are mixed evenly before the clamp. Without normals more than half of the sphere is "
-             "empty "
-             "at a convex edge, so its value is above 1 there: the clamp hides that on open surfaces, but in "
-             "the mean of two resolutions it takes away what the other one found, and convex parts that are "
-             "occluded are too bright; blur and upsampling read normals.",
+    .summary =
+        "The empty share of the half sphere above the surface point, by lines along the view that end at "
+        "the depth buffer: a flat wall is open. Without normals, that of the whole sphere, doubled.",
+    .notes =
+        "The set-up is that of a secondary text: lines come in point-symmetric pairs; depth differences "
+        "in perspective are "
+        "taken as zc (1 - zc/z), which keeps walls open and holds for radii well below the depth; two "
+        "resolutions are mixed evenly before the clamp. With hemisphere off more than half of the sphere is "
+        "empty "
+        "at a convex edge, so its value is above 1 there: the clamp hides that on open surfaces, but in "
+        "the mean of two resolutions it takes away what the other one found, and convex parts that are "
+        "occluded are too bright; blur and upsampling read normals.",
     .citation = "Loos, Sloan: Volumetric Obscurance, I3D 2010, as compared in McGuire et al.: The Alchemy "
                 "Screen-Space Ambient Obscurance Algorithm, HPG 2011",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),

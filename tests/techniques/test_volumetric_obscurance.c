@@ -13,7 +13,7 @@ enum { W = 160, H = 90, GUARD = 64 };
 static void run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *params, float *ao)
 {
     char all[200];
-    snprintf(all, sizeof all, "blur=0 %s", params);
+    snprintf(all, sizeof all, "blur=0 hemisphere=off %s", params); /* the last one stands */
     aob_rig_run(rig, gpu, "volumetric_obscurance", all, AOB_FETCH_SAMPLED, ao);
 }
 
