@@ -44,10 +44,21 @@ static bool ends_with(const char *text, const char *end)
     return size >= tail && strcmp(text + size - tail, end) == 0;
 }
 
+/* What has such a word anywhere in its name is no depth: Blender's mist, an inverse of the depth, or a pass that is
+ * smoothed for a denoiser. */
+static bool is_other(const struct name *name)
+{
+    static const char *const words[] = {"mist", "inv", "recip", "dispar", "denois"};
+    for (int i = 0; i < name->count; i++)
+        for (size_t k = 0; k < AOB_COUNT(words); k++)
+            if (strstr(name->parts[i], words[k]))
+                return true;
+    return false;
+}
+
 static bool is_depth(const char *word)
 {
-    bool other = strstr(word, "denois") || strstr(word, "inv") || strstr(word, "mist");
-    return strcmp(word, "z") == 0 || (ends_with(word, "depth") && !other);
+    return strcmp(word, "z") == 0 || ends_with(word, "depth");
 }
 
 static bool is_plain_normal(const char *word)
@@ -119,32 +130,33 @@ struct candidates {
     size_t count, capacity;
 };
 
-/* Names that end in Z. A vector's Z is none, nor is Blender's mist, which has one channel and so is a Z too. */
+/* Names that end in Z. A vector's Z is none. */
 static int rank_z(const struct name *name, int word, bool vector)
 {
     if (name->count == 1)
         return 1;
     if (word == name->count - 2)
         return 2;
-    const char *layer = name->parts[name->count - 2];
-    bool other =
-        ends_with(layer, "mist") || strstr(layer, "inv") || strstr(layer, "denois") || is_normal(layer);
-    return vector || other ? WORST : 3;
+    if (vector || is_normal(name->parts[name->count - 2]))
+        return WORST;
+    return word >= 0 ? 3 : 4;
 }
 
 static int rank_depth(const char *const *names, size_t count, size_t at, const struct name *name, int word)
 {
     const char *last = name->parts[name->count - 1];
     size_t stem = stem_of(names[at]);
+    if (is_other(name))
+        return WORST;
     if (strcmp(last, "z") == 0)
         return rank_z(name, word, stem && sibling(names, count, names[at], stem, "X") >= 0);
     if (is_depth(last))
-        return 6;
+        return 7;
     if (word < 0 || strlen(last) != 1 || !strchr("vryx", *last))
         return WORST;
     if (word == name->count - 2)
-        return strchr("vr", *last) ? 4 : 5;
-    return sibling(names, count, names[at], stem, "G") < 0 ? 7 : WORST; /* a colour below DEPTH is none */
+        return strchr("vr", *last) ? 5 : 6;
+    return sibling(names, count, names[at], stem, "G") < 0 ? 8 : WORST; /* a colour below DEPTH is none */
 }
 
 static bool take_normal(const char *const *names, size_t count, const char *name, size_t stem, int normal[3])

@@ -4,14 +4,17 @@
  * Depth, the first of these that is there:
  *   1. Z                                   (Arnold, RenderMan, OpenEXR's own name)
  *   2. DEPTH.Z                             (Blender: ViewLayer.Depth.Z)
- *   3. ANY.Z that is no part of a vector   (a part of a file, a layer or a view, with a Z of its own)
- *   4. DEPTH.V, DEPTH.R                    (Blender's compositor; Unreal: FinalImageSceneDepth.R)
- *   5. DEPTH.Y, DEPTH.X
- *   6. DEPTH                               (VRayZDepth, Image.Depth)
- *   7. 2, 4 and 5 with other parts between DEPTH and the last one (a view of several: Depth.left.Z)
- * where DEPTH is "z" or ends with "depth", and neither it nor ANY is a mist or an inverse depth. Normals: NORMAL.X .Y .Z
- * or .R .G .B, where NORMAL is N, Nn, Normal or Normals, else ends with one of the last two, else has other parts
- * behind it. Blender's "Denoising ..." passes are not taken.
+ *   3. DEPTH.ANY.Z                         (a view of several: Depth.left.Z)
+ *   4. ANY.Z that is no part of a vector   (a part of a file, a layer or a view, with a Z of its own)
+ *   5. DEPTH.V, DEPTH.R                    (Blender's compositor; Unreal: FinalImageSceneDepth.R)
+ *   6. DEPTH.Y, DEPTH.X
+ *   7. DEPTH                               (VRayZDepth, Image.Depth)
+ *   8. 5 and 6 with other parts between DEPTH and the last one (depth.left.V)
+ * where DEPTH is "z" or ends with "depth". A name is no depth if any part of it holds "mist", "inv", "recip", "dispar" or
+ * "denois": a mist, an inverse depth, or a pass that is smoothed for a denoiser.
+ *
+ * Normals: NORMAL.X .Y .Z or .R .G .B, where NORMAL is N, Nn, Normal or Normals, else ends with one of the last two and
+ * does not hold "denois", else has other parts behind it.
  *
  * A channel's layer is its name without those words: that of "left.Fg.Depth.Z" and of "Fg.left.N.X" is Fg of left. Of
  * several depths that stand equally high, one is taken whose layer has a normal, else the first of the file. Normals

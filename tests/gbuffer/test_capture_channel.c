@@ -128,35 +128,54 @@ static void test_what_is_a_depth(void **state)
         {.names = {"P.X", "P.Y", "P.Z", "Z"}, .depth = "Z"},
         {.names = {"InverseDepth.Z", "SceneDepth.R"}, .depth = "SceneDepth.R"},
         {.names = {"ViewLayer.Denoising Depth.Z", "ViewLayer.Depth.Z"}, .depth = "ViewLayer.Depth.Z"},
+        {.names = {"VL.Denoising Depth.left.Z", "VL.Depth.left.Z"}, .depth = "VL.Depth.left.Z"},
+        {.names = {"VL.A.Mist.left.Z", "VL.Depth.left.Z"}, .depth = "VL.Depth.left.Z"},
+        {.names = {"VL.A.left.Z", "VL.Depth.left.Z"},
+         .depth = "VL.Depth.left.Z",
+         .other_depth = "VL.A.left.Z"},
+        {.names = {"MistDepth.Z", "SceneDepth.R"}, .depth = "SceneDepth.R"},
     };
     (void)state;
     check_choices(choices, AOB_COUNT(choices));
 }
 
+static void expect_no_depth(const char *const *names, size_t count)
+{
+    struct aob_capture_channels channels;
+    const struct aob_convention convention = {0};
+    struct aob_error error = {{0}};
+    if (aob_capture_channels_choose(&channels, names, count, &convention, &error))
+        fail_msg("%s is taken for a depth", names[channels.depth]);
+    assert_contains(error.text, "no channel is a depth by its name");
+    for (size_t i = 0; i < count; i++)
+        assert_contains(error.text, names[i]);
+}
+
 static void test_no_depth(void **state)
 {
-    static const char *const names[] = {"ViewLayer.Combined.R",
+    static const char *const alone[] = {"ViewLayer.Combined.R",
                                         "ViewLayer.Mist.Z",
                                         "Mist.Z",
                                         "mist.V",
                                         "MistDepth.R",
+                                        "MistDepth.Z",
                                         "InvDepth.Z",
-                                        "N.Z",
-                                        "P.X",
-                                        "P.Z",
-                                        "depth.AO.R",
-                                        "depth.AO.G",
-                                        "depth.AO.B"};
-    struct aob_capture_channels channels;
-    const struct aob_convention convention = {0};
+                                        "reciprocalDepth.Z",
+                                        "disparity.Z",
+                                        "Disparity.left.Z",
+                                        "VL.Mist.left.Z",
+                                        "VL.A.Mist.left.Z",
+                                        "VL.Denoising Depth.left.Z",
+                                        "Inverse.Depth.left.V",
+                                        "RecipDepth",
+                                        "N.Z"};
+    static const char *const vector[] = {"P.X", "P.Z"}, *const colour[] = {"depth.AO.R", "depth.AO.G",
+                                                                           "depth.AO.B"};
     (void)state;
-    for (size_t i = 0; i < AOB_COUNT(names); i++) {
-        struct aob_error error = {{0}};
-        size_t first = i < 7 ? i : i < 9 ? 7 : 9, count = i < 7 ? 1 : i < 9 ? 2 : 3;
-        assert_false(aob_capture_channels_choose(&channels, names + first, count, &convention, &error));
-        assert_contains(error.text, "no channel is a depth by its name");
-        assert_contains(error.text, names[i]);
-    }
+    for (size_t i = 0; i < AOB_COUNT(alone); i++)
+        expect_no_depth(&alone[i], 1);
+    expect_no_depth(vector, AOB_COUNT(vector));
+    expect_no_depth(colour, AOB_COUNT(colour));
 }
 
 int main(void)
