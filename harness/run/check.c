@@ -63,8 +63,11 @@ void aob_check_view(struct aob_measurement *m, size_t index, const struct aob_vi
     scene->checked = true;
     shrink(&job.view);
     struct aob_error error = {{0}};
-    struct aob_job_desc desc = {
-        .job = aob_check_job_to_json(&job), .timeout_s = 300, .on_answer = take_answer, .user = scene};
+    struct aob_job_desc desc = {.job = aob_check_job_to_json(&job),
+                                .timeout_s = 300,
+                                .memory_limit = aob_view_memory_limit(),
+                                .on_answer = take_answer,
+                                .user = scene};
     if (!aob_dispatch_job(m->dispatch, &desc, &error))
         aob_warn("%s/%s: its triangles could not be checked: %s", scene->name, scene->view, error.text);
 }

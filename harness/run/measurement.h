@@ -60,6 +60,9 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
                       struct aob_view_files *files, struct aob_error *error);
 void aob_view_files_finish(struct aob_view_files *files);
 
+/* Bytes that a job which casts rays may take; 0: no limit. */
+size_t aob_view_memory_limit(void);
+
 /* The case's view as a job has it; its texts belong to the plan and to `files`. */
 struct aob_job_view;
 struct aob_job_view aob_job_view_of(const struct aob_case *c, const struct aob_view_files *files);

@@ -45,7 +45,7 @@ static void warn_of_unit(const struct aob_plan_scene *scene, const struct box *b
                  scene->name, longest);
 }
 
-/* Each mesh is imported once a run. Limits grow with the file, so a small hostile file cannot loop or allocate for
+/* Each mesh is imported once a run, and again if its flat file is removed meanwhile. Limits grow with the file, so a small hostile file cannot loop or allocate for
  * ever. Real meshes take about 0.04 s a megabyte and 20 bytes of memory a byte. */
 static bool import_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, const char *path,
                         struct aob_error *error)
@@ -76,7 +76,7 @@ static char *load_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, 
     aob_text_add(&text, "%s %s", scene->digest, aob_mesh_flat_version);
     char *path = aob_cache_path(&m->cache, "mesh", text.data, ".mesh");
     aob_text_finish(&text);
-    if (scene->loaded || import_mesh(m, scene, path, error))
+    if ((scene->loaded && aob_file_exists(path)) || import_mesh(m, scene, path, error))
         return path;
     free(path);
     return NULL;
@@ -175,7 +175,7 @@ struct aob_job_view aob_job_view_of(const struct aob_case *c, const struct aob_v
 
 /* The worker judges what it needs. This is for what it did not foresee, and adds what a process takes in addresses alone: 0.4
  * GB were measured, and each thread has a stack and an arena. */
-static size_t memory_limit(void)
+size_t aob_view_memory_limit(void)
 {
     size_t memory = aob_machine_memory(), more = ((size_t)1 << 30) + ((size_t)aob_machine_cores() << 27);
     return memory < SIZE_MAX - more ? memory + more : 0;
@@ -191,7 +191,7 @@ static bool trace_view(struct aob_measurement *m, const struct aob_case *c,
     struct aob_job_view view = aob_job_view_of(c, files);
     struct aob_job_desc desc = {.job = aob_view_job_to_json(&view, spp, cast, json_incref(terms)),
                                 .timeout_s = 300 + rays / 1e5 * (double)json_array_size(terms),
-                                .memory_limit = memory_limit()};
+                                .memory_limit = aob_view_memory_limit()};
     return aob_dispatch_job(m->dispatch, &desc, error) || aob_fail_in(error, "scene '%s'", c->scene->name);
 }
 
@@ -302,7 +302,7 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
     const char *failed = json_string_value(json_object_get(m->failed_views, view));
     if (failed)
         return aob_fail(error, "%s", failed);
-    bool ok = prepare(m, indices, count, files, error);
+    bool ok = aob_cache_keep(&m->cache, error) && prepare(m, indices, count, files, error);
     if (!ok)
         json_object_set_new(m->failed_views, view, json_string(error->text));
     m->shares.reference += (double)(aob_clock_wall_ns() - start) * 1e-9;

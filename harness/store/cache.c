@@ -71,15 +71,20 @@ static bool judge_folder(const char *path, struct aob_error *error)
            aob_fail(error, "%s: the folder is not writable", path);
 }
 
+bool aob_cache_keep(const struct aob_cache *cache, struct aob_error *error)
+{
+    return (create_folder(cache->folder, error) && judge_folder(cache->folder, error)) ||
+           aob_fail_in(error, "cache (set AOBUDGET_CACHE to move it)");
+}
+
 bool aob_cache_open(struct aob_cache *cache, struct aob_error *error)
 {
     cache->folder = choose_folder();
     cut_slashes(cache->folder);
-    if (create_folder(cache->folder, error) && judge_folder(cache->folder, error)) {
+    if (aob_cache_keep(cache, error)) {
         aob_part_clean(cache->folder);
         return true;
     }
-    aob_fail_in(error, "cache (set AOBUDGET_CACHE to move it)");
     aob_cache_close(cache);
     return false;
 }

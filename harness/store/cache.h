@@ -18,6 +18,10 @@ struct aob_cache {
 bool aob_cache_open(struct aob_cache *cache, struct aob_error *error);
 void aob_cache_close(struct aob_cache *cache); /* of a zeroed one too */
 
+/* Creates the folder of an open cache again if it was removed meanwhile, and judges it again as above. Called before files
+ * are looked for or made. */
+bool aob_cache_keep(const struct aob_cache *cache, struct aob_error *error);
+
 /* The path of the file "KIND-HASH" with this suffix, whose hash is made of `what` and of the seal's version; free() it. */
 char *aob_cache_path(const struct aob_cache *cache, const char *kind, const char *what, const char *suffix);
 
