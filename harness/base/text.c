@@ -104,16 +104,63 @@ void aob_text_finish(struct aob_text *text)
     *text = (struct aob_text){0};
 }
 
+static const char mark[] = "...";
+
+static bool within_character(const struct aob_text *text, size_t at)
+{
+    return at < text->size && ((unsigned char)text->data[at] & 0xc0) == 0x80;
+}
+
+/* The longest stretch without a blank that has a slash: a path, or most of one. */
+static size_t find_path(const struct aob_text *text, size_t *size)
+{
+    size_t found = 0;
+    *size = 0;
+    for (size_t at = 0, count; at < text->size; at += count + 1) {
+        count = strcspn(text->data + at, " ");
+        if (count > *size && memchr(text->data + at, '/', count)) {
+            found = at;
+            *size = count;
+        }
+    }
+    return found;
+}
+
+/* Takes bytes out of the path's middle, so that about `keep` of them stay. Its begin and its end say most. */
+static void cut_path(struct aob_text *text, size_t path, size_t size, size_t keep)
+{
+    size_t from = path + keep / 2, to = path + size - (keep - keep / 2), dots = sizeof mark - 1;
+    while (within_character(text, from))
+        from--;
+    while (within_character(text, to))
+        to++;
+    memcpy(text->data + from, mark, dots);
+    memmove(text->data + from + dots, text->data + to, text->size + 1 - to);
+    text->size -= to - from - dots;
+}
+
+/* A message names its object first, by its path, and the cause behind it. */
+static void shorten_paths(struct aob_text *text, size_t most)
+{
+    enum { LEAST = 64 };
+    while (text->size > most) {
+        size_t size, path = find_path(text, &size), more = text->size - most + sizeof mark - 1;
+        if (size <= LEAST + 2 * sizeof mark)
+            return;
+        cut_path(text, path, size, size > more + LEAST ? size - more : LEAST);
+    }
+}
+
 void aob_line_print_list(char *line, size_t size, const char *format, va_list args)
 {
-    static const char mark[] = "...";
     struct aob_text raw = {0}, shown = {0};
     add_list(&raw, format, args);
     aob_text_add_shown(&shown, raw.data, raw.size, false);
+    shorten_paths(&shown, size ? size - 1 : 0);
     size_t kept = shown.size;
     if (kept >= size && size >= sizeof mark) {
         kept = size - sizeof mark;
-        while (kept && ((unsigned char)shown.data[kept] & 0xc0) == 0x80) /* within a character */
+        while (kept && within_character(&shown, kept))
             kept--;
     }
     snprintf(line, size, "%.*s%s", (int)kept, kept ? shown.data : "", kept < shown.size ? mark : "");

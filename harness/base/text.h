@@ -22,7 +22,8 @@ void aob_text_add_shown(struct aob_text *text, const char *bytes, size_t size, b
 void aob_text_add_line(struct aob_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Writes a line for people into an array of `size` bytes, shown as above, so it is UTF-8 and can go into JSON. If it does not
- * fit, it is cut at a character's border and ends in "...". So never write with it what a program reads, such as a path. */
+ * fit, paths are cut in their middle ("/home/a...b/box.obj: cause"), so that what stands behind them stays. If that is not
+ * enough, it is cut at a character's border and ends in "...". So never write with it what a program reads, such as a path. */
 void aob_line_print(char *line, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void aob_line_print_list(char *line, size_t size, const char *format, va_list args);
 

@@ -70,9 +70,7 @@ static bool load(struct aob_scene_choice *choice, const struct aob_cache *cache,
                                 .user = choice};
     bool ok = aob_dispatch_job(dispatch, &desc, error) &&
               (choice->width > 0 || aob_fail(error, "the worker gave no answer"));
-    return ok || (strstr(error->text, choice->capture)
-                      ? false
-                      : aob_fail_in(error, "%s: the reader of captures", choice->capture));
+    return ok || aob_dispatch_fail_in(error, choice->capture, "the reader of captures");
 }
 
 static bool load_in(struct aob_config *config, struct aob_scene_choice *choice,

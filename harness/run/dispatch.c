@@ -50,6 +50,12 @@ bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_
     return aob_fail(error, "%s", text);
 }
 
+bool aob_dispatch_fail_in(struct aob_error *error, const char *file, const char *reader)
+{
+    const char *slash = strrchr(file, '/'); /* a long path is cut in its middle */
+    return strstr(error->text, slash ? slash : file) ? false : aob_fail_in(error, "%s: %s", file, reader);
+}
+
 static void add_technique(void *user, const json_t *answer)
 {
     aob_technique_list_add(user, answer);

@@ -26,6 +26,9 @@ struct aob_job_desc {
 bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_desc *desc,
                       struct aob_error *error);
 
+/* "FILE: READER: " before the line of a job that read a file, unless the line names the file already. Always false. */
+bool aob_dispatch_fail_in(struct aob_error *error, const char *file, const char *reader);
+
 /* What techniques there are: built in and in the modules. */
 bool aob_dispatch_describe(const struct aob_dispatch *dispatch, struct aob_technique_list *list,
                            struct aob_error *error);

@@ -61,8 +61,7 @@ static bool import_mesh(struct aob_measurement *m, struct aob_plan_scene *scene,
                                 .on_answer = take_box,
                                 .user = &box};
     if (!aob_dispatch_job(m->dispatch, &desc, error))
-        return strstr(error->text, scene->file) ? false
-                                                : aob_fail_in(error, "%s: the mesh loader", scene->file);
+        return aob_dispatch_fail_in(error, scene->file, "the mesh loader");
     warn_of_unit(scene, &box);
     if (scene->framed)
         scene->camera = aob_scene_framing(box.low, box.high);

@@ -124,10 +124,41 @@ static void test_a_line_is_text(void **state)
     json_decref(text);
 }
 
+/* A path gives way in its middle, between characters, so that the cause behind it stays. */
+static void test_a_long_path_leaves_its_cause(void **state)
+{
+    (void)state;
+    char path[1024] = "/", line[128], wanted[128];
+    for (int i = 0; i < 400; i++)
+        strcat(path, "\303\244");
+    strcat(path, "/box.obj");
+    for (size_t size = 110; size < 114; size++) {
+        aob_line_print(line, size, "the loader: %s: it has no triangle in it", path);
+        assert_true(strlen(line) >= size - 4 && strlen(line) < size);
+        assert_memory_equal(line, "the loader: /\303\244", 15);
+        assert_contains(line, "\303\244...\303\244");
+        assert_contains(line, "\303\244/box.obj: it has no triangle in it");
+    }
+    memset(path, 'x', 200);
+    strcpy(path + 200, "/z");
+    aob_line_print(line, sizeof line, "%s: %s", path, path);
+    snprintf(wanted, sizeof wanted, "%.32s...%.30s/z: ", path, path);
+    assert_memory_equal(line, wanted, 30);
+    assert_contains(line, "x...x");
+    assert_contains(line, "x/z: x");
+    struct aob_error error;
+    aob_fail(&error, "no triangle");
+    memset(path, 'x', 1000);
+    strcpy(path + 1000, "/b.obj");
+    aob_fail_in(&error, "%s", path);
+    assert_string_equal(error.text + sizeof error.text - 1 - 20, "x/b.obj: no triangle");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_parts_are_joined), cmocka_unit_test(test_lines_that_are_cut_say_so),
-        cmocka_unit_test(test_what_may_be_shown), cmocka_unit_test(test_a_line_is_text)};
+        cmocka_unit_test(test_what_may_be_shown), cmocka_unit_test(test_a_line_is_text),
+        cmocka_unit_test(test_a_long_path_leaves_its_cause)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

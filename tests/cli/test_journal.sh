@@ -91,15 +91,17 @@ check "put back" mv moved out
 check "it goes on" "$program" run meddle.yaml --out out --quiet --module "$meddle"
 check "and has all cases" test "$(jq -r .technique out/journal.jsonl | sort | tr '\n' ' ')" = "gtao meddle none "
 
-# A reason is always there and always text: cut between characters. The message that quotes the
-# path has no room for it, and is cut at an even and at an odd place.
-long=$(printf 'é%.0s' {1..120})
+# A reason is always there and always text, and names its cause: the path gives way in its middle, between characters, at
+# an even and at an odd place.
+long=$(printf 'ä%.0s' {1..100})
 mkdir -p "$long/$long/$long/$long"
 for name in a ab; do
   echo rubbish >"$long/$long/$long/$long/$name.obj"
   sed "s|scenes: .*|scenes: [{file: $long/$long/$long/$long/$name.obj}]|" config.yaml >long.yaml
   expect 2 "nothing could run" "$program" run long.yaml --quiet --out "long-$name"
-  check "every case has a reason" test "$(jq -r 'select((.reason | type == "string") and (.reason | length > 200)) | .key' "long-$name/journal.jsonl" | wc -l)" -eq 6
-  check "which is cut behind a letter" test "$(jq -r .reason "long-$name/journal.jsonl" | iconv -f UTF-8 -t UTF-8 | grep -c 'é\.\.\.')" -eq 6
+  jq -r .reason "long-$name/journal.jsonl" | iconv -f UTF-8 -t UTF-8 >reasons
+  check "every case has a reason" test "$(wc -l <reasons)" -eq 6
+  check "which begins with the path, once, and ends with the cause" \
+    test "$(grep -c "^ä[ä/]*\.\.\.[ä/]*ä/$name.obj: cannot load: OBJ-file is too small\.\$" reasons)" -eq 6
 done
 finish
