@@ -76,7 +76,7 @@ static inline bool damaged_load(const struct damaged *d, const struct aob_dispat
     counts->loaded += ok;
     counts->refused += !ok;
     counts->agreed += opinion && !*opinion;
-    counts->late += strstr(error.text, "took longer") != NULL;
+    counts->late += strstr(error.text, "took longer") || strstr(error.text, "nothing for");
     counts->crashed += strstr(error.text, "crashed") != NULL;
     if (fault) {
         struct aob_text kept = {0};

@@ -44,6 +44,20 @@ struct child {
     char *sanitizer; /* "ASAN_OPTIONS=..." with the memory limit; NULL where the kernel holds it */
 };
 
+/* One blank for each stretch of blanks and control characters; none at the begin. */
+static void collapse_blanks(char *text)
+{
+    char *to = text;
+    for (const char *from = text; *from; from++) {
+        bool blank = *from == ' ' || iscntrl((unsigned char)*from);
+        if (!blank)
+            *to++ = *from;
+        else if (to > text && to[-1] != ' ')
+            *to++ = ' ';
+    }
+    *to = '\0';
+}
+
 static void take_complaint(void *user, const char *line)
 {
     struct complaint *complaint = user;
@@ -52,9 +66,7 @@ static void take_complaint(void *user, const char *line)
         return;
     complaint->says_error = says_error;
     aob_line_print(complaint->text, sizeof((struct aob_child_result *)0)->complaint, "%s", line);
-    for (char *c = complaint->text; *c; c++)
-        if (iscntrl((unsigned char)*c))
-            *c = ' ';
+    collapse_blanks(complaint->text);
 }
 
 static bool same_name(const char *a, const char *b)
@@ -242,6 +254,7 @@ static void follow(pid_t pid, double timeout_s, struct aob_stream *out, struct a
     aob_deadline_init(&deadline, pid, timeout_s);
     while (!has_ended(pid)) {
         result->timed_out = aob_deadline_passed(&deadline);
+        memcpy(result->limit, deadline.text, sizeof result->limit);
         if (result->timed_out || is_excess(out, "output", result->excess) ||
             is_excess(err, "error", result->excess))
             return;
@@ -288,21 +301,41 @@ bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *r
     return true;
 }
 
+/* Bytes of address space that a child has; 0: no limit. */
+static size_t allowed_memory(size_t limit)
+{
+    struct rlimit own;
+    if (getrlimit(RLIMIT_AS, &own) == 0 && own.rlim_cur != RLIM_INFINITY && (!limit || own.rlim_cur < limit))
+        return (size_t)own.rlim_cur;
+    return limit;
+}
+
+static void explain_signal(const struct aob_child_desc *desc, const struct aob_child_result *result,
+                           char *text, size_t size)
+{
+    const char *colon = result->complaint[0] ? ": " : "", *known = sigdescr_np(result->signal);
+    size_t allowed = allowed_memory(desc->memory_limit);
+    char name[64];
+    if (strstr(result->complaint, "bad_alloc")) { /* what C++ says before it aborts */
+        snprintf(name, sizeof name, allowed ? " (its limit is %zu MiB)" : "", allowed >> 20);
+        snprintf(text, size, "not enough memory%s: %s", name, result->complaint);
+        return;
+    }
+    snprintf(name, sizeof name, "%s", known ? known : "unknown");
+    name[0] = (char)tolower((unsigned char)name[0]);
+    snprintf(text, size, "crashed (signal %d, %s)%s%s", result->signal, name, colon, result->complaint);
+}
+
 void aob_child_explain(const struct aob_child_desc *desc, const struct aob_child_result *result, char *text,
                        size_t size)
 {
     const char *colon = result->complaint[0] ? ": " : "";
-    if (result->timed_out) {
-        snprintf(text, size, "took longer than %g s", desc->timeout_s);
-    } else if (*result->excess) {
+    if (result->timed_out)
+        snprintf(text, size, "%s", result->limit);
+    else if (*result->excess)
         snprintf(text, size, "wrote %s, and was stopped", result->excess);
-    } else if (result->signal) {
-        const char *known = sigdescr_np(result->signal);
-        char name[64];
-        snprintf(name, sizeof name, "%s", known ? known : "unknown");
-        name[0] = (char)tolower((unsigned char)name[0]);
-        snprintf(text, size, "crashed (signal %d, %s)%s%s", result->signal, name, colon, result->complaint);
-    } else {
+    else if (result->signal)
+        explain_signal(desc, result, text, size);
+    else
         snprintf(text, size, "exit code %d%s%s", result->exit_code, colon, result->complaint);
-    }
 }

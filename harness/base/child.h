@@ -27,6 +27,8 @@ struct aob_child_result {
     int exit_code; /* -1 unless it exited by itself */
     int signal;    /* 0 unless a signal ended it */
     bool timed_out;
+    char limit
+        [64]; /* of time, which it met: "took longer than 20 s of work", "did nothing for 10 s" (deadline.h) */
     char excess
         [64]; /* what it wrote too much, and was killed for: "a line of more than 16 MiB on standard error" */
     char complaint[512]; /* the last line on standard error that says "error", else the last line; may be
@@ -37,8 +39,8 @@ struct aob_child_result {
 bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *result,
                    struct aob_error *error);
 
-/* "crashed (signal 11, segmentation fault): COMPLAINT", "took longer than 20 s", "wrote EXCESS, and was stopped",
- * "exit code 2: COMPLAINT". */
+/* "crashed (signal 11, segmentation fault): COMPLAINT", "not enough memory (its limit is 293 MiB): std::bad_alloc", LIMIT,
+ * "wrote EXCESS, and was stopped", "exit code 2: COMPLAINT". */
 void aob_child_explain(const struct aob_child_desc *desc, const struct aob_child_result *result, char *text,
                        size_t size);
 #endif

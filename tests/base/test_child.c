@@ -116,7 +116,7 @@ static void kills_at_the_time_limit(void **state)
     assert_string_equal(lines.text.data, "begin|");
     char text[256];
     aob_child_explain(&desc, &result, text, sizeof text);
-    assert_string_equal(text, "took longer than 0.2 s");
+    assert_string_equal(text, "did nothing for 0.2 s");
     aob_text_finish(&lines.text);
 }
 
@@ -124,7 +124,8 @@ static void kills_at_the_time_limit(void **state)
 static void kills_a_child_that_sleeps(void **state)
 {
     (void)state;
-    assert_true(run_shell("exec sleep 15", (struct aob_child_desc){.timeout_s = 1}, NULL).timed_out);
+    assert_string_equal(run_shell("exec sleep 15", (struct aob_child_desc){.timeout_s = 1}, NULL).limit,
+                        "did nothing for 1 s");
 }
 
 static void kills_a_child_that_closed_its_outputs(void **state)
@@ -184,6 +185,19 @@ static struct aob_child_result run_self(const char *how, const char *seconds, st
     return result;
 }
 
+/* It works half a millisecond in twenty, and would end by itself before 20 limits have gone by. Where the machine is so busy
+ * that it hardly gets there, it does nothing. */
+static void stops_a_child_that_naps(void **state)
+{
+    (void)state;
+    struct aob_child_desc desc = {.timeout_s = 1};
+    struct aob_child_result result = run_self("nap", "0.3", desc);
+    char text[256];
+    aob_child_explain(&desc, &result, text, sizeof text);
+    if (strcmp(text, "did next to nothing for 3 s") != 0)
+        assert_string_equal(text, "did nothing for 1 s");
+}
+
 /* Six threads share a processor, and each gets its third of a second of it after two: twice the limit, of which none has
  * used more than a third. */
 static void does_not_count_the_load_of_the_machine(void **state)
@@ -212,6 +226,7 @@ static void counts_the_work_of_a_thread(void **state)
     struct aob_child_result result = run_self("one", "1000", (struct aob_child_desc){.timeout_s = 0.5});
     double worked = seconds_of_children() - before;
     assert_true(result.timed_out);
+    assert_string_equal(result.limit, "took longer than 0.5 s of work");
     assert_true(worked > 0.45 && worked < 2); /* what starts counts too; 20 times the limit would be 10 s */
 }
 
@@ -280,6 +295,20 @@ static void refuses_a_missing_program(void **state)
     assert_string_equal(error.text, "/nowhere/program: cannot start this program: No such file or directory");
 }
 
+static void explains_a_lack_of_memory(void **state)
+{
+    (void)state;
+    struct aob_child_desc desc = {0};
+    struct aob_child_result result =
+        run_shell("echo '  what(): \t std::bad_alloc' >&2; kill -ABRT $$", desc, NULL);
+    assert_int_equal(result.signal, SIGABRT);
+    assert_string_equal(result.complaint, "what(): std::bad_alloc");
+    char text[256];
+    desc.memory_limit = 300000 << 10;
+    aob_child_explain(&desc, &result, text, sizeof text);
+    assert_string_equal(text, "not enough memory (its limit is 292 MiB): what(): std::bad_alloc");
+}
+
 static void *work(void *seconds)
 {
     struct timespec now;
@@ -300,8 +329,19 @@ static int work_in_threads(size_t count, double seconds)
     return 0;
 }
 
+static int nap(double seconds)
+{
+    for (double worked = 5e-4; worked < seconds; worked += 5e-4) {
+        work(&worked);
+        usleep(20000);
+    }
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
+    if (argc > 2 && strcmp(argv[1], "nap") == 0)
+        return nap(strtod(argv[2], NULL));
     if (argc > 2)
         return work_in_threads(strcmp(argv[1], "six") == 0 ? 6 : 1, strtod(argv[2], NULL));
     const struct CMUnitTest tests[] = {
@@ -315,8 +355,10 @@ int main(int argc, char **argv)
         cmocka_unit_test(kills_a_child_that_closed_its_outputs),
         cmocka_unit_test(stops_a_child_that_writes_too_much),
         cmocka_unit_test(does_not_count_the_load_of_the_machine),
+        cmocka_unit_test(stops_a_child_that_naps),
         cmocka_unit_test(counts_the_work_of_a_thread),
         cmocka_unit_test(reports_a_crash),
+        cmocka_unit_test(explains_a_lack_of_memory),
         cmocka_unit_test(prefers_the_complaint_that_says_error),
         cmocka_unit_test(cuts_a_long_complaint),
         cmocka_unit_test(leaves_no_grandchild),

@@ -1,6 +1,7 @@
 /* A child's limit of memory, and what its parent takes. AddressSanitizer reserves terabytes and keeps what was freed, so this
  * test is built without it, of the few files that it needs (tests/CMakeLists.txt). */
 #include "check.h"
+#include <signal.h>
 #include <stdlib.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -50,6 +51,15 @@ static void does_not_grow_with_what_a_child_writes(void **state)
     }
 }
 
+/* What it says of a child that C++ ended. The narrower limit is the one that was met. */
+static void assert_explained(size_t memory_limit, const char *wanted)
+{
+    char text[128];
+    struct aob_child_result result = {.exit_code = -1, .signal = SIGABRT, .complaint = "std::bad_alloc"};
+    aob_child_explain(&(struct aob_child_desc){.memory_limit = memory_limit}, &result, text, sizeof text);
+    assert_string_equal(text, wanted);
+}
+
 /* Last, because a hard limit cannot be raised again, except by root. */
 static void keeps_the_narrower_limit(void **state)
 {
@@ -58,6 +68,9 @@ static void keeps_the_narrower_limit(void **state)
     assert_int_equal(getrlimit(RLIMIT_AS, &before), 0);
     soft = (struct rlimit){ROOM, before.rlim_max};
     assert_int_equal(setrlimit(RLIMIT_AS, &soft), 0);
+    assert_explained(MORE, "not enough memory (its limit is 512 MiB): std::bad_alloc");
+    assert_explained(ROOM / 8, "not enough memory (its limit is 64 MiB): std::bad_alloc");
+    assert_explained(0, "not enough memory (its limit is 512 MiB): std::bad_alloc");
     assert_int_equal(eat(MORE, (size_t)4 << 30), 1); /* what the user set is not lifted */
     assert_int_equal(setrlimit(RLIMIT_AS, &hard), 0);
     assert_int_equal(eat(MORE, (size_t)4 << 30), 1); /* and is no reason not to start */
