@@ -3,6 +3,8 @@
 # definition; a case that is not ok has its status there, and its reason below.
 set -euo pipefail
 journal=$1/journal.jsonl
+cases=$(jq .cases "$1/run.json")
+[ "$(jq -s length "$journal")" -eq "$cases" ] || { echo "defaults.sh: $journal lacks some of $cases cases" >&2; exit 1; }
 jq -rs '
   def unique_in_order: reduce .[] as $x ([]; if index([$x]) then . else . + [$x] end);
   def cell: if . == null then "–" elif .status != "ok" then "**" + .status + "**"

@@ -61,10 +61,20 @@ static size_t utf8_size(const unsigned char *s, size_t left)
     return size;
 }
 
-/* The control characters are U+0000 to U+001F, U+007F, and U+0080 to U+009F, of two bytes each. */
-static bool is_control(const unsigned char *s, size_t size)
+/* U+202A to U+202E and U+2066 to U+2069 turn the order of what is shown, so a name could look like another. */
+static bool is_turning(const unsigned char *s)
 {
-    return size == 2 ? s[0] == 0xc2 && s[1] < 0xa0 : s[0] < 0x20 || s[0] == 0x7f;
+    return s[0] == 0xe2 &&
+           ((s[1] == 0x80 && s[2] >= 0xaa && s[2] <= 0xae) || (s[1] == 0x81 && s[2] >= 0xa6 && s[2] <= 0xa9));
+}
+
+/* The control characters are U+0000 to U+001F, U+007F, and U+0080 to U+009F, of two bytes each. 0: it is none. */
+static unsigned control_of(const unsigned char *s, size_t size)
+{
+    bool is = size == 2 ? s[0] == 0xc2 && s[1] < 0xa0 : size == 1 && (s[0] < 0x20 || s[0] == 0x7f);
+    if (size == 3 && is_turning(s))
+        return 0x2000u | (unsigned)(s[1] & 0x3f) << 6 | (s[2] & 0x3f);
+    return is ? s[size - 1] : 0;
 }
 
 void aob_text_add_shown(struct aob_text *text, const char *bytes, size_t size, bool lines)
@@ -79,8 +89,8 @@ void aob_text_add_shown(struct aob_text *text, const char *bytes, size_t size, b
             aob_text_add_bytes(text, "\n", 1);
         else if (*s == '\n' || *s == '\r' || *s == '\t')
             aob_text_add_bytes(text, " ", 1);
-        else if (is_control(s, taken))
-            aob_text_add(text, "\\u%04x", s[taken - 1]);
+        else if (control_of(s, taken) || !*s)
+            aob_text_add(text, "\\u%04x", control_of(s, taken));
         else
             aob_text_add_bytes(text, (const char *)s, taken);
     }

@@ -15,7 +15,7 @@ void aob_text_add_bytes(struct aob_text *text, const char *bytes, size_t size);
 void aob_text_finish(struct aob_text *text); /* frees; the struct is empty again */
 
 /* Adds what may be shown of a text whose parts came from outside: on a terminal a control character is a command. It
- * becomes an escape (\u001b), as does a byte that is no UTF-8 (\xff). Line breaks stay if `lines`; otherwise they and tabs
+ * becomes an escape (\u001b), also one that turns the direction of the text (\u202e), as does a byte that is no UTF-8 (\xff). Line breaks stay if `lines`; otherwise they and tabs
  * become spaces. JSON stays JSON, and means the same. */
 void aob_text_add_shown(struct aob_text *text, const char *bytes, size_t size, bool lines);
 /* Adds one line for people by the rule above, with a line break at its end. */

@@ -65,8 +65,9 @@ struct aob_scene_choice {
     int line, column;
 };
 enum { AOB_CONFIG_MAX_VIEWS = 20000, AOB_CONFIG_MAX_CASES = 20000 };
-#define AOB_CONFIG_MIN_UNIT 1e-9 /* metres */
-#define AOB_CONFIG_MAX_UNIT 1e9
+/* Metres. Default lengths, .01 to 1 m, stay within the bounds of every parameter then. */
+#define AOB_CONFIG_MIN_UNIT 1e-6
+#define AOB_CONFIG_MAX_UNIT 1e4
 struct aob_target { /* one question: which visibility is asked for */
     double radius;  /* scene units, a float's value; INFINITY allowed */
     bool uniform;   /* weighting of the directions; false: by the cosine */

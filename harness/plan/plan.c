@@ -156,12 +156,11 @@ bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
                      const struct aob_technique_list *techniques, struct aob_error *error)
 {
     *plan = (struct aob_plan){.config = config, .techniques = techniques};
-    if (!aob_plan_choose_scenes(plan, error) || !judge_all_backends(config, error) || !expand(plan, error))
+    if (!aob_plan_choose_scenes(plan, error) || !judge_all_backends(config, error) || !expand(plan, error) ||
+        !aob_plan_add_targets(plan, error))
         goto error;
-    aob_plan_add_targets(plan);
     aob_plan_make_keys(plan);
-    if (!aob_plan_settle_targets(plan, error))
-        goto error;
+    aob_plan_settle_targets(plan);
     gather_blocks(plan);
     aob_plan_vary(plan);
     return true;

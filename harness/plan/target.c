@@ -23,7 +23,20 @@ static void add_radius(struct aob_plan *plan, struct aob_table *seen, const stru
     aob_text_finish(&text);
 }
 
-void aob_plan_add_targets(struct aob_plan *plan)
+static bool judge_targets(const struct aob_plan *plan, struct aob_error *error)
+{
+    for (size_t i = 0; plan->config->measure_error && i < plan->scene_count; i++)
+        if (plan->scenes[i].target_count > AOB_CONFIG_MAX_TARGETS) {
+            aob_fail(
+                error,
+                "%zu radii would each be a target, %d at most: name the question with target: {radius: R}",
+                plan->scenes[i].target_count, AOB_CONFIG_MAX_TARGETS);
+            return aob_config_fail_at(plan->config, 0, 0, error);
+        }
+    return true;
+}
+
+bool aob_plan_add_targets(struct aob_plan *plan, struct aob_error *error)
 {
     const struct aob_config *config = plan->config;
     struct aob_table seen = {0};
@@ -37,27 +50,20 @@ void aob_plan_add_targets(struct aob_plan *plan)
             add_target(scene, (struct aob_target){.radius = (double)(float)scene->metre});
     }
     aob_table_finish(&seen);
+    return judge_targets(plan, error);
 }
 
-bool aob_plan_settle_targets(struct aob_plan *plan, struct aob_error *error)
+void aob_plan_settle_targets(struct aob_plan *plan)
 {
     for (size_t i = 0; i < plan->scene_count; i++) {
         struct aob_plan_scene *scene = &plan->scenes[i];
         if (!plan->config->measure_error)
             scene->target_count = 0;
-        if (scene->target_count > AOB_CONFIG_MAX_TARGETS) {
-            aob_fail(
-                error,
-                "%zu radii would each be a target, %d at most: name the question with target: {radius: R}",
-                scene->target_count, AOB_CONFIG_MAX_TARGETS);
-            return aob_config_fail_at(plan->config, 0, 0, error);
-        }
     }
     for (size_t i = 0; i < plan->case_count; i++) {
         struct aob_case *c = &plan->cases[i];
         c->reference_radius = c->scene->target_count ? c->scene->targets[aob_case_own_target(c)].radius : 0;
     }
-    return true;
 }
 
 double aob_case_radius(const struct aob_case *c)

@@ -28,12 +28,13 @@ expect 2 "describes no techniques" "$program" report run --techniques t.md
 
 page=$root/docs/techniques.md
 names() { # "TECHNIQUE PARAMETER..." a line, from the document's indentation
-  "$program" list techniques --json - | awk '
+  awk '
     /^  "options"/ { exit }
     /^      "name"/ { gsub(/[",]/, ""); printf "%s%s", lines++ ? "\n" : "", $2 }
     /^          "name"/ { gsub(/[",]/, ""); printf " %s", $2 }
-    END { print "" }'
+    END { print "" }' techniques.json
 }
+"$program" list techniques --json techniques.json
 check "there are techniques" test "$(names | wc -l)" -ge 4
 check "with parameters" grep -q '^gtao radius falloff ' <(names)
 check "the config plans" "$program" plan "$root/configs/techniques.yaml" --quiet
@@ -50,11 +51,18 @@ done < <(names)
 "$program" plan "$root/configs/defaults.yaml" >plan.txt
 "$program" list scenes --json scenes.json
 while read -r place; do
+  check "docs/defaults.md has $place: run ./dev docs" grep -q "^| \`$place\` |" "$root/docs/defaults.md"
   while read -r name _; do
     check "configs/defaults.yaml has $place $name" grep -q "$place $name " <(sed 's/$/ /' plan.txt)
     check "docs/defaults.md has $name: run ./dev docs" grep -q "^| view |.* \`$name\` |" "$root/docs/defaults.md"
   done < <(names)
 done < <(jq -r '.scenes[] | .name as $s | .views[] | "\($s)/\(.name)"' scenes.json)
+# The page is of the present defaults: a number is where one is, and a choice is one of its texts.
+while IFS=$'\t' read -r name param initial; do
+  sed -n "/^## \`$name\`: /,/^## /p" "$page" >section
+  check "docs/techniques.md has $name's $param = $initial: run ./dev docs" grep -qE "^\| \`$param\` \| \`?$initial( m)?\`? \|" section
+done < <(jq -r '.techniques[] | .name as $n | .params[] |
+  [$n, .name, (if .choices then .choices[.initial] else .initial end)] | @tsv' techniques.json)
 while read -r picture; do
   check "docs/$picture is there" test -s "$root/docs/$picture"
 done < <(sed -n 's/^!\[.*](\(.*\))$/\1/p' "$page")

@@ -1,19 +1,18 @@
 #!/usr/bin/env bash
-# sizes.sh [ROOT]: no file of more than 400 lines (tests 600: one body run over every backend stays together), no function
-# of more than 40. Tables do not count: a function is what a line that begins with "{" opens, as .clang-format lays it.
+# sizes.sh [ROOT]: no file of more than 400 lines, no function of more than 40, in tests neither. Tables do not count: a
+# function is what a line that begins with "{" opens, as .clang-format lays it.
 cd "${1:-$(dirname "$0")/../..}"
 find include harness reports techniques shaders tests cmake examples -name '*.[ch]' -o -name '*.[ch]pp' -o -name '*.glsl' |
   sort | xargs awk '
     function complain(text) { print "lint: " text; bad = 1 }
-    function end_file(limit) {
-      limit = last ~ /^tests\// ? 600 : 400
-      if (lines > limit) complain(last " has " lines " lines: split it by noun")
+    function end_file() {
+      if (lines > 400) complain(last " has " lines " lines: split it by noun")
     }
     FNR == 1 { if (last != "") end_file(); last = FILENAME; open = 0 }
     { lines = FNR }
     /^\{$/ { open = FNR }
     /^\}/ && open {
-      if ($0 == "}" && FNR - open - 1 > 40 && FILENAME !~ /^tests\//)
+      if ($0 == "}" && FNR - open - 1 > 40)
         complain(FILENAME ":" open ": a function of " FNR - open - 1 " lines: split it")
       open = 0
     }

@@ -135,7 +135,27 @@ static inline void document_put_box(struct document *d)
     document_put(d, corners, sizeof corners[0], 8, F32, "VEC3", "");
     document_put(d, box_indices, 2, 36, U16, "SCALAR", "");
 }
-#define BOX "'attributes': {'POSITION': 0}, 'indices': 1"
+#define BOX  "'attributes': {'POSITION': 0}, 'indices': 1"
+#define MESH "'meshes': [{'primitives': [{" BOX "}]}]"
+static const struct aob_vec3 origin = {0, 0, 0}, far_corner = {1, 2, 3};
+
+/* A scene of one node with the mesh of one primitive. */
+static inline void add_scene(struct document *d, const char *node, const char *primitive, const char *more)
+{
+    aob_text_add(
+        &d->rest,
+        "'scene': 0, 'scenes': [{'nodes': [0]}], 'nodes': [{'mesh': 0%s}], 'meshes': [{'primitives': [{"
+        "%s}]}]%s",
+        node, primitive, more);
+}
+
+static inline void load_box(struct aob_mesh *mesh, const char *rest)
+{
+    struct document d = {0};
+    document_put_box(&d);
+    aob_text_add(&d.rest, "%s", rest);
+    document_load(&d, mesh);
+}
 
 /* The volume within closed faces that look outwards; negative if they look inwards. */
 static inline double mesh_volume(const struct aob_mesh *mesh)

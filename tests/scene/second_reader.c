@@ -11,138 +11,6 @@
 #include "base/file.h"
 #include "base/memory.h"
 
-/* Faces while they are read: positions are floats, as all these formats have them. */
-struct faces {
-    float (*points)[3];
-    size_t point_count, point_capacity;
-    uint32_t *corners; /* of all faces, one after the other */
-    size_t corner_count, corner_capacity;
-    uint32_t *sizes;
-    size_t face_count, face_capacity;
-};
-
-static void faces_finish(struct faces *faces)
-{
-    free(faces->points);
-    free(faces->corners);
-    free(faces->sizes);
-}
-
-static void add_point(struct faces *faces, double x, double y, double z)
-{
-    float *p = *AOB_PUSH(faces->points, faces->point_count, faces->point_capacity);
-    p[0] = (float)x;
-    p[1] = (float)y;
-    p[2] = (float)z;
-}
-
-static int by_place(const void *a, const void *b)
-{
-    const float *p = a, *q = b;
-    for (int c = 0; c < 3; c++)
-        if (p[c] != q[c])
-            return p[c] < q[c] ? -1 : 1;
-    return 0;
-}
-
-static void add_places(float (*places)[3], size_t count, struct mesh_sums *sums)
-{
-    qsort(places, count, sizeof *places, by_place);
-    for (size_t i = 0; i < count; i++) {
-        if (i && by_place(places[i], places[i - 1]) == 0)
-            continue;
-        sums->places++;
-        for (int c = 0; c < 3; c++) {
-            sums->first[c] += (double)places[i][c];
-            sums->second[c] += (double)places[i][c] * (double)places[i][c];
-        }
-    }
-}
-
-static void add_area(const float a[3], const float b[3], const float c[3], struct mesh_sums *sums)
-{
-    double u[3], v[3];
-    for (int k = 0; k < 3; k++) {
-        u[k] = (double)b[k] - (double)a[k];
-        v[k] = (double)c[k] - (double)a[k];
-    }
-    for (int k = 0; k < 3; k++) {
-        double one = u[(k + 1) % 3] * v[(k + 2) % 3], other = u[(k + 2) % 3] * v[(k + 1) % 3];
-        sums->area[k] += one - other;
-        sums->area_scale += fabs(one) + fabs(other);
-    }
-}
-
-/* A polygon with two corners at one place could be cut in several ways, and a triangle is then none. */
-static bool add_face(const struct faces *faces, const uint32_t *corner, uint32_t size, float (*places)[3],
-                     size_t *used, struct mesh_sums *sums, bool *judged)
-{
-    bool plain = true;
-    for (uint32_t i = 0; i < size; i++) {
-        if (corner[i] >= faces->point_count)
-            return false;
-        const float *p = faces->points[corner[i]];
-        if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]))
-            return false;
-        for (uint32_t k = 0; k < i; k++)
-            plain = plain && by_place(p, faces->points[corner[k]]) != 0;
-    }
-    *judged = *judged && (plain || size == 3);
-    if (!plain || size < 3)
-        return size >= 3;
-    for (uint32_t i = 0; i < size; i++)
-        memcpy(places[(*used)++], faces->points[corner[i]], sizeof *places);
-    for (uint32_t i = 2; i < size; i++)
-        add_area(faces->points[corner[0]], faces->points[corner[i - 1]], faces->points[corner[i]], sums);
-    sums->triangles += size - 2;
-    return true;
-}
-
-static bool sum_faces(const struct faces *faces, struct mesh_sums *sums)
-{
-    float(*places)[3] = aob_alloc(faces->corner_count + 1, sizeof *places);
-    size_t used = 0, at = 0;
-    bool ok = true, judged = true;
-    *sums = (struct mesh_sums){0};
-    for (size_t i = 0; ok && i < faces->face_count; i++) {
-        ok = add_face(faces, faces->corners + at, faces->sizes[i], places, &used, sums, &judged);
-        at += faces->sizes[i];
-    }
-    add_places(places, used, sums);
-    free(places);
-    return ok && judged && sums->triangles;
-}
-
-void mesh_sums_of(const struct aob_mesh *mesh, struct mesh_sums *sums)
-{
-    struct faces faces = {0};
-    for (size_t i = 0; i < mesh->vertex_count; i++)
-        add_point(&faces, mesh->positions[i].x, mesh->positions[i].y, mesh->positions[i].z);
-    for (size_t i = 0; i < mesh->triangle_count; i++) {
-        for (int k = 0; k < 3; k++)
-            *AOB_PUSH(faces.corners, faces.corner_count, faces.corner_capacity) = mesh->triangles[i][k];
-        *AOB_PUSH(faces.sizes, faces.face_count, faces.face_capacity) = 3;
-    }
-    sum_faces(&faces, sums);
-    faces_finish(&faces);
-}
-
-static bool near_sum(double a, double b, double scale)
-{
-    return fabs(a - b) <= 1e-5 * scale;
-}
-
-bool mesh_sums_agree(const struct mesh_sums *a, const struct mesh_sums *b)
-{
-    double size = sqrt(a->second[0] + a->second[1] + a->second[2]);
-    bool same = a->triangles == b->triangles && a->places == b->places;
-    for (int c = 0; c < 3; c++)
-        same = same && near_sum(a->first[c], b->first[c], size * sqrt((double)a->places)) &&
-               near_sum(a->second[c], b->second[c], size * size) &&
-               near_sum(a->area[c], b->area[c], a->area_scale);
-    return same;
-}
-
 /* Numbers of a line, all of it. How many there are; -1: something else is there. */
 static int read_numbers(const char *line, double *values, int most)
 {
@@ -167,7 +35,7 @@ static bool read_obj_line(char *line, struct faces *faces)
     if (strncmp(line, "v ", 2) == 0) {
         if (read_numbers(line + 2, p, 3) != 3)
             return false;
-        add_point(faces, p[0], p[1], p[2]);
+        faces_add_point(faces, p[0], p[1], p[2]);
         return true;
     }
     if (strncmp(line, "f ", 2) == 0) {
@@ -216,7 +84,7 @@ static bool read_ply_text(char *body, size_t points, size_t triangles, struct fa
         if (i < points) {
             if (count != 3)
                 return false;
-            add_point(faces, v[0], v[1], v[2]);
+            faces_add_point(faces, v[0], v[1], v[2]);
         } else {
             if (count < 4 || v[0] != count - 1)
                 return false;
@@ -240,7 +108,7 @@ static bool read_ply_bytes(const char *body, size_t size, size_t points, size_t 
     for (size_t i = 0; i < points; i++, body += 12) {
         float p[3];
         memcpy(p, body, 12);
-        add_point(faces, (double)p[0], (double)p[1], (double)p[2]);
+        faces_add_point(faces, (double)p[0], (double)p[1], (double)p[2]);
     }
     for (size_t i = 0; i < triangles; i++, body += 13) {
         if (*body != 3)
@@ -292,7 +160,7 @@ static bool read_stl(const char *bytes, size_t size, struct faces *faces)
         float p[9];
         memcpy(p, bytes + 84 + 50 * (size_t)i + 12, sizeof p);
         for (int k = 0; k < 3; k++) {
-            add_point(faces, (double)p[3 * k], (double)p[3 * k + 1], (double)p[3 * k + 2]);
+            faces_add_point(faces, (double)p[3 * k], (double)p[3 * k + 1], (double)p[3 * k + 2]);
             *AOB_PUSH(faces->corners, faces->corner_count, faces->corner_capacity) =
                 (uint32_t)faces->point_count - 1;
         }
@@ -319,7 +187,7 @@ static void add_node(const struct aiScene *scene, const struct aiNode *node, str
         uint32_t first = (uint32_t)faces->point_count;
         for (unsigned i = 0; i < mesh->mNumVertices; i++) {
             struct aiVector3D p = transformed(&place, mesh->mVertices[i]);
-            add_point(faces, (double)p.x, (double)p.y, (double)p.z);
+            faces_add_point(faces, (double)p.x, (double)p.y, (double)p.z);
         }
         for (unsigned i = 0; i < mesh->mNumFaces; i++) {
             if (mesh->mFaces[i].mNumIndices != 3)
@@ -343,7 +211,7 @@ static bool read_by_assimp(const char *file, struct mesh_sums *sums)
         return false;
     aiIdentityMatrix4(&identity);
     add_node(scene, scene->mRootNode, identity, &faces);
-    return sum_faces(&faces, sums);
+    return faces_sum(&faces, sums);
 }
 
 /* assimp may crash or never end, so it runs in a process of its own. */
@@ -390,11 +258,11 @@ bool second_reader(const char *file, struct mesh_sums *sums)
     if (!bytes)
         return false;
     if (strcmp(ending, ".obj") == 0)
-        ok = read_obj(bytes, size, &faces) && sum_faces(&faces, sums);
+        ok = read_obj(bytes, size, &faces) && faces_sum(&faces, sums);
     else if (strcmp(ending, ".ply") == 0)
-        ok = read_ply(bytes, size, &faces) && sum_faces(&faces, sums);
+        ok = read_ply(bytes, size, &faces) && faces_sum(&faces, sums);
     else if (strcmp(ending, ".stl") == 0)
-        ok = read_stl(bytes, size, &faces) && sum_faces(&faces, sums);
+        ok = read_stl(bytes, size, &faces) && faces_sum(&faces, sums);
     else if (strcmp(ending, ".gltf") == 0 || strcmp(ending, ".glb") == 0)
         ok = assimp_can_judge(bytes, size) && read_apart(file, sums);
     faces_finish(&faces);

@@ -146,10 +146,33 @@ static void test_zeros_cost_what_they_cover(void **state)
         }
 }
 
+enum { OTHER_SIZE = sizeof path + 8 };
+
+static void take_away(int how, const char other[OTHER_SIZE])
+{
+    if (how == 0)
+        unlink(path);
+    if (how == 1)
+        rename(path, other);
+    if (how == 2) {
+        size_t size;
+        char *text = aob_file_read(path, 4096, &size, NULL);
+        assert_true(text && aob_file_write(other, text, size, NULL));
+        free(text);
+        rename(other, path);
+    }
+    if (how == 5) { /* another one in its place, and longer */
+        rename(path, other);
+        assert_true(aob_file_write(path, other, OTHER_SIZE, NULL));
+    }
+    if (how == 3 || how == 4)
+        assert_int_equal(truncate(path, how == 3 ? 0 : 21), 0);
+}
+
 static void test_a_file_that_is_taken_away_is_noticed(void **state)
 {
     (void)state;
-    char other[sizeof path + 8];
+    char other[OTHER_SIZE];
     snprintf(other, sizeof other, "%s.other", path);
     for (int how = 0; how < 6; how++) {
         struct aob_journal journal;
@@ -161,23 +184,7 @@ static void test_a_file_that_is_taken_away_is_noticed(void **state)
         assert_true(aob_journal_check(&journal, &error));
         static const char *const told[] = {"deleted or replaced", "moved",       "deleted or replaced",
                                            "cut it from",         "cut it from", "moved"};
-        if (how == 0)
-            unlink(path);
-        if (how == 1)
-            rename(path, other);
-        if (how == 2) {
-            size_t size;
-            char *text = aob_file_read(path, 4096, &size, NULL);
-            assert_true(text && aob_file_write(other, text, size, NULL));
-            free(text);
-            rename(other, path);
-        }
-        if (how == 5) { /* another one in its place, and longer */
-            rename(path, other);
-            assert_true(aob_file_write(path, other, sizeof other, NULL));
-        }
-        if (how == 3 || how == 4)
-            assert_int_equal(truncate(path, how == 3 ? 0 : 21), 0);
+        take_away(how, other);
         json_t *record = json_pack("{s:s}", "key", "c");
         assert_false(aob_journal_check(&journal, &error));
         assert_contains(error.text, told[how]);

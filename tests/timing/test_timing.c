@@ -33,6 +33,23 @@ static void init(struct aob_frame *frame, const struct aob_screen *screen,
         fail_msg("%s", error.text);
 }
 
+static void check_case(const struct aob_timing *t, const struct aob_frame *frame, double passes,
+                       double pass_ms)
+{
+    assert_near(t->cpu_ms, passes * pass_ms, 1e-9);
+    assert_near(t->to_fixed.ratio, passes, 1e-9);
+    assert_true(t->to_fixed.bounded);
+    assert_near(t->to_fixed.low, passes, 1e-9);
+    assert_near(t->to_fixed.high, passes, 1e-9);
+    assert_int_equal(t->rounds, 20); /* narrow enough at the first check point */
+    for (int p = 0; p < frame->graph.pass_count; p++) {
+        assert_near(t->pass_cpu_ms[p], pass_ms, 1e-9);
+        assert_true(t->pass_to_fixed[p].bounded);
+        assert_near(t->pass_to_fixed[p].low, 1, 1e-9);
+        assert_near(t->pass_to_fixed[p].high, 1, 1e-9);
+    }
+}
+
 static void test_exact_clock(void **state)
 {
     (void)state;
@@ -53,21 +70,8 @@ static void test_exact_clock(void **state)
         &timing, NULL));
     const double pass_ms = W * H * 100e-6;
     const double passes[] = {1, 3};
-    for (int i = 0; i < 2; i++) {
-        const struct aob_timing *t = &timing.cases[i];
-        assert_near(t->cpu_ms, passes[i] * pass_ms, 1e-9);
-        assert_near(t->to_fixed.ratio, passes[i], 1e-9);
-        assert_true(t->to_fixed.bounded);
-        assert_near(t->to_fixed.low, passes[i], 1e-9);
-        assert_near(t->to_fixed.high, passes[i], 1e-9);
-        assert_int_equal(t->rounds, 20); /* narrow enough at the first check point */
-        for (int p = 0; p < frames[i + 1].graph.pass_count; p++) {
-            assert_near(t->pass_cpu_ms[p], pass_ms, 1e-9);
-            assert_true(t->pass_to_fixed[p].bounded);
-            assert_near(t->pass_to_fixed[p].low, 1, 1e-9);
-            assert_near(t->pass_to_fixed[p].high, 1, 1e-9);
-        }
-    }
+    for (int i = 0; i < 2; i++)
+        check_case(&timing.cases[i], &frames[i + 1], passes[i], pass_ms);
     assert_near(timing.control.ratio, 1, 1e-9);
     assert_near(timing.fixed_cpu_ms, pass_ms, 1e-9);
     assert_int_equal(frames[1].memory_bytes, W * H);         /* r8 */
