@@ -113,12 +113,19 @@ static bool read_plain(struct aob_gltf_primitive *primitive, size_t mode, struct
 }
 
 /* A strip may be compressed too; what is decoded is a list all the same. */
-static void read_draco_triangles(struct aob_gltf_primitive *primitive)
+static bool read_draco_triangles(struct aob_gltf_primitive *primitive, struct aob_error *error)
 {
     primitive->vertex_count = aob_draco_vertex_count(primitive->draco);
     primitive->triangle_count = aob_draco_triangle_count(primitive->draco);
     primitive->triangles = aob_alloc(primitive->triangle_count + 1, sizeof *primitive->triangles);
     aob_draco_triangles(primitive->draco, primitive->triangles);
+    for (size_t i = 0; i < primitive->triangle_count; i++)
+        for (int k = 0; k < 3; k++)
+            if (primitive->triangles[i][k] >= primitive->vertex_count)
+                return aob_fail(error, "%s: a triangle names vertex %u of %zu: the file is damaged",
+                                primitive->gltf->file->path, primitive->triangles[i][k],
+                                primitive->vertex_count);
+    return true;
 }
 
 /* Of an accessor that is not read: what it says. */
@@ -146,10 +153,7 @@ bool aob_gltf_primitive_init(struct aob_gltf_primitive *primitive, struct aob_gl
         return true;
     if (!draco)
         return count_vertices(primitive, positions, error) && read_plain(primitive, mode, error);
-    if (!open_draco(primitive, draco, error))
-        return false;
-    read_draco_triangles(primitive);
-    return true;
+    return open_draco(primitive, draco, error) && read_draco_triangles(primitive, error);
 }
 
 void aob_gltf_primitive_finish(struct aob_gltf_primitive *primitive)
