@@ -98,6 +98,19 @@ static bool fill_triangles(struct aob_gltf_primitive *primitive, size_t mode,
     return true;
 }
 
+/* Indices are unsigned whole numbers (glTF 2.0, 3.7.2.1); floats would be cut to such. */
+static bool check_index_type(struct aob_gltf *gltf, size_t accessor, struct aob_error *error)
+{
+    const json_t *element = aob_gltf_element(gltf, "accessors", accessor, error);
+    struct aob_gltf_label label = aob_gltf_label("accessor", accessor);
+    size_t type;
+    if (!element || !aob_gltf_whole(gltf, element, label.text, "componentType", 0, &type, error))
+        return false;
+    return type == 5121 || type == 5123 || type == 5125 ||
+           aob_fail(error, "%s: %s: indices are of componentType %zu: the file is damaged", gltf->file->path,
+                    label.text, type);
+}
+
 static bool read_plain(struct aob_gltf_primitive *primitive, size_t mode, struct aob_error *error)
 {
     struct aob_gltf *gltf = primitive->gltf;
@@ -107,7 +120,8 @@ static bool read_plain(struct aob_gltf_primitive *primitive, size_t mode, struct
                         error) ||
         (accessor != aob_gltf_none && !aob_gltf_numbers(gltf, accessor, 1, &indices, error)))
         return false;
-    bool ok = fill_triangles(primitive, mode, &indices, error);
+    bool ok = (!indices.values || check_index_type(gltf, accessor, error)) &&
+              fill_triangles(primitive, mode, &indices, error);
     free(indices.values);
     return ok;
 }

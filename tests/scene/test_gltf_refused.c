@@ -58,6 +58,19 @@ static void short_strides_are_named(void **state)
     assert_contains(error.text, "accessor 0: its byteStride 8 is less than its 12 bytes");
 }
 
+static void indices_of_floats_are_named(void **state)
+{
+    static const float indices[3] = {0, 1, 3};
+    struct document d = {0};
+    struct aob_error error;
+    (void)state;
+    document_put_box(&d);
+    document_put(&d, indices, 4, 3, F32, "SCALAR", "");
+    add_scene(&d, "", "'attributes': {'POSITION': 0}, 'indices': 2", "");
+    document_refuse(&d, &error);
+    assert_contains(error.text, "accessor 2: indices are of componentType 5126");
+}
+
 /* A buffer that is elsewhere, or never ends. */
 static void wrong_uris_are_named(void **state)
 {
@@ -85,6 +98,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(wrong_members_are_named),
         cmocka_unit_test(short_strides_are_named),
+        cmocka_unit_test(indices_of_floats_are_named),
         cmocka_unit_test(wrong_uris_are_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
