@@ -49,7 +49,7 @@ bool aob_file_send(int file, const void *bytes, size_t size)
     return true;
 }
 
-static bool is_special(const char *path)
+bool aob_file_is_special(const char *path)
 {
     struct stat info;
     return stat(path, &info) == 0 && !S_ISREG(info.st_mode);
@@ -66,7 +66,7 @@ char *aob_file_target(const char *path, struct aob_error *error)
     char *real = realpath(path, NULL);
     if (!real)
         return aob_strdup(path);
-    if (!is_special(real))
+    if (!aob_file_is_special(real))
         return real;
     aob_fail(error, "%s: cannot write: it is no regular file", path);
     free(real);
@@ -88,7 +88,7 @@ static bool write_into(const char *path, const struct aob_piece *pieces, size_t 
 /* A pipe is not opened here, because its reader would see the end of its input. */
 bool aob_file_check(const char *path, struct aob_error *error)
 {
-    if (is_special(path))
+    if (aob_file_is_special(path))
         return (access(path, W_OK) == 0 && !is_folder(path)) ||
                aob_fail(error, "%s: cannot write: %s", path,
                         is_folder(path) ? "it is a folder" : strerror(errno));
@@ -119,7 +119,7 @@ static bool replace(const char *target, const struct aob_piece *pieces, size_t c
 bool aob_file_write_pieces(const char *path, const struct aob_piece *pieces, size_t count,
                            struct aob_error *error)
 {
-    if (is_special(path))
+    if (aob_file_is_special(path))
         return write_into(path, pieces, count, error);
     char *target = aob_file_target(path, error);
     bool ok = target && replace(target, pieces, count, error);

@@ -31,6 +31,9 @@ bool aob_file_check(const char *path, struct aob_error *error);
 char *aob_file_target(const char *path, struct aob_error *error);
 
 bool aob_file_exists(const char *path);
+
+/* Whether a path names something that is no regular file: a folder, a pipe, a device. */
+bool aob_file_is_special(const char *path);
 size_t aob_file_size(const char *path); /* bytes; 0 if there is none */
 
 /* Creates a folder and its parents. The folder may exist already; it must be writable. */

@@ -36,9 +36,14 @@ bool aob_gltf_whole(const struct aob_gltf *gltf, const json_t *object, const cha
 enum { AOB_GLTF_MAX_WHOLE_BITS = 53 }; /* numbers are below 2^53 */
 extern const size_t aob_gltf_none;     /* a fallback that no index is */
 
-/* `count` numbers of an array in an object. False, and values left alone, where there is no such member or it is
- * something else. */
-bool aob_gltf_vector(const json_t *object, const char *key, double *values, size_t count);
+/* `count` numbers of an array in an object, at most 16; values are left alone where it has no such member. False after
+ * a line if the member is something else. */
+bool aob_gltf_vector(const struct aob_gltf *gltf, const json_t *object, const char *label, const char *key,
+                     double *values, size_t count, struct aob_error *error);
+
+/* Whether a member of an object is missing or an array. False after a line if it is something else. */
+bool aob_gltf_is_list(const struct aob_gltf *gltf, const json_t *object, const char *label, const char *key,
+                      struct aob_error *error);
 
 /* The extension of an object; NULL: none. */
 const json_t *aob_gltf_extension(const json_t *object, const char *name);

@@ -89,6 +89,9 @@ static bool place_layout(struct aob_gltf *gltf, const json_t *owner, const char 
         return false;
     if (!layout->stride)
         layout->stride = size;
+    if (layout->stride < size)
+        return aob_fail(error, "%s: %s: its byteStride %zu is less than its %zu bytes: the file is damaged",
+                        gltf->file->path, label, layout->stride, size);
     bool fits = offset <= bytes.size && (!layout->count || bytes.size - offset >= size) &&
                 (layout->count < 2 || (bytes.size - offset - size) / layout->stride >= layout->count - 1);
     if (!fits)

@@ -40,15 +40,34 @@ struct aob_affine aob_gltf_matrix(const double columns[16])
     return a;
 }
 
-static struct aob_affine own_map(const json_t *node)
+/* The fourth row of a matrix is 0 0 0 1 but for rounding: another one would be a perspective. */
+static bool is_affine(const double columns[16])
 {
-    double columns[16], move[3] = {0}, turn[4] = {0, 0, 0, 1}, scale[3] = {1, 1, 1};
-    if (aob_gltf_vector(node, "matrix", columns, 16))
-        return aob_gltf_matrix(columns);
-    aob_gltf_vector(node, "translation", move, 3);
-    aob_gltf_vector(node, "rotation", turn, 4);
-    aob_gltf_vector(node, "scale", scale, 3);
-    return aob_gltf_trs(move, turn, scale);
+    return fabs(columns[3]) < 1e-6 && fabs(columns[7]) < 1e-6 && fabs(columns[11]) < 1e-6 &&
+           fabs(columns[15] - 1) < 1e-6;
+}
+
+/* The map of a node in its parent's space. */
+static bool own_map(const struct aob_gltf *gltf, size_t index, struct aob_affine *map,
+                    struct aob_error *error)
+{
+    const json_t *node = aob_gltf_element(gltf, "nodes", index, error);
+    struct aob_gltf_label label = aob_gltf_label("node", index);
+    double columns[16] = {[0] = 1, [5] = 1, [10] = 1, [15] = 1}, move[3] = {0}, turn[4] = {0, 0, 0, 1},
+           scale[3] = {1, 1, 1};
+    if (!node || !aob_gltf_vector(gltf, node, label.text, "matrix", columns, 16, error) ||
+        !aob_gltf_vector(gltf, node, label.text, "translation", move, 3, error) ||
+        !aob_gltf_vector(gltf, node, label.text, "rotation", turn, 4, error) ||
+        !aob_gltf_vector(gltf, node, label.text, "scale", scale, 3, error))
+        return false;
+    if (!is_affine(columns))
+        return aob_fail(error, "%s: node %zu: the last row of its matrix is not 0 0 0 1: the file is damaged",
+                        gltf->file->path, index);
+    if (!aob_gltf_is_turn(turn))
+        return aob_fail(error, "%s: the rotation of node %zu is no unit quaternion: the file is damaged",
+                        gltf->file->path, index);
+    *map = json_object_get(node, "matrix") ? aob_gltf_matrix(columns) : aob_gltf_trs(move, turn, scale);
+    return true;
 }
 
 static bool is_hidden(const json_t *node)
@@ -75,14 +94,14 @@ static bool read_index(struct aob_gltf *gltf, const json_t *list, size_t at, siz
     return aob_gltf_element(gltf, "nodes", *node, error);
 }
 
-static bool check_rotation(const struct walk *walk, size_t node, const json_t *element,
-                           struct aob_error *error)
+/* What the walk takes for granted. */
+static bool check_node(const struct walk *walk, size_t node, struct aob_error *error)
 {
-    double turn[4] = {0, 0, 0, 1};
-    aob_gltf_vector(element, "rotation", turn, 4);
-    return aob_gltf_is_turn(turn) ||
-           aob_fail(error, "%s: the rotation of node %zu is no unit quaternion: the file is damaged",
-                    walk->gltf->file->path, node);
+    const json_t *element = aob_gltf_element(walk->gltf, "nodes", node, error);
+    struct aob_gltf_label label = aob_gltf_label("node", node);
+    struct aob_affine map;
+    return own_map(walk->gltf, node, &map, error) &&
+           aob_gltf_is_list(walk->gltf, element, label.text, "children", error);
 }
 
 static bool read_parents(struct walk *walk, size_t node_count, struct aob_error *error)
@@ -90,6 +109,8 @@ static bool read_parents(struct walk *walk, size_t node_count, struct aob_error 
     for (size_t i = 0; i < node_count; i++)
         walk->parent[i] = aob_gltf_none;
     for (size_t i = 0; i < node_count; i++) {
+        if (!check_node(walk, i, error))
+            return false;
         const json_t *element = aob_gltf_element(walk->gltf, "nodes", i, error);
         const json_t *children = json_object_get(element, "children");
         for (size_t k = 0; k < json_array_size(children); k++) {
@@ -101,16 +122,14 @@ static bool read_parents(struct walk *walk, size_t node_count, struct aob_error 
                                 walk->gltf->file->path, child);
             walk->parent[child] = i;
         }
-        if (!element || !check_rotation(walk, i, element, error))
-            return false;
     }
     return true;
 }
 
 static void visit(struct walk *walk, struct aob_gltf_nodes *nodes, size_t node)
 {
-    const json_t *element = aob_gltf_element(walk->gltf, "nodes", node, NULL);
-    struct aob_affine own = own_map(element);
+    struct aob_affine own = aob_affine_identity();
+    own_map(walk->gltf, node, &own, NULL);
     size_t parent = walk->parent[node];
     nodes->place[node] = parent == aob_gltf_none ? own : aob_affine_multiply(&nodes->place[parent], &own);
     walk->seen[node] = true;
@@ -169,7 +188,8 @@ static bool choose_nodes(struct walk *walk, struct aob_gltf_nodes *nodes, struct
     size_t scene, root;
     for (size_t i = 0; i < nodes->node_count; i++)
         walk->seen[i] = false;
-    if (!aob_gltf_whole(gltf, gltf->file->root, "the document", "scene", 0, &scene, error))
+    if (!aob_gltf_is_list(gltf, gltf->file->root, "the document", "scenes", error) ||
+        !aob_gltf_whole(gltf, gltf->file->root, "the document", "scene", 0, &scene, error))
         return false;
     if (!aob_gltf_count(gltf, "scenes")) {
         for (size_t i = 0; i < nodes->node_count; i++)
@@ -178,7 +198,10 @@ static bool choose_nodes(struct walk *walk, struct aob_gltf_nodes *nodes, struct
         return true;
     }
     const json_t *element = aob_gltf_element(gltf, "scenes", scene, error);
+    struct aob_gltf_label label = aob_gltf_label("scene", scene);
     const json_t *roots = json_object_get(element, "nodes");
+    if (!aob_gltf_is_list(gltf, element, label.text, "nodes", error))
+        return false;
     for (size_t k = 0; k < json_array_size(roots); k++) {
         if (!read_index(gltf, roots, k, &root, error) || !check_root(walk, root, error))
             return false;

@@ -98,6 +98,19 @@ static bool fill_triangles(struct aob_gltf_primitive *primitive, size_t mode,
     return true;
 }
 
+/* Indices are unsigned whole numbers (glTF 2.0, 3.7.2.1); floats would be cut to such. */
+static bool check_index_type(struct aob_gltf *gltf, size_t accessor, struct aob_error *error)
+{
+    const json_t *element = aob_gltf_element(gltf, "accessors", accessor, error);
+    struct aob_gltf_label label = aob_gltf_label("accessor", accessor);
+    size_t type;
+    if (!element || !aob_gltf_whole(gltf, element, label.text, "componentType", 0, &type, error))
+        return false;
+    return type == 5121 || type == 5123 || type == 5125 ||
+           aob_fail(error, "%s: %s: indices are of componentType %zu: the file is damaged", gltf->file->path,
+                    label.text, type);
+}
+
 static bool read_plain(struct aob_gltf_primitive *primitive, size_t mode, struct aob_error *error)
 {
     struct aob_gltf *gltf = primitive->gltf;
@@ -107,18 +120,26 @@ static bool read_plain(struct aob_gltf_primitive *primitive, size_t mode, struct
                         error) ||
         (accessor != aob_gltf_none && !aob_gltf_numbers(gltf, accessor, 1, &indices, error)))
         return false;
-    bool ok = fill_triangles(primitive, mode, &indices, error);
+    bool ok = (!indices.values || check_index_type(gltf, accessor, error)) &&
+              fill_triangles(primitive, mode, &indices, error);
     free(indices.values);
     return ok;
 }
 
 /* A strip may be compressed too; what is decoded is a list all the same. */
-static void read_draco_triangles(struct aob_gltf_primitive *primitive)
+static bool read_draco_triangles(struct aob_gltf_primitive *primitive, struct aob_error *error)
 {
     primitive->vertex_count = aob_draco_vertex_count(primitive->draco);
     primitive->triangle_count = aob_draco_triangle_count(primitive->draco);
     primitive->triangles = aob_alloc(primitive->triangle_count + 1, sizeof *primitive->triangles);
     aob_draco_triangles(primitive->draco, primitive->triangles);
+    for (size_t i = 0; i < primitive->triangle_count; i++)
+        for (int k = 0; k < 3; k++)
+            if (primitive->triangles[i][k] >= primitive->vertex_count)
+                return aob_fail(error, "%s: a triangle names vertex %u of %zu: the file is damaged",
+                                primitive->gltf->file->path, primitive->triangles[i][k],
+                                primitive->vertex_count);
+    return true;
 }
 
 /* Of an accessor that is not read: what it says. */
@@ -146,10 +167,7 @@ bool aob_gltf_primitive_init(struct aob_gltf_primitive *primitive, struct aob_gl
         return true;
     if (!draco)
         return count_vertices(primitive, positions, error) && read_plain(primitive, mode, error);
-    if (!open_draco(primitive, draco, error))
-        return false;
-    read_draco_triangles(primitive);
-    return true;
+    return open_draco(primitive, draco, error) && read_draco_triangles(primitive, error);
 }
 
 void aob_gltf_primitive_finish(struct aob_gltf_primitive *primitive)

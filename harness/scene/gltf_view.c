@@ -1,9 +1,21 @@
 #include <stdlib.h>
+#include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
 #include "gltf.h"
 
 enum { BUFFER_LIMIT_BITS = 36 };
+
+/* Whether a URI can name a file here. */
+static bool check_uri(const char *path, size_t index, const char *uri, struct aob_error *error)
+{
+    if (strstr(uri, "://"))
+        return aob_fail(error,
+                        "%s: buffer %zu: its URI has a scheme, which is not read: name a file beside it",
+                        path, index);
+    return !strstr(uri, "%00") ||
+           aob_fail(error, "%s: buffer %zu: its URI has a zero byte: the file is damaged", path, index);
+}
 
 /* Fills buffer->bytes from a data URI, a file beside the document, or the chunk of a .glb. */
 static bool read_buffer(struct aob_gltf *gltf, size_t index, const json_t *element,
@@ -22,9 +34,14 @@ static bool read_buffer(struct aob_gltf *gltf, size_t index, const json_t *eleme
         if (!buffer->owned)
             return aob_fail(error, "%s: buffer %zu: its data URI is no base64: the file is damaged", path,
                             index);
+    } else if (!check_uri(path, index, uri, error)) {
+        return false;
     } else {
         char *file = aob_gltf_uri_path(path, uri);
-        buffer->owned = aob_file_read(file, (size_t)1 << BUFFER_LIMIT_BITS, &buffer->size, error);
+        if (aob_file_is_special(file))
+            aob_fail(error, "%s: cannot read: it is no regular file", file);
+        else
+            buffer->owned = aob_file_read(file, (size_t)1 << BUFFER_LIMIT_BITS, &buffer->size, error);
         free(file);
         if (!buffer->owned)
             return aob_fail_in(error, "%s: buffer %zu", path, index);

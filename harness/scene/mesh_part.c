@@ -85,9 +85,11 @@ static bool check_triangle(const struct aob_mesh_part *part, const struct aob_me
             return aob_fail(error, "%s: a triangle names vertex %u of %zu: the file is damaged", name,
                             corner[k], part->vertex_count);
         struct aob_vec3 p = mesh->positions[first + corner[k]];
-        if (!isfinite(p.x) || !isfinite(p.y) || !isfinite(p.z))
-            return aob_fail(error, "%s: vertex %u is not finite: the file is damaged or was exported wrongly",
-                            name, corner[k]);
+        if (!isfinite((float)p.x) || !isfinite((float)p.y) || !isfinite((float)p.z))
+            return aob_fail(
+                error,
+                "%s: vertex %u is not finite or exceeds a float: the file is damaged or was exported wrongly",
+                name, corner[k]);
     }
     return true;
 }
