@@ -1,7 +1,7 @@
-/* check_layers FILE.exr RECORD.json EYE TARGET LENS RADIUS CLAIM [PREVIOUS_EYE PREVIOUS_TARGET]: every layer of a frame of
- * the scene `corner` by the technique `known` (tests/modules/known.c) against closed forms, and every figure of its record
- * against the layers. LENS is fov:DEGREES, or ortho:HEIGHT straight down on the floor, where the wall is not seen. For the
- * tests in cli/. It computes everything itself: files, cameras, visibility, sums. */
+/* check_layers FILE.exr RECORD.json EYE TARGET LENS RADIUS CLAIM [PREVIOUS_EYE PREVIOUS_TARGET]: every layer of a frame
+ * of the scene `corner` by the technique `known` (tests/modules/known.c) against closed forms, and every figure of its
+ * record against the layers. LENS is fov:DEGREES, or ortho:HEIGHT straight down on the floor, where the wall is not
+ * seen. For the tests in cli/. It computes everything itself: files, cameras, visibility, sums. */
 #include <jansson.h>
 #include <math.h>
 #include "exr_reader.h"

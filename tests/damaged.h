@@ -1,5 +1,5 @@
-/* Damaged files, through the worker that loads them: the harness stays up, a refusal is one line that leaves no file, and
- * what is loaded is what a second reader reads. */
+/* Damaged files, through the worker that loads them: the harness stays up, a refusal is one line that leaves no file,
+ * and what is loaded is what a second reader reads. */
 #ifndef AOB_TESTS_DAMAGED_H
 #define AOB_TESTS_DAMAGED_H
 #include <stdlib.h>
@@ -20,8 +20,8 @@ struct damaged {
     size_t (*damage)(char *bytes, size_t size, int variant); /* gives how many bytes are left */
     int variants;
     bool may_crash; /* the reader may: its worker alone dies of it */
-    /* Of a file that was loaded into `out`: what is wrong with it; "" where a second reader agrees; NULL where none has an
-     * opinion. NULL: there is no second reader. */
+    /* Of a file that was loaded into `out`: what is wrong with it; "" where a second reader agrees; NULL where none has
+     * an opinion. NULL: there is no second reader. */
     const char *(*judge)(const struct damaged *damaged);
 };
 

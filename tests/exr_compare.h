@@ -25,7 +25,8 @@ static inline void exr_compare_destroy(struct exr_second_image *image)
     munmap(image, sizeof *image + EXR_COMPARE_FLOATS * sizeof(float));
 }
 
-/* Runs `read` in a process of its own, with a ceiling of time; its answer, or -1 where it crashed or had to be stopped. */
+/* Runs `read` in a process of its own, with a ceiling of time; its answer, or -1 where it crashed or had to be
+ * stopped. */
 static inline int exr_compare_apart(int (*read)(struct exr_second_image *image, const char *path),
                                     struct exr_second_image *image, const char *path)
 {

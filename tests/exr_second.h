@@ -1,5 +1,5 @@
-/* OpenEXR's C++ library as a second writer and reader of EXR files, beside the C library that the program reads with. For
- * the tests of captures. */
+/* OpenEXR's C++ library as a second writer and reader of EXR files, beside the C library that the program reads with.
+ * For the tests of captures. */
 #ifndef AOB_TESTS_EXR_SECOND_H
 #define AOB_TESTS_EXR_SECOND_H
 #include <stdbool.h>

@@ -1,5 +1,5 @@
-/* print_layers FILE.exr CHANNEL...: the values of the channels in the first pixel and in the middle one, a line each, read
- * without OpenEXR. For the tests in cli/. */
+/* print_layers FILE.exr CHANNEL...: the values of the channels in the first pixel and in the middle one, a line each,
+ * read without OpenEXR. For the tests in cli/. */
 #include "exr_reader.h"
 
 int main(int argc, char **argv)

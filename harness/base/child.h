@@ -13,11 +13,10 @@ struct aob_child_desc {
     const char *input;       /* what it reads from standard input; NULL: nothing */
     size_t input_size;
     double timeout_s; /* of work (deadline.h), for the whole run; 0: no limit */
-    size_t
-        memory_limit; /* bytes of address space (of resident memory under AddressSanitizer); 0: no limit but the
-                            one of this process, which holds in any case */
-    size_t
-        output_limit; /* bytes, of standard output and of standard error each; 0: 64 MiB. A line ends at 16 MiB */
+    /* Bytes of address space (of resident memory under AddressSanitizer). 0: no limit but the one of this process, which
+     * holds in any case. */
+    size_t memory_limit;
+    size_t output_limit; /* bytes of each of its two outputs; 0: 64 MiB. A line ends at 16 MiB */
     /* Called with each line of standard output, of any length, without its newline; may be NULL. A last line that
      * lacks its newline counts only if the child exited by itself: a crash may have cut it. */
     void (*on_line)(void *user, const char *line);
@@ -39,8 +38,8 @@ struct aob_child_result {
 bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *result,
                    struct aob_error *error);
 
-/* "crashed (signal 11, segmentation fault): COMPLAINT", "not enough memory (its limit is 293 MiB): std::bad_alloc", LIMIT,
- * "wrote EXCESS, and was stopped", "exit code 2: COMPLAINT". */
+/* "crashed (signal 11, segmentation fault): COMPLAINT", "not enough memory (its limit is 293 MiB): std::bad_alloc",
+ * LIMIT, "wrote EXCESS, and was stopped", "exit code 2: COMPLAINT". */
 void aob_child_explain(const struct aob_child_desc *desc, const struct aob_child_result *result, char *text,
                        size_t size);
 #endif

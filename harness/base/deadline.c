@@ -20,8 +20,8 @@ struct effort {
     bool awake;              /* one of them runs, waits for a processor or waits for a disk */
 };
 
-/* The fields of /proc/PID/task/TID/stat behind the name, which may hold blanks and brackets: state is the first, utime and
- * stime are the 12th and the 13th (proc(5)). */
+/* The fields of /proc/PID/task/TID/stat behind the name, which may hold blanks and brackets: state is the first, utime
+ * and stime are the 12th and the 13th (proc(5)). */
 static void add_thread(struct effort *effort, const char *stat)
 {
     unsigned long user, system;
@@ -65,8 +65,8 @@ static bool meet(struct aob_deadline *deadline, const char *format, double secon
     return true;
 }
 
-/* The first look only begins to wait: while this process was stopped, the other one may have slept because nobody read what
- * it wrote. */
+/* The first look only begins to wait: while this process was stopped, the other one may have slept because nobody read
+ * what it wrote. */
 static bool sleeps(struct aob_deadline *deadline, const struct effort *effort, int64_t now)
 {
     double patience = deadline->limit_s < quiet_s ? deadline->limit_s : quiet_s;

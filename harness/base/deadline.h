@@ -1,5 +1,5 @@
-/* The time limit of another process. It counts what the process does and not how busy the machine is: a limit that is right
- * on an idle machine is right on a busy one (docs/decisions/0017-time-limits-count-work.md). Linux only: it reads
+/* The time limit of another process. It counts what the process does and not how busy the machine is: a limit that is
+ * right on an idle machine is right on a busy one (docs/decisions/0017-time-limits-count-work.md). Linux only: it reads
  * /proc/PID/task. */
 #ifndef AOB_BASE_DEADLINE_H
 #define AOB_BASE_DEADLINE_H

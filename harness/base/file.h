@@ -8,8 +8,8 @@
 /* Returns the file's bytes with a NUL behind them; free() them. A file of more than `limit` bytes is an error. */
 char *aob_file_read(const char *path, size_t limit, size_t *size, struct aob_error *error);
 
-/* Writes a file beside `path`, flushes it to disk and renames it (part.h), so a reader sees the old file or the new one. A
- * link stays a link. What is no regular file (a device, a pipe) is written into and not replaced. */
+/* Writes a file beside `path`, flushes it to disk and renames it (part.h), so a reader sees the old file or the new
+ * one. A link stays a link. What is no regular file (a device, a pipe) is written into and not replaced. */
 bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob_error *error);
 
 struct aob_piece { /* a stretch of bytes; borrowed */
@@ -45,8 +45,8 @@ char *aob_path_join(const char *folder, const char *name);
 /* Returns the path that `path` means in a text of `file`: relative ones are seen from the file's folder; free() it. */
 char *aob_path_beside(const char *file, const char *path);
 
-/* Returns the path from the root, seen from the working folder; free() it. Nothing in it is resolved, so a text that names
- * it holds `path` as well. */
+/* Returns the path from the root, seen from the working folder; free() it. Nothing in it is resolved, so a text that
+ * names it holds `path` as well. */
 char *aob_path_absolute(const char *path);
 
 /* The folder of the running program, without a trailing slash; free() it. */

@@ -12,11 +12,12 @@ json_t *aob_json_vector(const double *values, size_t count);
 bool aob_json_to_vector(const json_t *array, double *values,
                         size_t count); /* false: the array has not exactly `count` finite numbers */
 
-/* A text from outside, such as a driver's name: as aob_text_add_shown shows it where it is no UTF-8, which JSON cannot hold. */
+/* A text from outside, such as a driver's name: as aob_text_add_shown shows it where it is no UTF-8, which JSON cannot
+ * hold. */
 json_t *aob_json_text(const char *text);
 
-/* A path that means the same wherever its reader works: absolute (as it is where the working folder's name is no UTF-8). NULL
- * gives null. */
+/* A path that means the same wherever its reader works: absolute (as it is where the working folder's name is no
+ * UTF-8). NULL gives null. */
 json_t *aob_json_path(const char *path);
 
 /* Returns the value as one compact line, with `digits` digits for each real (17 keep a double exactly, 9 a float);

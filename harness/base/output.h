@@ -1,5 +1,5 @@
-/* Standard output. All that the program says there passes here, so that a failure to write is never missed, and no control
- * character of an input reaches a terminal. */
+/* Standard output. All that the program says there passes here, so that a failure to write is never missed, and no
+ * control character of an input reaches a terminal. */
 #ifndef AOB_BASE_OUTPUT_H
 #define AOB_BASE_OUTPUT_H
 #include <stdbool.h>

@@ -21,7 +21,7 @@ bool aob_part_write(struct aob_part *part, const void *bytes, size_t size, struc
 bool aob_part_keep(struct aob_part *part, struct aob_error *error);
 void aob_part_drop(struct aob_part *part);
 
-/* Removes the parts in a folder whose writers are gone. Nothing else is touched, and a folder that cannot be read is left
- * as it is. */
+/* Removes the parts in a folder whose writers are gone. Nothing else is touched, and a folder that cannot be read is
+ * left as it is. */
 void aob_part_clean(const char *folder);
 #endif

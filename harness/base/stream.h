@@ -1,5 +1,5 @@
-/* Lines from a pipe. Bytes come in and whole lines go out. Who writes may be hostile or broken, so both a line and the whole
- * have a ceiling, and no more than a line is held. */
+/* Lines from a pipe. Bytes come in and whole lines go out. Who writes may be hostile or broken, so both a line and the
+ * whole have a ceiling, and no more than a line is held. */
 #ifndef AOB_BASE_STREAM_H
 #define AOB_BASE_STREAM_H
 #include <stdbool.h>

@@ -15,15 +15,16 @@ void aob_text_add_bytes(struct aob_text *text, const char *bytes, size_t size);
 void aob_text_finish(struct aob_text *text); /* frees; the struct is empty again */
 
 /* Adds what may be shown of a text whose parts came from outside: on a terminal a control character is a command. It
- * becomes an escape (\u001b), also one that turns the direction of the text (\u202e), as does a byte that is no UTF-8 (\xff). Line breaks stay if `lines`; otherwise they and tabs
- * become spaces. JSON stays JSON, and means the same. */
+ * becomes an escape (\u001b), also one that turns the direction of the text (\u202e), as does a byte that is no UTF-8
+ * (\xff). Line breaks stay if `lines`; otherwise they and tabs become spaces. JSON stays JSON, and means the same. */
 void aob_text_add_shown(struct aob_text *text, const char *bytes, size_t size, bool lines);
 /* Adds one line for people by the rule above, with a line break at its end. */
 void aob_text_add_line(struct aob_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Writes a line for people into an array of `size` bytes, shown as above, so it is UTF-8 and can go into JSON. If it does not
- * fit, paths are cut in their middle ("/home/a...b/box.obj: cause"), so that what stands behind them stays. If that is not
- * enough, it is cut at a character's border and ends in "...". So never write with it what a program reads, such as a path. */
+/* Writes a line for people into an array of `size` bytes, shown as above, so it is UTF-8 and can go into JSON. If it
+ * does not fit, paths are cut in their middle ("/home/a...b/box.obj: cause"), so that what stands behind them stays. If
+ * that is not enough, it is cut at a character's border and ends in "...". So never write with it what a program reads,
+ * such as a path. */
 void aob_line_print(char *line, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void aob_line_print_list(char *line, size_t size, const char *format, va_list args);
 

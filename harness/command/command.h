@@ -13,8 +13,7 @@ struct aob_common {
     bool quiet, help;
     struct aob_words modules, words;
     struct aob_dispatch dispatch;
-    struct aob_text
-        out; /* what the command says on standard output; written when it is done, whatever its code is */
+    struct aob_text out; /* for standard output: written when the command is done, whatever its code */
 };
 
 struct aob_command {

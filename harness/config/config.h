@@ -100,10 +100,9 @@ struct aob_config {
     struct aob_technique_choice *techniques;
     size_t technique_count, technique_capacity;
     bool measure_time, measure_error, images;
-    double seconds; /* of timing, a case */
-    double
-        narrow; /* share of a ratio that its interval may reach for timing to end early; no key of a file */
-    int spp;    /* rays a pixel of the reference, even */
+    double seconds;   /* of timing, a case */
+    double narrow;    /* share of a ratio within which its interval ends timing early; no key of a file */
+    int spp;          /* rays a pixel of the reference, even */
     double thickness; /* of what the depth shows, in the screen-space bound, scene units: 0 thin, INFINITY;
                          negative: each technique's radius */
     struct aob_target *targets; /* none: the plan takes them from the techniques' radii */

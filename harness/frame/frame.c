@@ -251,8 +251,8 @@ void aob_frame_finish(struct aob_frame *frame)
     frame->screen = NULL;
 }
 
-/* build() and check() see uniforms as well: a radius may decide how far triangles reach. Whether these values would lay out
- * the frame that there is. */
+/* build() and check() see uniforms as well: a radius may decide how far triangles reach. Whether these values would lay
+ * out the frame that there is. */
 static bool lays_the_same(const struct aob_frame *frame, const void *values, struct aob_error *error)
 {
     const struct aob_technique *technique = frame->graph.technique;

@@ -73,7 +73,8 @@ struct range {
     double low, high;
 };
 
-/* The range of the places a/s for a in `a` and s in `s` (s.high > 0), in scene units at distance 1; unbounded where s reaches 0. */
+/* The range of the places a/s for a in `a` and s in `s` (s.high > 0), in scene units at distance 1; unbounded where s
+ * reaches 0. */
 static struct range over(struct range a, struct range s)
 {
     double near = s.low > 0 ? s.low : 0;

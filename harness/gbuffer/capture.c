@@ -1,7 +1,6 @@
 #include "capture.h"
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
@@ -22,7 +21,7 @@ void aob_capture_warn(struct aob_capture *capture, const char *format, ...)
     struct aob_error *line = &capture->warnings[capture->warning_count++];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(line->text, sizeof line->text, format, arguments);
+    aob_line_print_list(line->text, sizeof line->text, format, arguments);
     va_end(arguments);
 }
 

@@ -7,8 +7,8 @@
  * The file's normals are the shading normals: normalised, turned to the side of the surface that is seen, and bent to
  * the horizon where they lean away from the camera (AOB_LEAST_FACING of reference/tracer.h). The side is that of the
  * surface that the depth shows (capture_surface.h), if it shows one for sure. The geometric normal is the file's too,
- * unless that surface is sure and it leans more than 2.5 degrees from it or away from the camera: then it is the surface's. If a pixel has no normal, both
- * are the surface's. */
+ * unless it leans away from the camera, or more than 2.5 degrees away from a surface that is sure: then it is the
+ * surface's. The file's stays in our own files. If a pixel has no normal, both are the surface's. */
 #ifndef AOB_GBUFFER_CAPTURE_H
 #define AOB_GBUFFER_CAPTURE_H
 #include <stdbool.h>
@@ -38,7 +38,8 @@ struct aob_capture {
     size_t surface, derived; /* pixels that are no sky; of these, with a derived normal */
     size_t leaning;          /* pixels whose geometric normal is not the file's */
     /* What a user should know about how the file was read: a line for each of other channels that would do as well,
-     * depth and normals of different layers, depths that look like another kind, and normals that are missing or lean. */
+     * depth and normals of different layers, depths that look like another kind, and normals that are missing or
+     * lean. */
     struct aob_error warnings[AOB_CAPTURE_WARNINGS];
     size_t warning_count;
 };

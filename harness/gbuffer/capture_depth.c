@@ -62,8 +62,8 @@ static void add_value(struct values *values, float z, float depth)
     values->unorm16 = values->unorm16 && z <= 1 && fabs(steps - nearbyint(steps)) < 0.01;
 }
 
-/* A step is that of 16 bits of 0..1, of a half (2^-10 of the value at most, and 2^-11 of 0..1), or of a float. The values
- * of a reversed depth buffer shrink with the distance, and their steps with them. */
+/* A step is that of 16 bits of 0..1, of a half (2^-10 of the value at most, and 2^-11 of 0..1), or of a float. The
+ * values of a reversed depth buffer shrink with the distance, and their steps with them. */
 static void set_grain(struct aob_capture_grain *grain, const struct aob_convention *c, bool perspective,
                       const struct values *values)
 {

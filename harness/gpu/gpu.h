@@ -87,8 +87,8 @@ struct aob_gpu_pass_desc {
                              holds. 0: the level's whole width or height */
     const void *uniforms; /* std140 block at binding 0 (copied); NULL: the program declares none */
     size_t uniform_size;
-    /* The rest is for programs with a vertex text only, and zero for others. The area is cleared to 0 first; triangles are
-     * drawn in order, both sides alike. */
+    /* The rest is for programs with a vertex text only, and zero for others. The area is cleared to 0 first; triangles
+     * are drawn in order, both sides alike. */
     uint32_t vertex_count; /* three a triangle */
     bool depth_test;       /* against a float depth of the pass's own, cleared to 0: the greater wins */
     enum aob_gpu_blend blend;

@@ -1,6 +1,6 @@
-/* The job `block`: time and score up to AOB_BLOCK_MAX cases of one view on one backend. Its answers are the measured half of a record,
- * which the run stores as they are, and at the end the shares of its time. Texts are borrowed from the JSON that they
- * were read from. */
+/* The job `block`: time and score up to AOB_BLOCK_MAX cases of one view on one backend. Its answers are the measured
+ * half of a record, which the run stores as they are, and at the end the shares of its time. Texts are borrowed from
+ * the JSON that they were read from. */
 #ifndef AOB_JOB_BLOCK_JOB_H
 #define AOB_JOB_BLOCK_JOB_H
 #include <jansson.h>

@@ -1,5 +1,5 @@
-/* The job `check`: whether a view's geometry is as techniques that draw its triangles presuppose. Texts are borrowed from
- * the JSON that they were read from. */
+/* The job `check`: whether a view's geometry is as techniques that draw its triangles presuppose. Texts are borrowed
+ * from the JSON that they were read from. */
 #ifndef AOB_JOB_CHECK_JOB_H
 #define AOB_JOB_CHECK_JOB_H
 #include "view_job.h"

@@ -1,5 +1,5 @@
-/* The part of a message that names the modules to load. Every path in a message that goes with modules is absolute, because a
- * module may change the working folder. Here they are borrowed: of a read message they live as long as its
+/* The part of a message that names the modules to load. Every path in a message that goes with modules is absolute,
+ * because a module may change the working folder. Here they are borrowed: of a read message they live as long as its
  * JSON. */
 #ifndef AOB_JOB_MODULES_H
 #define AOB_JOB_MODULES_H

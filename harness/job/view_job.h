@@ -1,5 +1,5 @@
-/* What a block of cases and its references are of: a scene seen by a camera. And the job `view`: cast the G-buffer of one
- * and trace visibilities. Texts are borrowed from the JSON that they were read from. */
+/* What a block of cases and its references are of: a scene seen by a camera. And the job `view`: cast the G-buffer of
+ * one and trace visibilities. Texts are borrowed from the JSON that they were read from. */
 #ifndef AOB_JOB_VIEW_JOB_H
 #define AOB_JOB_VIEW_JOB_H
 #include <jansson.h>

@@ -22,8 +22,8 @@ MEASURE(aob_paper_crytek_half)
     return true;
 }
 
-/* The text's cause is reads that miss the cache. Within a ten-thousandth of the screen none does, with the same reads and
- * the same arithmetic: the most that a cache could give here. */
+/* The text's cause is reads that miss the cache. Within a ten-thousandth of the screen none does, with the same reads
+ * and the same arithmetic: the most that a cache could give here. */
 WHY(aob_paper_crytek_half_why)
 {
     const json_t *records[2],

@@ -5,13 +5,14 @@
 #include <stddef.h>
 #include "base/text.h"
 
-/* A number and its interval: of a time 95 %, of what is made of times all that theirs allow. Where nothing is noise, low and
- * high are the value. An interval that is not known reaches from -INFINITY to INFINITY. */
+/* A number and its interval: of a time 95 %, of what is made of times all that theirs allow. Where nothing is noise,
+ * low and high are the value. An interval that is not known reaches from -INFINITY to INFINITY. */
 struct aob_paper_figure {
     double value, low, high;
 };
 
-/* In order, so that the lesser of two is the answer to "both?", the greater to "either?". OPEN: the interval holds the bar. */
+/* In order, so that the lesser of two is the answer to "both?", the greater to "either?". OPEN: the interval holds the
+ * bar. */
 enum aob_paper_answer { AOB_PAPER_NO, AOB_PAPER_OPEN, AOB_PAPER_YES };
 
 struct aob_paper_figure aob_paper_exact(double value);

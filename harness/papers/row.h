@@ -60,16 +60,16 @@ struct aob_paper_outcome { /* of a row that was run */
 extern const struct aob_paper_row aob_paper_rows[]; /* ended by a NULL name */
 
 /* Figures: reproduced if each lies within 25 % of the text's; shape only if they lie in the text's order, as far as its
- * digits tell them apart, each on its side of 1; else not reproduced. No figures: reproduced if the claim holds, shape only
- * if its shape does, else not. Not judged where the intervals leave the verdict open, or the row does. */
+ * digits tell them apart, each on its side of 1; else not reproduced. No figures: reproduced if the claim holds, shape
+ * only if its shape does, else not. Not judged where the intervals leave the verdict open, or the row does. */
 enum aob_paper_verdict aob_paper_judge(const struct aob_paper_row *row,
                                        const struct aob_paper_result *result);
 
 /* Whether each of the first `count` figures lies within 25 % of the row's. */
 enum aob_paper_answer aob_paper_near(const struct aob_paper_row *row, const struct aob_paper_figure *figures);
 
-/* Adds what stands in the last column beside the verdict: nothing if it is reproduced, and never a reason that the measured
- * figures do not show. */
+/* Adds what stands in the last column beside the verdict: nothing if it is reproduced, and never a reason that the
+ * measured figures do not show. */
 void aob_paper_explain(const struct aob_paper_outcome *outcome, struct aob_text *reason);
 
 /* The technique's record with these values, "name=value ..." of parameters, options and the camera ("eye=0,1,2"); NULL

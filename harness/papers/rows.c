@@ -3,7 +3,8 @@
 #define MODEL "caches, formats and clocks of the text's device are not this machine's"
 
 /* Table 6.2.1, 8800 Ultra, milliseconds: of the AO alone, without drawing the scene and the blur; and of AO and blur,
- * without drawing the scene. Frames a second without AO at full size 155 with the blur, 299 without; at half 155, 301. */
+ * without drawing the scene. Frames a second without AO at full size 155 with the blur, 299 without; at half 155,
+ * 301. */
 #define AO(fps)            (1000.0 / (fps)-1000.0 / 155)
 #define AO_BLUR(fps, bare) (1000.0 / (fps)-1000.0 / (bare))
 

@@ -26,8 +26,8 @@ struct aob_plan_scene {                /* one view of one scene */
     bool unit_stated;            /* how long its unit is was stated, or it is a listed scene */
     char geometry[AOB_KEY_SIZE]; /* of the geometry's source, the same for every build of the program */
     char digest[AOB_KEY_SIZE];   /* of that and the version of what reads it */
-    /* What the cases are compared with, at most AOB_CONFIG_MAX_TARGETS: the config's, or each radius of the scene's cases
-     * in order; none if no error is measured. */
+    /* What the cases are compared with, at most AOB_CONFIG_MAX_TARGETS: the config's, or each radius of the scene's
+     * cases in order; none if no error is measured. */
     struct aob_target *targets;
     size_t target_count, target_capacity;
 };
@@ -77,7 +77,8 @@ void aob_case_describe(const struct aob_plan *plan, const struct aob_case *c, st
 void aob_case_settings(const struct aob_case *c, struct aob_text *text);
 
 /* What a history follows from one program to the next: technique by name, parameters, options, geometry, camera, size,
- * backend and class of device (a word: "cpu", "integrated", "discrete"). Neither the program nor the question is in it. */
+ * backend and class of device (a word: "cpu", "integrated", "discrete"). Neither the program nor the question is in
+ * it. */
 void aob_case_series(const struct aob_case *c, const char *device_class, char key[AOB_KEY_SIZE]);
 
 /* The technique's parameter `radius`, scene units; NAN without one. */
@@ -95,7 +96,7 @@ bool aob_case_same_block(const struct aob_case *a, const struct aob_case *b);
 /* Option by its struct: packed from c->options. */
 struct aob_options aob_case_options(const struct aob_case *c);
 
-/* Seconds that a run of the plan takes on two cores with nothing in the cache, roughly: compiling, timing, references, and
- * for each target the score and the pictures of each case. A large image or a dear technique takes longer. */
+/* Seconds that a run of the plan takes on two cores with nothing in the cache, roughly: compiling, timing, references,
+ * and for each target the score and the pictures of each case. A large image or a dear technique takes longer. */
 double aob_plan_estimate_s(const struct aob_plan *plan);
 #endif

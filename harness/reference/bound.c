@@ -40,8 +40,8 @@ static bool has_area(const struct aob_mesh *mesh)
     return false;
 }
 
-/* Our own arrays and, for each triangle with an area, Embree's tree. With 80 bytes for that the sum is 0.93 to 1.02 of what
- * was measured on plane and grass. */
+/* Our own arrays and, for each triangle with an area, Embree's tree. With 80 bytes for that the sum is 0.93 to 1.02 of
+ * what was measured on plane and grass. */
 static double bytes_of(const struct aob_bound_size *size, size_t pixels)
 {
     return 60.0 * (double)size->vertices + 40.0 * (double)size->triangles +

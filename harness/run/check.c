@@ -57,10 +57,12 @@ void aob_check_view(struct aob_measurement *m, size_t index, const struct aob_vi
 {
     const struct aob_case *c = &m->plan->cases[index];
     struct aob_plan_scene *scene = &m->plan->scenes[c->scene - m->plan->scenes];
-    struct aob_check_job job = {.view = aob_job_view_of(c, files), .radius = farthest_radius(m, scene)};
-    if (scene->checked || scene->gbuffer || job.radius == 0)
+    if (scene->checked || scene->gbuffer)
         return;
-    scene->checked = true;
+    scene->checked = true; /* at once: to look through all cases again for every block would take too long */
+    struct aob_check_job job = {.view = aob_job_view_of(c, files), .radius = farthest_radius(m, scene)};
+    if (job.radius == 0)
+        return;
     shrink(&job.view);
     struct aob_error error = {{0}};
     struct aob_job_desc desc = {.job = aob_check_job_to_json(&job),

@@ -33,6 +33,7 @@ bool aob_dispatch_fail_in(struct aob_error *error, const char *file, const char 
 bool aob_dispatch_describe(const struct aob_dispatch *dispatch, struct aob_technique_list *list,
                            struct aob_error *error);
 
-/* What a backend's device says of itself, {device, driver, class}; NULL after a line if it cannot be opened. Decref it. */
+/* What a backend's device says of itself, {device, driver, class}; NULL after a line if it cannot be opened. Decref
+ * it. */
 json_t *aob_dispatch_probe(const struct aob_dispatch *dispatch, const char *backend, struct aob_error *error);
 #endif

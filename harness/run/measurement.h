@@ -37,9 +37,9 @@ void aob_measurement_finish(struct aob_measurement *m); /* of a zeroed one too *
 /* Calls each technique's check() and build() on its pending cases, in workers; refused ones get their reason. */
 void aob_measurement_layout(struct aob_measurement *m);
 
-/* Measures the pending cases `indices` of one block (aob_case_same_block, at most AOB_BLOCK_MAX). A case
- * that fails in a shared worker, or whose worker dies, is tried once more in a worker of its own, so that a fault costs only
- * the case that has it. Every case gets its record. */
+/* Measures the pending cases `indices` of one block (aob_case_same_block, at most AOB_BLOCK_MAX). A case that fails in
+ * a shared worker, or whose worker dies, is tried once more in a worker of its own, so that a fault costs only the case
+ * that has it. Every case gets its record. */
 void aob_measurement_block(struct aob_measurement *m, const size_t *indices, size_t count);
 
 /* For aob_measurement_block: the files of a view. Loads, casts and traces what the cache lacks. */

@@ -91,7 +91,8 @@ static bool has_file(const struct run *run, const json_t *name)
     return state == AOB_SEALED_GOOD || state == AOB_SEALED_SHUT;
 }
 
-/* Cases with a verdict stay; failed and unsupported ones get another chance, and so does one that lacks what is wanted. */
+/* Cases with a verdict stay; failed and unsupported ones get another chance, and so does one that lacks what is
+ * wanted. */
 static bool is_finished(const struct run *run, const json_t *record)
 {
     const char *status = json_string_value(json_object_get(record, "status"));

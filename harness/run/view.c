@@ -45,8 +45,9 @@ static void warn_of_unit(const struct aob_plan_scene *scene, const struct box *b
                  scene->name, longest);
 }
 
-/* Each mesh is imported once a run, and again if its flat file is removed meanwhile. Limits grow with the file, so a small hostile file cannot loop or allocate for
- * ever. Real meshes take about 0.04 s a megabyte and 20 bytes of memory a byte. */
+/* Each mesh is imported once a run, and again if its flat file is removed meanwhile. Limits grow with the file, so a
+ * small hostile file cannot loop or allocate for ever. Real meshes take about 0.04 s a megabyte and 20 bytes of memory
+ * a byte. */
 static bool import_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, const char *path,
                         struct aob_error *error)
 {
@@ -109,8 +110,8 @@ static void bind_to_screen(const struct aob_measurement *m, json_t *term)
     aob_term_set_bound(term, thickness < 0 ? aob_json_to_number(json_object_get(term, "radius")) : thickness);
 }
 
-/* The terms that a view's job is to trace. `known`: which files have been looked for; `shut`: the last of them that could
- * not be read. */
+/* The terms that a view's job is to trace. `known`: which files have been looked for; `shut`: the last of them that
+ * could not be read. */
 struct missing {
     json_t *terms, *known;
     struct aob_error shut;
@@ -172,8 +173,8 @@ struct aob_job_view aob_job_view_of(const struct aob_case *c, const struct aob_v
                                  .gbuffer = files->gbuffer};
 }
 
-/* The worker judges what it needs. This is for what it did not foresee, and adds what a process takes in addresses alone: 0.4
- * GB were measured, and each thread has a stack and an arena. */
+/* The worker judges what it needs. This is for what it did not foresee, and adds what a process takes in addresses
+ * alone: 0.4 GB were measured, and each thread has a stack and an arena. */
 size_t aob_view_memory_limit(void)
 {
     size_t memory = aob_machine_memory(), more = ((size_t)1 << 30) + ((size_t)aob_machine_cores() << 27);

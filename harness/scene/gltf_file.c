@@ -125,21 +125,11 @@ static size_t decode_percent(char *text)
     return (size_t)(to - text);
 }
 
-static char *beside(const char *path, const char *name)
-{
-    const char *slash = strrchr(path, '/');
-    size_t folder = slash && *name != '/' ? (size_t)(slash - path) + 1 : 0, size = strlen(name);
-    char *joined = aob_alloc(folder + size + 1, 1);
-    memcpy(joined, path, folder);
-    memcpy(joined + folder, name, size);
-    return joined;
-}
-
 char *aob_gltf_uri_path(const char *path, const char *uri)
 {
     char *plain = aob_strdup(uri);
     decode_percent(plain);
-    char *decoded = beside(path, plain), *literal = beside(path, uri);
+    char *decoded = aob_path_beside(path, plain), *literal = aob_path_beside(path, uri);
     free(plain);
     bool take_literal = !aob_file_exists(decoded) && aob_file_exists(literal);
     free(take_literal ? decoded : literal);

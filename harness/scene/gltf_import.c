@@ -81,6 +81,10 @@ static bool add_part(struct import *import, const json_t *node, const json_t *me
         !aob_gltf_whole(&import->gltf, node, "a node", "skin", aob_gltf_none, &skin, error) ||
         (skin != aob_gltf_none && !aob_gltf_skin(primitive, skin, &import->nodes, part, &skinned, error)))
         return false;
+    if (skin != aob_gltf_none && !skinned)
+        aob_mesh_note(
+            import->mesh,
+            "a primitive of a skinned node has no joints or weights: it is placed without the skin");
     if (skinned && places->count > 1)
         aob_mesh_note(import->mesh, "a skinned mesh is placed once: its instances are not applied");
     if (skinned)
@@ -129,7 +133,9 @@ static bool fill_instances(const struct import *import, const struct aob_affine 
         if (attributes[a].values)
             places->count = attributes[a].count;
     }
-    places->count = places->count == aob_gltf_none ? 0 : places->count;
+    if (places->count == aob_gltf_none)
+        return aob_fail(error, "%s: its instances have no TRANSLATION, ROTATION or SCALE: export it without",
+                        import->gltf.file->path);
     places->map = AOB_NEW_ARRAY(struct aob_affine, places->count + 1);
     for (size_t i = 0; i < places->count; i++) {
         take(&attributes[0], i, none, 3, move);

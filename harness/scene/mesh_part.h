@@ -11,8 +11,7 @@ struct aob_mesh_part {
     uint32_t (*triangles)[3];   /* triangle_count; the front is counter-clockwise */
     size_t vertex_count, triangle_count;
     struct aob_material material;
-    bool
-        painted; /* the file says the material, so colours multiply its base colour; else they are the base colour */
+    bool painted; /* the file says the material, and colours multiply it; else they are the base colour */
 };
 
 void aob_mesh_part_finish(struct aob_mesh_part *part); /* frees the arrays */

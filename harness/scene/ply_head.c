@@ -51,13 +51,58 @@ static bool has_end(const char *head, size_t size)
     return false;
 }
 
+/* The next word of a line; *size is 0 at the line's end. */
+static const char *find_word(const char *at, size_t *size)
+{
+    at += strspn(at, " \t");
+    *size = strcspn(at, " \t\r\n");
+    return at;
+}
+
+static bool is_word(const char *word, size_t size, const char *text)
+{
+    return strlen(text) == size && memcmp(word, text, size) == 0;
+}
+
+/* Whether "property TYPE NAME" stands below "element vertex". Also where there is no such element, which the importer
+ * complains of. */
+static bool has_property(const char *head, const char *name)
+{
+    bool below = false, found = true;
+    for (const char *line = head; *line && strncmp(line, "end_header", 10) != 0;) {
+        size_t sizes[3];
+        const char *first = find_word(line, &sizes[0]), *second = find_word(first + sizes[0], &sizes[1]),
+                   *third = find_word(second + sizes[1], &sizes[2]);
+        if (is_word(first, sizes[0], "element")) {
+            below = is_word(second, sizes[1], "vertex");
+            found = found && !below;
+        } else if (below && is_word(first, sizes[0], "property") && is_word(third, sizes[2], name))
+            return true;
+        line += strcspn(line, "\r\n");
+        line += strspn(line, "\r\n");
+    }
+    return found;
+}
+
+static bool check_head(const char *path, const char *head, size_t size, struct aob_error *error)
+{
+    static const char *const axes[] = {"x", "y", "z"};
+    if (!has_end(head, size))
+        return aob_fail(error, "%s: its header has no end_header: the file is cut off or damaged", path);
+    for (size_t i = 0; i < AOB_COUNT(axes); i++)
+        if (!has_property(head, axes[i]))
+            return aob_fail(error, "%s: its vertices have no property %s: the file is damaged", path,
+                            axes[i]);
+    return true;
+}
+
 bool aob_ply_check(const char *path, struct aob_error *error)
 {
     size_t size;
     char *head = is_ply(path) ? read_head(path, &size) : NULL;
-    bool ok = !head || has_end(head, size);
+    bool ok = !head || check_head(path, head, size, error);
     free(head);
-    return ok || aob_fail(error, "%s: its header has no end_header: the file is cut off or damaged", path);
+    return ok;
 }
 
 char *aob_ply_pad(const char *path, size_t *size)

@@ -5,8 +5,8 @@
 #include <stddef.h>
 #include "base/error.h"
 
-/* False after one line if the file is PLY by its ending and its header has no end: assimp reads on for ever where a
- * header is cut off. */
+/* False after one line if the file is PLY by its ending, and its header has no end, where assimp reads on for ever, or
+ * gives its vertices no x, y or z, which assimp takes for 0. */
 bool aob_ply_check(const char *path, struct aob_error *error);
 
 /* assimp drops a line end that follows the header of a binary file, though it may be the first byte of the data (the

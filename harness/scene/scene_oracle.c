@@ -1,4 +1,5 @@
-/* Scenes for closed forms (reference/oracle_scene.h). They are small, so that a radius of 0.5 m reaches past each edge. */
+/* Scenes for closed forms (reference/oracle_scene.h). They are small, so that a radius of 0.5 m reaches past each
+ * edge. */
 #include "base/memory.h"
 #include "scene_table.h"
 

@@ -18,11 +18,12 @@ struct aob_cache {
 bool aob_cache_open(struct aob_cache *cache, struct aob_error *error);
 void aob_cache_close(struct aob_cache *cache); /* of a zeroed one too */
 
-/* Creates the folder of an open cache again if it was removed meanwhile, and judges it again as above. Called before files
- * are looked for or made. */
+/* Creates the folder of an open cache again if it was removed meanwhile, and judges it again as above. Called before
+ * files are looked for or made. */
 bool aob_cache_keep(const struct aob_cache *cache, struct aob_error *error);
 
-/* The path of the file "KIND-HASH" with this suffix, whose hash is made of `what` and of the seal's version; free() it. */
+/* The path of the file "KIND-HASH" with this suffix, whose hash is made of `what` and of the seal's version; free()
+ * it. */
 char *aob_cache_path(const struct aob_cache *cache, const char *kind, const char *what, const char *suffix);
 
 /* Whether the file is there to be used. A wrong one is not, and a warning says so. False after a line if it cannot be

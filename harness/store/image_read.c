@@ -276,7 +276,8 @@ bool aob_image_reader_open(struct aob_image_reader *r)
         init.read_fn = read_bytes;
         init.size_fn = count_bytes;
     }
-    /* Otherwise the library steps over what it cannot read in a header, and assumes the rest: a window, a compression. */
+    /* Otherwise the library steps over what it cannot read in a header, and assumes the rest: a window, a
+     * compression. */
     init.flags = EXR_CONTEXT_FLAG_STRICT_HEADER;
     exr_result_t rc = exr_start_read(&r->file, r->path, &init);
     return rc == EXR_ERR_SUCCESS ||

@@ -7,10 +7,10 @@
 #include <sys/types.h>
 #include "base/error.h"
 
-/* Reads every whole line that is an object with a "key". If several lines have one key, the last stands. A missing
- * file is an empty journal. Bytes are what it holds: after a loss of power, zeros may stand where a line was or before one.
- * What is no record is passed over, and one line in `damage` tells of it (NULL: nobody asks; it stays as it is where nothing
- * is damaged). NULL after an error line; json_decref the array. */
+/* Reads every whole line that is an object with a "key". If several lines have one key, the last stands. A missing file
+ * is an empty journal. Bytes are what it holds: after a loss of power, zeros may stand where a line was or before one.
+ * What is no record is passed over, and one line in `damage` tells of it (NULL: nobody asks; it stays as it is where
+ * nothing is damaged). NULL after an error line; json_decref the array. */
 json_t *aob_journal_read(const char *path, struct aob_error *damage, struct aob_error *error);
 
 struct aob_journal {
@@ -21,12 +21,12 @@ struct aob_journal {
 /* Opens or creates a journal for appending. It is refused with one line while another process has it open. */
 bool aob_journal_open(struct aob_journal *journal, const char *path, struct aob_error *error);
 
-/* Writes a line onto the disk, whole or not at all. False with the cause, and also if the file is no longer the one that the
- * path names (aob_journal_check). */
+/* Writes a line onto the disk, whole or not at all. False with the cause, and also if the file is no longer the one
+ * that the path names (aob_journal_check). */
 bool aob_journal_append(struct aob_journal *journal, const json_t *record, struct aob_error *error);
 
-/* Whether all that was written is still where it was written to. False: the file or its folder was deleted, moved, replaced
- * or cut by somebody else, and the line says which. */
+/* Whether all that was written is still where it was written to. False: the file or its folder was deleted, moved,
+ * replaced or cut by somebody else, and the line says which. */
 bool aob_journal_check(const struct aob_journal *journal, struct aob_error *error);
 
 bool aob_journal_clear(struct aob_journal *journal, struct aob_error *error); /* removes all lines */

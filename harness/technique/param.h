@@ -13,8 +13,8 @@ const struct aob_param *aob_param_find(const struct aob_param *params, size_t co
 bool aob_param_obeys(const struct aob_param *param, double value);
 const char *aob_param_rule(const struct aob_param *param);
 
-/* Strictly: the whole text one number within bounds (whole for an int) that keeps the rule, or one of the choices. The error line
- * says what is allowed; it does not name technique or file. */
+/* Strictly: the whole text one number within bounds (whole for an int) that keeps the rule, or one of the choices. The
+ * error line says what is allowed; it does not name technique or file. */
 bool aob_param_parse(const struct aob_param *param, const char *text, double *value, struct aob_error *error);
 
 /* Shortest text that parses back to the same float or int; a choice by its name. */

@@ -38,8 +38,8 @@ struct scene {
     bool *traced; /* of each term of the job */
 };
 
-/* At least: 72 bytes a pixel were measured for the hits and their file, and the terms of one trace are held together. What a
- * screen-space bound takes depends on what the view shows (reference/bound.h). */
+/* At least: 72 bytes a pixel were measured for the hits and their file, and the terms of one trace are held together.
+ * What a screen-space bound takes depends on what the view shows (reference/bound.h). */
 static double bytes_of(const struct aob_view_job *job)
 {
     const struct aob_job_view *view = &job->view;

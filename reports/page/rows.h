@@ -65,8 +65,8 @@ struct aob_rows {
     size_t technique_count, technique_capacity;
 };
 
-/* False if a folder is given twice or has neither a journal nor run.json, or the journal cannot be read; damaged lines are left
- * out. */
+/* False if a folder is given twice or has neither a journal nor run.json, or the journal cannot be read; damaged lines
+ * are left out. */
 bool aob_rows_read(struct aob_rows *rows, const char *const *folders, size_t folder_count,
                    struct aob_error *error);
 void aob_rows_finish(struct aob_rows *rows);

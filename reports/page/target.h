@@ -11,8 +11,8 @@ struct aob_target {
     bool screen;   /* a capture's: the screen-space bound stands for the truth; false: rays were traced */
 };
 
-/* The target of an entry of `errors`, or of `error`. What an older record has no `target` for is the cosine-weighted truth within
- * its `reference_radius`. */
+/* The target of an entry of `errors`, or of `error`. What an older record has no `target` for is the cosine-weighted
+ * truth within its `reference_radius`. */
 struct aob_target aob_target_of(const json_t *entry, const json_t *record);
 
 /* By radius, the unknown one last; then cosine before uniform; then what was traced before a capture's. */

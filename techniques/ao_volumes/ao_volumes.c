@@ -1,5 +1,5 @@
-/* Ambient occlusion volumes: McGuire, "Ambient Occlusion Volumes", two-page text of 2010. Each triangle's volume is drawn
- * over the image; every pixel in it adds the triangle's form factor in closed form. */
+/* Ambient occlusion volumes: McGuire, "Ambient Occlusion Volumes", two-page text of 2010. Each triangle's volume is
+ * drawn over the image; every pixel in it adds the triangle's form factor in closed form. */
 #include <aobudget/steps.h>
 #include <math.h>
 #include "shaders.h"

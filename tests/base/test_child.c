@@ -185,8 +185,8 @@ static struct aob_child_result run_self(const char *how, const char *seconds, st
     return result;
 }
 
-/* It works half a millisecond in twenty, and would end by itself before 20 limits have gone by. Where the machine is so busy
- * that it hardly gets there, it does nothing. */
+/* It works half a millisecond in twenty, and would end by itself before 20 limits have gone by. Where the machine is so
+ * busy that it hardly gets there, it does nothing. */
 static void stops_a_child_that_naps(void **state)
 {
     (void)state;

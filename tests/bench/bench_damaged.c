@@ -1,5 +1,5 @@
-/* What becomes of damaged files: lines ROW VALUE UNIT for ./dev bench. `bench_damaged FILES` damages as many of each kind.
- * A crash of the harness would end this program. */
+/* What becomes of damaged files: lines ROW VALUE UNIT for ./dev bench. `bench_damaged FILES` damages as many of each
+ * kind. A crash of the harness would end this program. */
 #include "gbuffer/damaged_captures.h"
 #include "scene/damaged_mesh.h"
 

@@ -1,5 +1,5 @@
-/* Every form of an EXR file that OpenEXR's C++ library writes: the program reads it as that library does, or refuses it by
- * what it is. */
+/* Every form of an EXR file that OpenEXR's C++ library writes: the program reads it as that library does, or refuses it
+ * by what it is. */
 #include <math.h>
 #include "exr_compare.h"
 #include "random.h"

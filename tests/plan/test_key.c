@@ -104,8 +104,8 @@ static void test_changes_of_a_technique(void **state)
     assert_string_equal(changed.key, first.key);
 }
 
-/* The version of what reads a mesh is in the digest and not in the geometry; the file's bytes are in both. A camera that is
- * known only once the mesh is loaded changes no series then. */
+/* The version of what reads a mesh is in the digest and not in the geometry; the file's bytes are in both. A camera
+ * that is known only once the mesh is loaded changes no series then. */
 static void test_meshes(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* Embree errs by an ulp of the distance to a triangle's corners, so a triangle as long as the scene may seem to lie above a
- * start on its own plane. Such a hit is no occluder, and what lies behind it is one. The triangles are narrow, where this
- * happens most: without the second look 320 of 800,000 rays from those of a quarter's width were stopped. */
+/* Embree errs by an ulp of the distance to a triangle's corners, so a triangle as long as the scene may seem to lie
+ * above a start on its own plane. Such a hit is no occluder, and what lies behind it is one. The triangles are narrow,
+ * where this happens most: without the second look 320 of 800,000 rays from those of a quarter's width were stopped. */
 #include "shot.h"
 #include <string.h>
 #include "random.h"

@@ -1,4 +1,5 @@
-/* The scale of the errors that figures of one group share: the pictures are those that are drawn with the scale given. */
+/* The scale of the errors that figures of one group share: the pictures are those that are drawn with the scale
+ * given. */
 #include "check.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* Readers of mesh files that owe nothing to the program's: small strict ones of OBJ, PLY and STL, and assimp for glTF. */
+/* Readers of mesh files that owe nothing to the program's: small strict ones of OBJ, PLY and STL, and assimp for
+ * glTF. */
 #ifndef AOB_TESTS_SCENE_SECOND_READER_H
 #define AOB_TESTS_SCENE_SECOND_READER_H
 #include <stdbool.h>

@@ -28,6 +28,23 @@ static void unknown_extensions_are_named(void **state)
     aob_mesh_finish(&mesh);
 }
 
+/* It is placed as its node says. */
+static void a_skin_without_joints_is_named(void **state)
+{
+    (void)state;
+    struct document d = {0};
+    struct aob_error lines[AOB_MESH_WARNINGS];
+    struct aob_mesh mesh;
+    document_put_box(&d);
+    add_scene(&d, ", 'skin': 0, 'translation': [5, 0, 0]", BOX, ", 'skins': [{'joints': [0]}]");
+    document_load(&d, &mesh);
+    assert_int_equal(aob_mesh_suspect(&mesh, "box", lines), 1);
+    assert_contains(lines[0].text, "box: a primitive of a skinned node has no joints or weights");
+    for (size_t i = 0; i < mesh.vertex_count; i++)
+        assert_true(mesh.positions[i].x >= 5 && mesh.positions[i].x <= 6);
+    aob_mesh_finish(&mesh);
+}
+
 static void broken_documents_are_refused(void **state)
 {
     static const struct {
@@ -130,9 +147,8 @@ static void binary_files_are_read(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(unknown_extensions_are_named),
-        cmocka_unit_test(broken_documents_are_refused),
-        cmocka_unit_test(buffers_are_found),
+        cmocka_unit_test(unknown_extensions_are_named), cmocka_unit_test(a_skin_without_joints_is_named),
+        cmocka_unit_test(broken_documents_are_refused), cmocka_unit_test(buffers_are_found),
         cmocka_unit_test(binary_files_are_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

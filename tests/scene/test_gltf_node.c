@@ -92,7 +92,8 @@ static void morph_targets_are_applied(void **state)
     }
 }
 
-/* The first joint is bound at y = 5 and stands at 7 and what `joints` adds to it. Vertices have the weights of the two. */
+/* The first joint is bound at y = 5 and stands at 7 and what `joints` adds to it. Vertices have the weights of the
+ * two. */
 static void load_skin(struct aob_mesh *mesh, const float weights[2], const char *node, const char *joints)
 {
     struct document d = {0};

@@ -1,11 +1,6 @@
 /* Documents that the format forbids are refused in one line that names the member. */
+#include "check.h"
 #include "scene/gltf_document.h"
-
-static void assert_contains(const char *text, const char *part)
-{
-    if (!strstr(text, part))
-        fail_msg("\"%s\" is not in \"%s\"", part, text);
-}
 
 struct refusal {
     const char *node, *primitive, *more, *why;
@@ -39,6 +34,8 @@ static void wrong_members_are_named(void **state)
         {"", BOX ", 'material': 0", ", 'materials': [{'pbrMetallicRoughness': {'baseColorFactor': [1]}}]",
          ": a material: its baseColorFactor is not 4 numbers"},
         {", 'scale': [1e300, 1, 1]", BOX, "", "is not finite or exceeds a float"},
+        {", 'extensions': {'EXT_mesh_gpu_instancing': {'attributes': {'_ID': 0}}}", BOX, "",
+         ": its instances have no TRANSLATION, ROTATION or SCALE"},
     };
     (void)state;
     refuse_each(cases, AOB_COUNT(cases));

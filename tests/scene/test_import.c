@@ -1,13 +1,7 @@
 /* Loading by assimp, each time in a child process as its header demands. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "check.h"
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 #include "base/file.h"
 #include "scene/gltf_document.h"
@@ -92,6 +86,31 @@ static void ply_is_read(void **state)
         "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
     assert_int_equal(mesh.triangle_count, 2);
     aob_mesh_finish(&mesh);
+}
+
+/* A PLY whose vertices lack an axis would be flat; the same names below another element do not help, nor does w. */
+static void a_ply_has_three_axes(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *properties, *why;
+    } cases[] = {
+        {"property float y\nproperty float z\nproperty float w\n", "no property x"},
+        {"property float x\nproperty float z\nproperty float w\n", "no property y"},
+        {"property float x\r\nproperty float y\r\nproperty float w\r\n", "no property z"},
+    };
+    for (size_t i = 0; i < AOB_COUNT(cases); i++) {
+        struct aob_text text = {0};
+        struct aob_error error;
+        aob_text_add(&text,
+                     "ply\nformat ascii 1.0\nelement vertex 3\n%selement face 1\nproperty list uchar int "
+                     "vertex_indices\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+                     "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0 0 0\n",
+                     cases[i].properties);
+        refuse_text("ply", text.data, &error);
+        assert_contains(error.text, cases[i].why);
+        aob_text_finish(&text);
+    }
 }
 
 static void bad_files_are_refused_with_one_line(void **state)
@@ -299,6 +318,7 @@ int main(void)
         cmocka_unit_test(packaged_meshes_have_the_triangles_of_their_titles),
         cmocka_unit_test(obj_polygons_become_triangles),
         cmocka_unit_test(ply_is_read),
+        cmocka_unit_test(a_ply_has_three_axes),
         cmocka_unit_test(bad_files_are_refused_with_one_line),
         cmocka_unit_test(truncated_files_are_sound_or_refused),
         cmocka_unit_test(mirrors_turn_the_winding_in_other_formats),

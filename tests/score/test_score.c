@@ -100,7 +100,8 @@ static void fill(float *pixels, size_t count, float value)
         pixels[i] = value;
 }
 
-/* A hundred columns and rows: a hundredth of the pixels is 100. The truth of the left half is 0.5, of the right one 1. */
+/* A hundred columns and rows: a hundredth of the pixels is 100. The truth of the left half is 0.5, of the right one
+ * 1. */
 static void test_nothing_drawn(void **state)
 {
     (void)state;

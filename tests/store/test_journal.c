@@ -125,8 +125,9 @@ static void test_damaged_lines_are_told_and_passed_over(void **state)
     assert_string_equal(damage.text, wanted);
 }
 
-/* After a loss of power zeros may stand where a line was, or anywhere in one. Whatever they cover, all other lines count,
- * except that the last one needs its line break. A line break alone may be lost, because zeros part lines too. */
+/* After a loss of power zeros may stand where a line was, or anywhere in one. Whatever they cover, all other lines
+ * count, except that the last one needs its line break. A line break alone may be lost, because zeros part lines
+ * too. */
 static void test_zeros_cost_what_they_cover(void **state)
 {
     (void)state;

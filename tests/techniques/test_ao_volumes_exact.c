@@ -35,8 +35,8 @@ static void test_corner_is_exact(void **state)
     aob_gpu_close(gpu);
 }
 
-/* The other listed scenes with a closed form, in each of their views. The ground is a quad of 40 m whose plane no pixel hits
- * exactly. */
+/* The other listed scenes with a closed form, in each of their views. The ground is a quad of 40 m whose plane no pixel
+ * hits exactly. */
 static void test_closed_forms(void **state)
 {
     (void)state;

@@ -9,7 +9,8 @@
 #include "technique/registry.h"
 
 /* The separable blur of every technique that has one: constants stay, a mirrored or transposed image gives the mirrored
- * or transposed result, and nothing crosses a depth edge. One axis at a time, on a step of two walls facing the camera. */
+ * or transposed result, and nothing crosses a depth edge. One axis at a time, on a step of two walls facing the
+ * camera. */
 
 enum { N = 64, TAPS = 9 };
 enum layout { STEP, MIRRORED, TRANSPOSED };

@@ -4,9 +4,9 @@
 #include "base/memory.h"
 #include "rig.h"
 
-/* The guard band, through the frame of each technique: a view with a band is the middle of a larger view, and without one
- * only pixels that an occluder outside the image could reach are brighter. A wall stands before another outside the left
- * edge of the view. */
+/* The guard band, through the frame of each technique: a view with a band is the middle of a larger view, and without
+ * one only pixels that an occluder outside the image could reach are brighter. A wall stands before another outside the
+ * left edge of the view. */
 
 enum { W = 48, H = 32, GUARD = 16 };
 #define SPAN 2.0 /* height of the view; the wall before ends 4 pixels beside it */
@@ -59,8 +59,8 @@ static void test_a_band_is_a_larger_view(void **state)
     aob_gpu_close(gpu);
 }
 
-/* Without a band the wall before is not known: columns within its reach, 4 pixels off, are darker with one. What draws the
- * scene's triangles knows it anyway. */
+/* Without a band the wall before is not known: columns within its reach, 4 pixels off, are darker with one. What draws
+ * the scene's triangles knows it anyway. */
 static void test_a_band_knows_what_is_outside(void **state)
 {
     static float bare[W * H], banded[W * H];

@@ -145,9 +145,9 @@ static void test_weights_over_a_crease(void **state)
     aob_gpu_close(gpu);
 }
 
-/* Set back by a depth: hbao's is a Gaussian in it, gaussian's a limit; tile_blur's a limit as a share of the depth, .01 of
- * 3; that of the others .05 of the distance between the points and 1e-4 of the depth: of the next pixel, .0722 aside, so
- * .0039. */
+/* Set back by a depth: hbao's is a Gaussian in it, gaussian's a limit; tile_blur's a limit as a share of the depth, .01
+ * of 3; that of the others .05 of the distance between the points and 1e-4 of the depth: of the next pixel, .0722
+ * aside, so .0039. */
 static void test_weights_over_a_step(void **state)
 {
     static const struct {

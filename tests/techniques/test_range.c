@@ -3,8 +3,8 @@
 #include "base/memory.h"
 #include "rig.h"
 
-/* The range rule of each technique, in closed form: a plate stands before a wall, at a height within the radius or beyond
- * it, over the left half of an orthographic image. Every parameter that matters is given, blurs are off. */
+/* The range rule of each technique, in closed form: a plate stands before a wall, at a height within the radius or
+ * beyond it, over the left half of an orthographic image. Every parameter that matters is given, blurs are off. */
 
 enum { N = 128, ROWS = N / 2 }; /* the rows in the middle: their discs end within the image */
 #define SPAN  2.0               /* height of the image */
@@ -177,8 +177,8 @@ static double all_closed(struct aob_gpu *gpu, double height, const char *name, c
     return sum;
 }
 
-/* StarCraft II: a plate at height h lies h - p before a point at height p of 0 .. R. Up to full_occlusion it blocks, then
- * less and less, and from no_occlusion on nothing. */
+/* StarCraft II: a plate at height h lies h - p before a point at height p of 0 .. R. Up to full_occlusion it blocks,
+ * then less and less, and from no_occlusion on nothing. */
 static void test_starcraft2_blocker(void **state)
 {
     static const char name[] = "starcraft2_ssao",
@@ -197,7 +197,8 @@ static void test_starcraft2_blocker(void **state)
     aob_gpu_close(gpu);
 }
 
-/* Crytek: samples behind a plate at height h before a wall 5 away count the default by h / (5 - h) / range, at most whole. */
+/* Crytek: samples behind a plate at height h before a wall 5 away count the default by h / (5 - h) / range, at most
+ * whole. */
 static void test_crytek_range(void **state)
 {
     static const char params[] = "radius=0.5 size=scene samples=16 rotation=matrix hemisphere=off "

@@ -17,7 +17,8 @@ static void run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *para
     aob_rig_run(rig, gpu, "volumetric_obscurance", all, AOB_FETCH_SAMPLED, ao);
 }
 
-/* A wall is half of the sphere at any tilt, before the factor 2 and in each pixel: opposite lines make up for each other. */
+/* A wall is half of the sphere at any tilt, before the factor 2 and in each pixel: opposite lines make up for each
+ * other. */
 static void test_wall_is_half_solid(void **state)
 {
     (void)state;

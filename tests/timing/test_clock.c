@@ -4,8 +4,8 @@
 #include "base/memory.h"
 #include "timing/timing.h"
 
-/* A block on a scripted clock: nothing is drawn, the script says what each frame of each round costs, and keeps the order
- * in which the frames came. So every rule of timing.h is held to figures written out here. */
+/* A block on a scripted clock: nothing is drawn, the script says what each frame of each round costs, and keeps the
+ * order in which the frames came. So every rule of timing.h is held to figures written out here. */
 
 enum { CASES = 3, SLOTS = CASES + 2, RUNS_MAX = 20000, WARM_UP = 2 };
 
@@ -183,9 +183,9 @@ static size_t rounds_with(int count, double factor)
     return rounds_for(count, factor, 0);
 }
 
-/* The interval of n = 20 goes from the 6th to the 15th value, of 30 from the 10th to the 21st, of 45 from the 16th to the
- * 30th (P(Bin(20) < 6) = .0207, P(Bin(30) < 10) = .0214, P(Bin(45) < 16) = .0178; one more is above .025). So five long
- * rounds of 20 do not widen it and six do, and every case of the block must be narrow. */
+/* The interval of n = 20 goes from the 6th to the 15th value, of 30 from the 10th to the 21st, of 45 from the 16th to
+ * the 30th (P(Bin(20) < 6) = .0207, P(Bin(30) < 10) = .0214, P(Bin(45) < 16) = .0178; one more is above .025). So five
+ * long rounds of 20 do not widen it and six do, and every case of the block must be narrow. */
 static void test_stops_when_narrow(void **state)
 {
     (void)state;
@@ -207,8 +207,8 @@ static void test_stops_when_narrow(void **state)
     assert_int_equal(rounds_for(6, 1 / 1.0601, 0.06), 30);
 }
 
-/* Seconds are of wall time and for each case: a round of three cases at 8 ms of wall time and two fixed passes of 4 takes
- * 32 ms, one with a single case 16; each odd number of rounds takes .8 ms a case more. */
+/* Seconds are of wall time and for each case: a round of three cases at 8 ms of wall time and two fixed passes of 4
+ * takes 32 ms, one with a single case 16; each odd number of rounds takes .8 ms a case more. */
 static void test_stops_in_time(void **state)
 {
     (void)state;
@@ -255,8 +255,8 @@ static bool dirty(int index, int round)
     return every_third(index, round) || always(index, round);
 }
 
-/* Wall time is the median over clean rounds, processor time over all. Of rounds 0..19 case 1 is interrupted in 0, 3 .. 18:
- * what is left has the median 9.5 -> rounds 1, 2, 4, 5, 7, 8, 10, 11, 13, 14, 16, 17, 19: round 10. */
+/* Wall time is the median over clean rounds, processor time over all. Of rounds 0..19 case 1 is interrupted in 0, 3 ..
+ * 18: what is left has the median 9.5 -> rounds 1, 2, 4, 5, 7, 8, 10, 11, 13, 14, 16, 17, 19: round 10. */
 static void test_clean_rounds(void **state)
 {
     (void)state;

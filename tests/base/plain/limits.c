@@ -1,5 +1,5 @@
-/* A child's limit of memory, and what its parent takes. AddressSanitizer reserves terabytes and keeps what was freed, so this
- * test is built without it, of the few files that it needs (tests/CMakeLists.txt). */
+/* A child's limit of memory, and what its parent takes. AddressSanitizer reserves terabytes and keeps what was freed,
+ * so this test is built without it, of the few files that it needs (tests/CMakeLists.txt). */
 #include "check.h"
 #include <signal.h>
 #include <stdlib.h>
