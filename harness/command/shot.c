@@ -166,7 +166,8 @@ static bool make_config(const struct options *o, struct aob_config *config, stru
     config->seconds = 0.5;
     struct aob_scene_choice *scene = AOB_PUSH(config->scenes, config->scene_count, config->scene_capacity);
     const char *capture = aob_capture_file(o->scene);
-    bool listed = capture || aob_scene_find(o->scene) || !aob_file_exists(o->scene);
+    bool path = strchr(o->scene, '/') || aob_file_exists(o->scene); /* no scene's name has a slash */
+    bool listed = capture || aob_scene_find(o->scene) || !path;
     *(capture  ? &scene->capture
       : listed ? &scene->name
                : &scene->file) = aob_strdup(capture ? capture : o->scene);

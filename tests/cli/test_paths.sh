@@ -41,5 +41,5 @@ check "each was measured once" test "$(wc -l <out/journal.jsonl)" -eq 5
 check "the keys are those of the plan" cmp <(jq -r .key out/journal.jsonl | sort) <(jq -r '.[].key' from-above | sort)
 sed 's/one.obj/gone.obj/' "set up/config.yaml" >"set up/gone.yaml"
 expect 2 "set up/gone.yaml:2:10: set up/meshes/gone.obj: cannot open" "$program" plan "set up/gone.yaml"
-expect 2 "unknown scene 'meshes/one.obj'" "$program" shot --technique none --backend null --size 8x8 --scene meshes/one.obj
+expect 2 "meshes/one.obj: cannot open: No such file" "$program" shot --technique none --backend null --size 8x8 --scene meshes/one.obj
 finish
