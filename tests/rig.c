@@ -115,7 +115,8 @@ void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct 
               aob_screen_init(&screen, gpu, &rig->gbuffer, options, &error);
     screen.geometry = &geometry;
     if (!ok || !aob_frame_init(frame, &screen, technique, values, (enum aob_fetch)options->fetch, &error) ||
-        !aob_frame_run(frame, NULL, &error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, &error))
+        !aob_frame_run(frame, 1, NULL, &error) ||
+        !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, &error))
         give_up(technique->name, &error);
     aob_frame_finish(frame);
     aob_screen_finish(&screen);

@@ -296,16 +296,35 @@ bool aob_frame_set(struct aob_frame *frame, int number, const void *values, stru
     return true;
 }
 
-bool aob_frame_run(struct aob_frame *frame, struct aob_gpu_time *times, struct aob_error *error)
+static void add_time(struct aob_gpu_time *sum, const struct aob_gpu_time *time)
+{
+    sum->wall_ns += time->wall_ns;
+    sum->cpu_ns += time->cpu_ns;
+}
+
+static bool run_once(struct aob_frame *frame, struct aob_frame_time *sum, struct aob_error *error)
 {
     for (int i = 0; i < frame->graph.pass_count; i++) {
-        if (times)
-            times[i] = (struct aob_gpu_time){0};
-        if (frame->passes[i] &&
-            !aob_gpu_pass_run(frame->screen->gpu, frame->passes[i], times ? &times[i] : NULL, error))
+        struct aob_gpu_time time;
+        if (!frame->passes[i])
+            continue;
+        if (!aob_gpu_pass_run(frame->screen->gpu, frame->passes[i], &time, error))
             return aob_fail_in(error, "%s: pass '%s'", frame->graph.technique->name,
                                frame->graph.passes[i].name);
+        add_time(&sum->passes[i], &time);
+        add_time(&sum->whole, &time);
     }
+    return true;
+}
+
+bool aob_frame_run(struct aob_frame *frame, int repeats, struct aob_frame_time *time, struct aob_error *error)
+{
+    struct aob_frame_time sum = {0};
+    for (int i = 0; i < repeats; i++)
+        if (!run_once(frame, &sum, error))
+            return false;
+    if (time)
+        *time = sum;
     return true;
 }
 

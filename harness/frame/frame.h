@@ -48,8 +48,15 @@ void aob_frame_finish(struct aob_frame *frame);
  * false too if the device fails. */
 bool aob_frame_set(struct aob_frame *frame, int number, const void *values, struct aob_error *error);
 
-/* All live passes in order; times[] has graph.pass_count rows (pruned passes get zeros) or is NULL. */
-bool aob_frame_run(struct aob_frame *frame, struct aob_gpu_time *times, struct aob_error *error);
+/* What running a frame took, summed over its repeats. */
+struct aob_frame_time {
+    struct aob_gpu_time whole;
+    struct aob_gpu_time passes[AOB_MAX_PASS]; /* graph.pass_count of them; zeros for one that was pruned */
+};
+
+/* All live passes in order, the whole frame `repeats` (>= 1) times. `time` may be NULL. */
+bool aob_frame_run(struct aob_frame *frame, int repeats, struct aob_frame_time *time,
+                   struct aob_error *error);
 
 /* An output that the graph gives (aob_graph_gives), guard band cropped: width x height pixels of `components` floats,
  * the texel's first ones, row 0 at the top. The texture has at least as many. */

@@ -20,11 +20,11 @@ struct run {
     size_t order[SLOT_MAX];
 };
 
-static bool run_on_device(void *user, struct aob_frame *frame, struct aob_gpu_time *passes,
+static bool run_on_device(void *user, struct aob_frame *frame, int repeats, struct aob_frame_time *time,
                           struct aob_error *error)
 {
     (void)user;
-    return aob_frame_run(frame, passes, error);
+    return aob_frame_run(frame, repeats, time, error);
 }
 
 static int64_t machine_now(void *user)
@@ -56,26 +56,24 @@ static struct aob_frame *slot_frame(const struct run *run, size_t slot)
     return slot < SLOT_CASES ? run->desc->fixed : run->desc->frames[slot - SLOT_CASES];
 }
 
+/* Of one frame of the slot's; positive, as ratios are taken of it. */
+static double frame_ms(const struct run *run, int64_t ns)
+{
+    return fmax((double)ns * 1e-6 / run->repeats, 1e-9);
+}
+
 static bool run_slot(struct run *run, size_t slot, size_t round, struct aob_error *error)
 {
     struct aob_frame *frame = slot_frame(run, slot);
-    struct aob_gpu_time times[AOB_MAX_PASS];
-    double cpu = 0, wall = 0, pass_cpu[AOB_MAX_PASS] = {0};
+    struct aob_frame_time time;
     int64_t preempted = preemptions(run);
-    for (int i = 0; i < run->repeats; i++) {
-        if (!run->clock->run(run->clock->user, frame, times, error))
-            return false;
-        for (int p = 0; p < frame->graph.pass_count; p++) {
-            cpu += (double)times[p].cpu_ns * 1e-6;
-            wall += (double)times[p].wall_ns * 1e-6;
-            pass_cpu[p] += (double)times[p].cpu_ns * 1e-6;
-        }
-    }
+    if (!run->clock->run(run->clock->user, frame, run->repeats, &time, error))
+        return false;
     run->clean[slot][round] = preemptions(run) == preempted;
-    run->cpu[slot][round] = fmax(cpu / run->repeats, 1e-9);
-    run->wall[slot][round] = fmax(wall / run->repeats, 1e-9);
+    run->cpu[slot][round] = frame_ms(run, time.whole.cpu_ns);
+    run->wall[slot][round] = frame_ms(run, time.whole.wall_ns);
     for (int p = 0; slot >= SLOT_CASES && p < frame->graph.pass_count; p++)
-        run->pass_cpu[slot - SLOT_CASES][p][round] = fmax(pass_cpu[p] / run->repeats, 1e-9);
+        run->pass_cpu[slot - SLOT_CASES][p][round] = frame_ms(run, time.passes[p].cpu_ns);
     return true;
 }
 

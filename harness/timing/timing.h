@@ -12,8 +12,9 @@
 
 /* Where the times of a block come from, so that a test can say what each frame costs. `user` is passed to each. */
 struct aob_timing_clock {
-    /* Draws the frame and fills one time for each pass of its graph. */
-    bool (*run)(void *user, struct aob_frame *frame, struct aob_gpu_time *passes, struct aob_error *error);
+    /* As aob_frame_run. */
+    bool (*run)(void *user, struct aob_frame *frame, int repeats, struct aob_frame_time *time,
+                struct aob_error *error);
     int64_t (*now_ns)(void *user);      /* monotonic; it ends the rounds */
     int64_t (*preemptions)(void *user); /* as aob_clock_preemptions */
     void *user;

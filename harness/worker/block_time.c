@@ -35,7 +35,7 @@ static bool probe_cost(struct aob_block *block, size_t f, double *ms, struct aob
     int64_t start = 0;
     for (int i = 0; i < 2; i++) {
         start = aob_clock_cpu_ns();
-        if (!aob_frame_run(&block->frames[f], NULL, error))
+        if (!aob_frame_run(&block->frames[f], 1, NULL, error))
             return false;
     }
     *ms = (double)(aob_clock_cpu_ns() - start) * 1e-6;

@@ -260,7 +260,8 @@ static bool judge_and_score(const struct aob_block *block, size_t f, struct aob_
 static bool draw(struct aob_block *block, size_t f, struct aob_case_image *image, struct aob_error *error)
 {
     struct aob_frame *frame = &block->frames[f];
-    if (!aob_frame_run(frame, NULL, error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, image->ao, error))
+    if (!aob_frame_run(frame, 1, NULL, error) ||
+        !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, image->ao, error))
         return false;
     if (!aob_graph_gives(&frame->graph, AOB_OUT_BENT_NORMAL))
         return true;

@@ -118,7 +118,7 @@ static void stage_finish(struct stage *stage)
 static void run(struct stage *stage, enum aob_output which, int components, float *pixels)
 {
     struct aob_error error = {{0}};
-    if (!aob_frame_run(&stage->frame, NULL, &error) ||
+    if (!aob_frame_run(&stage->frame, 1, NULL, &error) ||
         !aob_frame_read(&stage->frame, which, components, pixels, &error))
         fail_msg("%s", error.text);
 }

@@ -81,7 +81,8 @@ static void run(struct aob_gpu *gpu, enum layout layout, pattern *draw, float *r
     aob_param_pack(owner->params, owner->param_count, numbers, values, sizeof values);
     if (!aob_screen_init(&screen, gpu, &gbuffer, &(struct aob_options){0}, &error) ||
         !aob_frame_init(frame, &screen, &technique, values, AOB_FETCH_SAMPLED, &error) ||
-        !aob_frame_run(frame, NULL, &error) || !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, result, &error))
+        !aob_frame_run(frame, 1, NULL, &error) ||
+        !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, result, &error))
         fail_msg("%s", error.text);
     aob_frame_finish(frame);
     aob_screen_finish(&screen);

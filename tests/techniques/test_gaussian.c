@@ -83,7 +83,7 @@ static void blur_picture(const struct aob_rig *rig, struct aob_gpu *gpu, int axi
     aob_param_pack(aob_option_params, AOB_OPTION_COUNT, chosen, &options, sizeof options);
     if (!aob_screen_init(&screen, gpu, &rig->gbuffer, &options, &error) ||
         !aob_frame_init(&frame, &screen, &technique, &values, AOB_FETCH_SAMPLED, &error) ||
-        !aob_frame_run(&frame, NULL, &error) ||
+        !aob_frame_run(&frame, 1, NULL, &error) ||
         !aob_frame_read(&frame, AOB_OUT_VISIBILITY, 1, pixels, &error))
         fail_msg("%s", error.text);
     aob_frame_finish(&frame);

@@ -64,7 +64,7 @@ static void blur(const struct aob_rig *rig, struct aob_gpu *gpu, int pattern, in
     struct aob_error error = {{0}};
     bool ok = aob_screen_init(&screen, gpu, &rig->gbuffer, &options, &error) &&
               aob_frame_init(frame, &screen, &technique, &values, AOB_FETCH_SAMPLED, &error) &&
-              aob_frame_run(frame, NULL, &error) &&
+              aob_frame_run(frame, 1, NULL, &error) &&
               aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, &error);
     assert_string_equal(error.text, "");
     assert_true(ok);

@@ -25,28 +25,46 @@ static double or_default(double value, double initial)
     return value > 0 ? value : initial;
 }
 
-/* One frame a slot and round, as each takes more than the 2 ms that are enough. */
-static bool run(void *user, struct aob_frame *frame, struct aob_gpu_time *passes, struct aob_error *error)
+/* Milliseconds of the next frame of that index; -1 is the fixed pass. */
+static void next_cost(struct script *s, int index, double *cpu, double *wall)
+{
+    int round = index < 0 ? 0 : s->runs[index]++ - WARM_UP;
+    if (index < 0)
+        *cpu = or_default(s->fixed_ms[s->fixed_runs++], 2);
+    else
+        *cpu = s->cpu_ms ? s->cpu_ms(index, round) : 4;
+    *wall = index >= 0 && s->wall_ms ? s->wall_ms(index, round) : 2 * *cpu;
+    s->preemptions += index >= 0 && s->preempted && s->preempted(index, round);
+}
+
+/* Adds a share of a cost in milliseconds. */
+static void add_share(struct aob_gpu_time *time, double cpu, double wall, double share)
+{
+    time->cpu_ns += (int64_t)llround(cpu * 1e6 * share);
+    time->wall_ns += (int64_t)llround(wall * 1e6 * share);
+}
+
+/* One frame a slot and round, where each takes more than the 2 ms that are enough. Passes are 1 : 2 : 3 ... of the
+ * whole. */
+static bool run(void *user, struct aob_frame *frame, int repeats, struct aob_frame_time *time,
+                struct aob_error *error)
 {
     struct script *s = user;
-    int index = -1, round;
+    int index = -1, count = frame->graph.pass_count;
     (void)error;
+    *time = (struct aob_frame_time){0};
     for (int i = 0; i < CASES; i++)
         index = frame == s->frames[i] ? i : index;
-    round = index < 0 ? 0 : s->runs[index]++ - WARM_UP;
-    double cpu = index < 0   ? or_default(s->fixed_ms[s->fixed_runs++], 2)
-                 : s->cpu_ms ? s->cpu_ms(index, round)
-                             : 4;
-    double wall = index >= 0 && s->wall_ms ? s->wall_ms(index, round) : 2 * cpu;
-    int count = frame->graph.pass_count;
-    for (int p = 0; p < count; p++) /* 1 : 2 : 3 ... of the whole */
-        passes[p] = (struct aob_gpu_time){
-            .cpu_ns = (int64_t)llround(cpu * 1e6 * 2 * (p + 1) / (count * (count + 1))),
-            .wall_ns = (int64_t)llround(wall * 1e6 * 2 * (p + 1) / (count * (count + 1)))};
-    s->now += (int64_t)llround(wall * 1e6);
-    s->preemptions += index >= 0 && s->preempted && s->preempted(index, round);
-    assert_true(s->count < RUNS_MAX);
-    s->order[s->count++] = index;
+    for (int r = 0; r < repeats; r++) {
+        double cpu, wall;
+        next_cost(s, index, &cpu, &wall);
+        add_share(&time->whole, cpu, wall, 1);
+        for (int p = 0; p < count; p++)
+            add_share(&time->passes[p], cpu, wall, 2.0 * (p + 1) / (count * (count + 1)));
+        s->now += (int64_t)llround(wall * 1e6);
+        assert_true(s->count < RUNS_MAX);
+        s->order[s->count++] = index;
+    }
     return true;
 }
 
