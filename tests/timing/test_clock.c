@@ -2,109 +2,17 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/memory.h"
-#include "timing/timing.h"
+#include "script.h"
 
-/* A block on a scripted clock: nothing is drawn, the script says what each frame of each round costs, and keeps the
- * order in which the frames came. So every rule of timing.h is held to figures written out here. */
-
-enum { CASES = 3, SLOTS = CASES + 2, RUNS_MAX = 20000, WARM_UP = 2 };
-
-struct script {
-    struct aob_frame *fixed, *frames[CASES];
-    /* Milliseconds of case `index` in round `round` (negative: of the warm-up). NULL: 4. */
-    double (*cpu_ms)(int index, int round);
-    double (*wall_ms)(int index, int round);             /* NULL: twice the processor time */
-    bool (*preempted)(int index, int round);             /* NULL: never */
-    double fixed_ms[RUNS_MAX];                           /* of each frame of the fixed pass, in order; 0: 2 */
-    int fixed_runs, runs[CASES], order[RUNS_MAX], count; /* order: -1 the fixed pass, else the case */
-    int64_t now, preemptions;
-};
-
-static double or_default(double value, double initial)
-{
-    return value > 0 ? value : initial;
-}
-
-/* Milliseconds of the next frame of that index; -1 is the fixed pass. */
-static void next_cost(struct script *s, int index, double *cpu, double *wall)
-{
-    int round = index < 0 ? 0 : s->runs[index]++ - WARM_UP;
-    if (index < 0)
-        *cpu = or_default(s->fixed_ms[s->fixed_runs++], 2);
-    else
-        *cpu = s->cpu_ms ? s->cpu_ms(index, round) : 4;
-    *wall = index >= 0 && s->wall_ms ? s->wall_ms(index, round) : 2 * *cpu;
-    s->preemptions += index >= 0 && s->preempted && s->preempted(index, round);
-}
-
-/* Adds a share of a cost in milliseconds. */
-static void add_share(struct aob_gpu_time *time, double cpu, double wall, double share)
-{
-    time->cpu_ns += (int64_t)llround(cpu * 1e6 * share);
-    time->wall_ns += (int64_t)llround(wall * 1e6 * share);
-}
-
-/* One frame a slot and round, where each takes more than the 2 ms that are enough. Passes are 1 : 2 : 3 ... of the
- * whole. */
-static bool run(void *user, struct aob_frame *frame, int repeats, struct aob_frame_time *time,
-                struct aob_error *error)
-{
-    struct script *s = user;
-    int index = -1, count = frame->graph.pass_count;
-    (void)error;
-    *time = (struct aob_frame_time){0};
-    for (int i = 0; i < CASES; i++)
-        index = frame == s->frames[i] ? i : index;
-    for (int r = 0; r < repeats; r++) {
-        double cpu, wall;
-        next_cost(s, index, &cpu, &wall);
-        add_share(&time->whole, cpu, wall, 1);
-        for (int p = 0; p < count; p++)
-            add_share(&time->passes[p], cpu, wall, 2.0 * (p + 1) / (count * (count + 1)));
-        s->now += (int64_t)llround(wall * 1e6);
-        assert_true(s->count < RUNS_MAX);
-        s->order[s->count++] = index;
-    }
-    return true;
-}
-
-static int64_t now_ns(void *user)
-{
-    return ((struct script *)user)->now;
-}
-
-static int64_t preemptions(void *user)
-{
-    return ((struct script *)user)->preemptions;
-}
-
-static struct script *script_create(void)
-{
-    struct script *s = AOB_NEW(struct script);
-    s->fixed = AOB_NEW(struct aob_frame);
-    s->fixed->graph.pass_count = 1;
-    for (int i = 0; i < CASES; i++) {
-        s->frames[i] = AOB_NEW(struct aob_frame);
-        s->frames[i]->graph.pass_count = 1 + i;
-    }
-    return s;
-}
-
-static void script_destroy(struct script *s)
-{
-    free(s->fixed);
-    for (int i = 0; i < CASES; i++)
-        free(s->frames[i]);
-    free(s);
-}
+/* Every rule of timing.h is held to figures written out here, on a scripted clock. */
 
 static struct aob_block_timing measure(struct script *s, struct aob_timing_desc desc)
 {
-    const struct aob_timing_clock clock = {run, now_ns, preemptions, s};
+    const struct aob_timing_clock clock = script_clock(s);
     struct aob_block_timing timing;
     desc.fixed = s->fixed;
     desc.frames = s->frames;
-    desc.frame_count = desc.frame_count ? desc.frame_count : CASES;
+    desc.frame_count = desc.frame_count ? desc.frame_count : SCRIPT_CASES;
     desc.clock = &clock;
     assert_true(aob_timing_run(&desc, &timing, NULL));
     return timing;
@@ -120,7 +28,7 @@ static double noisy(int index, int round)
 /* The first frame behind the warm-up: two whole rounds, then the fixed pass alone. */
 static int first_of(const struct script *s)
 {
-    int at = WARM_UP * SLOTS;
+    int at = SCRIPT_WARM_UP * SCRIPT_SLOTS;
     while (s->order[at] < 0 && s->order[at + 1] < 0 && s->order[at + 2] < 0)
         at++;
     return at;
@@ -129,13 +37,13 @@ static int first_of(const struct script *s)
 /* Where the rounds begin: the last slots x rounds frames of all. */
 static const int *rounds_of(const struct script *s, size_t rounds)
 {
-    return s->order + s->count - (int)rounds * SLOTS;
+    return s->order + s->count - (int)rounds * SCRIPT_SLOTS;
 }
 
 static void test_order_is_cyclic(void **state)
 {
     (void)state;
-    int first[2][SLOTS], squares = 0, shuffled = 0;
+    int first[2][SCRIPT_SLOTS], squares = 0, shuffled = 0;
     for (uint32_t seed = 0; seed < 2; seed++) {
         struct script *s = script_create();
         s->cpu_ms = noisy;
@@ -144,26 +52,27 @@ static void test_order_is_cyclic(void **state)
         const int *order = rounds_of(s, rounds);
         memcpy(first[seed], order, sizeof first[seed]);
         for (size_t r = 0; r < rounds; r++) {
-            const int *row = order + r * SLOTS, *before = row - SLOTS;
-            int seen[CASES] = {0}, fixed = 0;
-            for (int i = 0; i < SLOTS; i++)
+            const int *row = order + r * SCRIPT_SLOTS, *before = row - SCRIPT_SLOTS;
+            int seen[SCRIPT_CASES] = {0}, fixed = 0;
+            for (int i = 0; i < SCRIPT_SLOTS; i++)
                 row[i] < 0 ? fixed++ : seen[row[i]]++;
             assert_int_equal(fixed, 2);
-            for (int i = 0; i < CASES; i++)
+            for (int i = 0; i < SCRIPT_CASES; i++)
                 assert_int_equal(seen[i], 1);
-            if (r % SLOTS == 0) {
+            if (r % SCRIPT_SLOTS == 0) {
                 squares++;
                 shuffled += r > 0 && memcmp(row, order, sizeof first[0]) != 0;
                 continue;
             }
-            for (int i = 0; i < SLOTS; i++) /* turned by one: so each slot takes each place once a square */
-                assert_int_equal(row[i], before[(i + 1) % SLOTS]);
+            for (int i = 0; i < SCRIPT_SLOTS;
+                 i++) /* turned by one: so each slot takes each place once a square */
+                assert_int_equal(row[i], before[(i + 1) % SCRIPT_SLOTS]);
         }
         script_destroy(s);
     }
     assert_true(memcmp(first[0], first[1], sizeof first[0]) != 0);
     /* The fixed pass stands for two slots, so 60 orders are told apart: chance repeats hardly any of the 46 squares. */
-    assert_true(squares == 2 * AOB_ROUNDS_MAX / SLOTS && shuffled > squares - 12);
+    assert_true(squares == 2 * AOB_ROUNDS_MAX / SCRIPT_SLOTS && shuffled > squares - 12);
 }
 
 static void test_same_seed_same_order(void **state)
@@ -282,9 +191,9 @@ static void test_clean_rounds(void **state)
     s->cpu_ms = rising;
     s->preempted = dirty;
     struct aob_block_timing t = measure(s, (struct aob_timing_desc){.seconds = 1e9});
-    static const size_t clean[CASES] = {20, 13, 0};
-    static const double wall[CASES] = {2 * 4.0095, 2 * 4.010, NAN};
-    for (int i = 0; i < CASES; i++) {
+    static const size_t clean[SCRIPT_CASES] = {20, 13, 0};
+    static const double wall[SCRIPT_CASES] = {2 * 4.0095, 2 * 4.010, NAN};
+    for (int i = 0; i < SCRIPT_CASES; i++) {
         assert_int_equal(t.cases[i].rounds, 20);
         assert_int_equal(t.cases[i].clean_rounds, clean[i]);
         assert_near(t.cases[i].cpu_ms, 4.0095, 1e-5);
@@ -310,7 +219,7 @@ static void test_clock_choice(void **state)
         struct script *s = script_create();
         s->wall_ms = dear_wall;
         struct aob_block_timing t = measure(s, (struct aob_timing_desc){.seconds = 1e9, .wall = wall});
-        for (int i = 0; i < CASES; i++) {
+        for (int i = 0; i < SCRIPT_CASES; i++) {
             assert_near(t.cases[i].to_fixed.ratio, wall ? 2.5 * (i + 1) : 2, 1e-9);
             assert_near(t.cases[i].cpu_ms, 4, 1e-5);
             assert_near(t.cases[i].wall_ms, 10 * (i + 1), 1e-5);
@@ -361,11 +270,11 @@ static void test_warm_up(void **state)
     };
     for (size_t i = 0; i < AOB_COUNT(rows); i++) {
         struct script *s = script_create();
-        memcpy(s->fixed_ms + 2 * WARM_UP, rows[i].fixed_ms, sizeof rows[i].fixed_ms);
+        memcpy(s->fixed_ms + 2 * SCRIPT_WARM_UP, rows[i].fixed_ms, sizeof rows[i].fixed_ms);
         struct aob_block_timing t = measure(s, (struct aob_timing_desc){.seconds = 1e9});
         int rounds = (int)t.cases[0].rounds;
-        assert_int_equal(s->count, (WARM_UP + rounds) * SLOTS + rows[i].frames);
-        assert_true(first_of(s) <= WARM_UP * SLOTS + rows[i].frames);
+        assert_int_equal(s->count, (SCRIPT_WARM_UP + rounds) * SCRIPT_SLOTS + rows[i].frames);
+        assert_true(first_of(s) <= SCRIPT_WARM_UP * SCRIPT_SLOTS + rows[i].frames);
         script_destroy(s);
     }
 }
@@ -393,7 +302,7 @@ static void test_frames_a_slot(void **state)
         dear_ms = rows[i].dear;
         s->cpu_ms = cheap_and_dear;
         struct aob_block_timing t = measure(s, (struct aob_timing_desc){.seconds = 1e9});
-        assert_int_equal(s->runs[0], WARM_UP + (int)t.cases[0].rounds * rows[i].frames);
+        assert_int_equal(s->runs[0], SCRIPT_WARM_UP + (int)t.cases[0].rounds * rows[i].frames);
         assert_near(t.cases[0].cpu_ms, cheap_ms, 1e-5); /* of a frame */
         assert_near(t.cases[1].wall_ms, 2 * dear_ms, 1e-5);
         assert_near(t.cases[1].measured_s, 2e-3 * dear_ms * rows[i].frames * (double)t.cases[1].rounds, 1e-5);
