@@ -15,5 +15,14 @@ extern const struct aob_gpu_fns aob_gpu_null;
 extern const char *const aob_gpu_driver_environment[]; /* of every backend that has a driver */
 
 struct aob_gpu_texture aob_gpu_texture_base(const struct aob_gpu_texture_desc *desc);
+
+/* How often a submit repeats a list of `count` passes that took list_ns (0: not known yet, so once), of `left` times: 1 or
+ * more. */
+int aob_gpu_submit_repeats(int64_t list_ns, size_t count, int left);
+
+/* From a device's timestamp to a later one, each of `bits` valid bits (1..64): the counter may have wrapped in between,
+ * and bits beyond the valid ones mean nothing. A tick is `period_ns`. */
+int64_t aob_gpu_ticks_ns(uint64_t from, uint64_t to, unsigned bits, double period_ns);
+
 int aob_gpu_bind_levels(const struct aob_gpu_bind *bind); /* that it shows */
 #endif

@@ -51,6 +51,13 @@ static void describe(struct gl *gl)
     gl->api.GetIntegerv(GL_MAX_IMAGE_UNITS, &gl->max_image_units);
 }
 
+static void create_stamps(struct gl *gl)
+{
+    gl->api.GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &gl->stamp_bits);
+    gl->api.GenQueries(AOB_COUNT(gl->stamps), gl->stamps);
+    gl->base.info.timer = gl->stamp_bits > 0;
+}
+
 static void create_samplers(struct gl *gl)
 {
     static const GLint filters[] = {[AOB_NEAREST] = GL_NEAREST, [AOB_BILINEAR] = GL_LINEAR};
@@ -90,6 +97,7 @@ static bool set_up(struct gl *gl, struct aob_error *error)
     gl->api.BlendFunc(GL_ONE, GL_ONE);
     gl->api.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl->api.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    create_stamps(gl);
     create_samplers(gl);
     gl->api.CreateVertexArrays(1, &gl->vertex_array);
     gl->api.BindVertexArray(gl->vertex_array);

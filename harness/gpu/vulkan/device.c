@@ -41,11 +41,11 @@ static bool create_commands(struct vk *vk, struct aob_error *error)
     if (!aob_vk_ok(vk, vkCreateCommandPool(vk->device, &pool, NULL, &vk->pool), "create a command pool",
                    error))
         return false;
-    VkCommandBufferAllocateInfo scratch = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                           .commandPool = vk->pool,
-                                           .commandBufferCount = 1};
+    VkCommandBufferAllocateInfo one = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                       .commandPool = vk->pool,
+                                       .commandBufferCount = 1};
     VkFenceCreateInfo fence = {.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-    return aob_vk_ok(vk, vkAllocateCommandBuffers(vk->device, &scratch, &vk->scratch),
+    return aob_vk_ok(vk, vkAllocateCommandBuffers(vk->device, &one, &vk->commands),
                      "allocate a command buffer", error) &&
            aob_vk_ok(vk, vkCreateFence(vk->device, &fence, NULL, &vk->fence), "create a fence", error);
 }
@@ -110,6 +110,7 @@ static void describe(struct vk *vk)
         .driver = vk->driver,
         .device_class = device_class(vk->properties.deviceType),
         .software = vk->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU,
+        .timer = vk->stamp_bits,
     };
 }
 
@@ -120,7 +121,8 @@ struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_
     vk->base.fns = fns;
     if (aob_vk_instance_create(vk, desc->validate, error) && aob_vk_choose_device(vk, error) &&
         create_device(vk, error) && create_commands(vk, error) && create_sampler(vk, AOB_NEAREST, error) &&
-        create_sampler(vk, AOB_BILINEAR, error) && create_triangle(vk, error)) {
+        create_sampler(vk, AOB_BILINEAR, error) && create_triangle(vk, error) &&
+        aob_vk_stamps_create(vk, error)) {
         describe(vk);
         return &vk->base;
     }
@@ -133,6 +135,7 @@ static void destroy_device(struct vk *vk)
     vkDestroyShaderModule(vk->device, vk->triangle, NULL);
     for (size_t i = 0; i < AOB_COUNT(vk->samplers); i++)
         vkDestroySampler(vk->device, vk->samplers[i], NULL);
+    vkDestroyQueryPool(vk->device, vk->stamps, NULL);
     vkDestroyFence(vk->device, vk->fence, NULL);
     vkDestroyCommandPool(vk->device, vk->pool, NULL);
     vkDestroyDevice(vk->device, NULL);

@@ -93,7 +93,7 @@ void aob_vk_instance_destroy(struct vk *vk)
     vkDestroyInstance(vk->instance, NULL);
 }
 
-static bool find_family(VkPhysicalDevice physical, uint32_t *family)
+static bool find_family(VkPhysicalDevice physical, uint32_t *family, uint32_t *stamp_bits)
 {
     uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, NULL);
@@ -102,8 +102,9 @@ static bool find_family(VkPhysicalDevice physical, uint32_t *family)
     uint32_t found = 0;
     while (found < count && !(families[found].queueFlags & VK_QUEUE_GRAPHICS_BIT))
         found++;
-    free(families);
     *family = found;
+    *stamp_bits = found < count ? families[found].timestampValidBits : 0;
+    free(families);
     return found < count;
 }
 
@@ -122,14 +123,16 @@ static void consider(struct vk *vk, VkPhysicalDevice physical, int *best)
 {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical, &properties);
-    uint32_t family;
+    uint32_t family, stamp_bits;
     int rank = rank_type(properties.deviceType);
-    if (rank <= *best || properties.apiVersion < VK_API_VERSION_1_3 || !find_family(physical, &family))
+    if (rank <= *best || properties.apiVersion < VK_API_VERSION_1_3 ||
+        !find_family(physical, &family, &stamp_bits))
         return;
     *best = rank;
     vk->physical = physical;
     vk->properties = properties;
     vk->family = family;
+    vk->stamp_bits = stamp_bits;
 }
 
 static bool check_formats(struct vk *vk, struct aob_error *error)

@@ -20,5 +20,5 @@ const struct aob_gpu_fns aob_gpu_vulkan = {
     .pass_create = aob_vk_pass_create,
     .pass_destroy = aob_vk_pass_destroy,
     .pass_set_uniforms = aob_vk_pass_set_uniforms,
-    .pass_run = aob_vk_pass_run,
+    .run = aob_vk_run,
 };

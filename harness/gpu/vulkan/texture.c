@@ -50,7 +50,7 @@ static void record_move(struct vk *vk, const struct vk_texture *texture, VkImage
                         VkImageLayout from, VkImageLayout to)
 {
     VkImageMemoryBarrier2 move = aob_vk_move(texture->image.image, range, from, to);
-    aob_vk_record_moves(vk->scratch, &move, 1);
+    aob_vk_record_moves(vk->commands, &move, 1);
 }
 
 static void record_upload(struct vk *vk, const struct vk_texture *texture, VkBuffer texels)
@@ -60,7 +60,7 @@ static void record_upload(struct vk *vk, const struct vk_texture *texture, VkBuf
     VkBufferImageCopy region = whole_level(&texture->base, 0);
     if (texels) {
         record_move(vk, texture, all, from, filled);
-        vkCmdCopyBufferToImage(vk->scratch, texels, texture->image.image, filled, 1, &region);
+        vkCmdCopyBufferToImage(vk->commands, texels, texture->image.image, filled, 1, &region);
         from = filled;
     }
     record_move(vk, texture, all, from, texture->rest);
@@ -76,10 +76,10 @@ static bool upload(struct vk *vk, const struct vk_texture *texture, const void *
             return false;
         memcpy(staging.map, texels, size);
     }
-    bool good = aob_vk_begin(vk, vk->scratch, error);
+    bool good = aob_vk_begin(vk, error);
     if (good) {
         record_upload(vk, texture, staging.buffer);
-        good = aob_vk_end(vk, vk->scratch, error) && aob_vk_submit(vk, vk->scratch, NULL, error);
+        good = aob_vk_finish(vk, NULL, error);
     }
     aob_vk_buffer_finish(vk, &staging);
     return good;
@@ -122,7 +122,7 @@ static void record_read(struct vk *vk, const struct vk_texture *texture, int lev
     VkImageLayout read = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     VkBufferImageCopy region = whole_level(&texture->base, level);
     record_move(vk, texture, range, texture->rest, read);
-    vkCmdCopyImageToBuffer(vk->scratch, texture->image.image, read, texels, 1, &region);
+    vkCmdCopyImageToBuffer(vk->commands, texture->image.image, read, texels, 1, &region);
     record_move(vk, texture, range, read, texture->rest);
 }
 
@@ -134,10 +134,10 @@ bool aob_vk_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *text
     struct vk_buffer staging;
     if (!aob_vk_buffer_init(vk, size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &staging, error))
         return false;
-    bool good = aob_vk_begin(vk, vk->scratch, error);
+    bool good = aob_vk_begin(vk, error);
     if (good) {
         record_read(vk, (const struct vk_texture *)texture, level, staging.buffer);
-        good = aob_vk_end(vk, vk->scratch, error) && aob_vk_submit(vk, vk->scratch, NULL, error);
+        good = aob_vk_finish(vk, NULL, error);
     }
     if (good)
         memcpy(texels, staging.map, size);

@@ -17,8 +17,10 @@ struct vk {
     VkDevice device;
     VkQueue queue;
     VkCommandPool pool;
-    VkCommandBuffer scratch; /* for copies */
+    VkCommandBuffer commands; /* of the one submit that is being recorded or waited for */
     VkFence fence;
+    VkQueryPool stamps;    /* AOB_VK_STAMPS timestamps; NULL: the queue has no timer */
+    uint32_t stamp_bits;   /* valid bits of a timestamp; 0: the queue has no timer */
     VkSampler samplers[2]; /* by enum aob_filter */
     VkShaderModule triangle;
     unsigned destroyed_passes;
@@ -64,11 +66,11 @@ struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_
                             struct aob_error *error);
 void aob_vk_close(struct aob_gpu *gpu);
 
-/* commands.c: begin (after all that was submitted earlier), record, end, then submit and wait, with a time if wanted. */
-bool aob_vk_begin(struct vk *vk, VkCommandBuffer commands, struct aob_error *error);
-bool aob_vk_end(struct vk *vk, VkCommandBuffer commands, struct aob_error *error);
-bool aob_vk_submit(struct vk *vk, VkCommandBuffer commands, struct aob_gpu_time *time,
-                   struct aob_error *error);
+/* commands.c: begin (after all that was submitted earlier), record into vk->commands, then end, submit and wait; the
+ * host's times of the last are added to `time` if that is wanted. aob_vk_flush submits nothing and waits for it. */
+bool aob_vk_begin(struct vk *vk, struct aob_error *error);
+bool aob_vk_finish(struct vk *vk, struct aob_gpu_time *time, struct aob_error *error);
+bool aob_vk_flush(struct vk *vk, struct aob_error *error);
 
 /* memory.c */
 bool aob_vk_buffer_init(struct vk *vk, size_t size, VkBufferUsageFlags usage, struct vk_buffer *buffer,
@@ -140,6 +142,11 @@ bool aob_vk_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
 void aob_vk_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
 bool aob_vk_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
                               struct aob_error *error);
-bool aob_vk_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
-                     struct aob_error *error);
+void aob_vk_pass_record(const struct aob_gpu_pass *pass, VkCommandBuffer commands);
+
+/* run.c: the slot, and what it needs of a device. */
+enum { AOB_VK_STAMPS = 2 * AOB_GPU_SUBMIT_MAX + 2 }; /* before and behind each pass, and the whole */
+bool aob_vk_stamps_create(struct vk *vk, struct aob_error *error);
+bool aob_vk_run(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, struct aob_gpu_time *times,
+                struct aob_gpu_time *whole, struct aob_error *error);
 #endif
