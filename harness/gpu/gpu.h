@@ -35,6 +35,20 @@ struct aob_gpu_desc {
     bool
         as_gpu; /* a software device runs lists of passes as a GPU does (aob_gpu_run): for the test of its timer,
                       and so that the ways of a GPU are tested where there is none */
+    const char *device; /* number or name, as aob_gpu_choose says; NULL: the backend's default */
+};
+
+struct aob_gpu_device {          /* one that a backend can see, opened or not */
+    char name[256], driver[640]; /* as in struct aob_gpu_info */
+    const char *device_class;    /* the same */
+    bool software, timer;        /* the same */
+    char lacks[128];             /* what it lacks to be opened, "Vulkan 1.3"; empty: nothing */
+    uint64_t node;               /* device number of its DRM render node; 0: none, or not known */
+};
+enum { AOB_GPU_MAX_DEVICES = 32 };
+struct aob_gpu_device_list { /* a device's number is its place */
+    struct aob_gpu_device items[AOB_GPU_MAX_DEVICES];
+    size_t count;
 };
 
 /* A time that nobody took is 0. */
@@ -112,6 +126,7 @@ struct aob_gpu_fns {
     const char *name;               /* the word in configs */
     const char *title;              /* one line for `list backends` */
     const char *const *environment; /* NULL-ended "NAME=value" that a worker's process must start with */
+    bool (*devices)(struct aob_gpu_device_list *list, size_t *chosen, struct aob_error *error);
     struct aob_gpu *(*open)(const struct aob_gpu_desc *desc, struct aob_error *error);
     void (*close)(struct aob_gpu *gpu);
     bool (*texture_create)(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
@@ -156,6 +171,18 @@ struct aob_gpu_pass {
 
 extern const struct aob_gpu_fns *const aob_gpu_backends[]; /* NULL-ended, in the order of `list backends` */
 const struct aob_gpu_fns *aob_gpu_find(const char *name);  /* NULL if unknown */
+
+/* All devices that a backend sees, and the number of its default: the first discrete one that lacks nothing, else
+ * integrated, virtual, of a class that the API does not say, processor. gl-egl prefers the default of `vulkan`, and has none
+ * where that is a GPU and EGL offers processors only: figures of a processor must not pass for a GPU's. `chosen` is the
+ * count then. False after a line: no driver. */
+bool aob_gpu_devices(const struct aob_gpu_fns *fns, struct aob_gpu_device_list *list, size_t *chosen,
+                     struct aob_error *error);
+
+/* The number of the device that `wanted` means: its number, its whole name, or a part of it that no other device has, in
+ * capitals or not. False after a line that names the devices there are, or says what the meant one lacks. */
+bool aob_gpu_choose(const struct aob_gpu_device_list *list, const char *backend, const char *wanted,
+                    size_t *chosen, struct aob_error *error);
 
 /* NULL after one line that says what is missing (driver, loader, package). */
 struct aob_gpu *aob_gpu_open(const char *backend, const struct aob_gpu_desc *desc, struct aob_error *error);

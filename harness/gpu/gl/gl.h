@@ -82,7 +82,6 @@ struct gl_context { /* first member of egl.c's and osmesa.c's own; one table eac
     const struct gl_context_fns *fns;
 };
 struct gl_context_fns {
-    struct gl_context *(*create)(struct aob_error *error);
     void (*destroy)(struct gl_context *context);
     bool (*make_current)(struct gl_context *context);
     gl_function (*find)(struct gl_context *context, const char *name);
@@ -97,7 +96,7 @@ struct gl {
     GLuint vertex_array, triangle;
     GLint stamp_bits;                          /* valid bits of a timestamp; 0: the driver has no timer */
     GLuint stamps[2 * AOB_GPU_SUBMIT_MAX + 2]; /* before and behind each pass, and the whole */
-    char driver[256];
+    struct aob_gpu_device device;
 };
 
 struct gl_texture {
@@ -110,9 +109,12 @@ struct gl_program {
     GLuint name;
 };
 
-/* device.c */
-struct aob_gpu *aob_gl_open(const struct aob_gpu_fns *fns, const struct gl_context_fns *context_fns,
+/* device.c. Takes the context, which is current, also where it fails; NULL where that is NULL. */
+struct aob_gpu *aob_gl_open(const struct aob_gpu_fns *fns, struct gl_context *context,
                             struct aob_error *error);
+
+/* What a current context says of its device: name, driver, class, software. `get` is its glGetString. */
+void aob_gl_describe(PFNGLGETSTRINGPROC get, struct aob_gpu_device *device);
 void aob_gl_close(struct aob_gpu *gpu);
 
 /* call.c. aob_gl_use makes the device's context current and gives its functions. */

@@ -25,8 +25,6 @@ static struct null_texture *null_texture(const struct aob_gpu_texture *texture)
 
 static struct aob_gpu *null_open(const struct aob_gpu_desc *desc, struct aob_error *error)
 {
-    (void)desc;
-    (void)error;
     struct aob_gpu *gpu = AOB_NEW(struct aob_gpu);
     gpu->fns = &aob_gpu_null;
     gpu->info = (struct aob_gpu_info){.backend = aob_gpu_null.name,
@@ -36,7 +34,12 @@ static struct aob_gpu *null_open(const struct aob_gpu_desc *desc, struct aob_err
                                       .software = true,
                                       .timer = true,
                                       .draws_nothing = true};
-    return gpu;
+    return aob_gpu_keep_single(gpu, desc, error);
+}
+
+static bool null_devices(struct aob_gpu_device_list *list, size_t *chosen, struct aob_error *error)
+{
+    return aob_gpu_single_device(&aob_gpu_null, list, chosen, error);
 }
 
 static void null_close(struct aob_gpu *gpu)
@@ -181,6 +184,7 @@ const struct aob_gpu_fns aob_gpu_null = {
     .name = "null",
     .title = "no GPU: compiles shaders, runs none; images are zero and times made up",
     .environment = no_environment,
+    .devices = null_devices,
     .open = null_open,
     .close = null_close,
     .texture_create = null_texture_create,

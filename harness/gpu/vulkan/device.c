@@ -8,10 +8,7 @@ static bool create_device(struct vk *vk, struct aob_error *error)
 {
     VkPhysicalDeviceFeatures has;
     vkGetPhysicalDeviceFeatures(vk->physical, &has);
-    if (!has.shaderStorageImageExtendedFormats)
-        return aob_fail(error,
-                        "vulkan: %s lacks shaderStorageImageExtendedFormats: use another device or backend",
-                        vk->properties.deviceName);
+    vk->extended_storage = has.shaderStorageImageExtendedFormats;
     VkPhysicalDeviceVulkan13Features features13 = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
         .dynamicRendering = VK_TRUE,
@@ -25,7 +22,8 @@ static bool create_device(struct vk *vk, struct aob_error *error)
                                                         .queueFamilyIndex = vk->family,
                                                         .queueCount = 1,
                                                         .pQueuePriorities = &(float){1}},
-        .pEnabledFeatures = &(VkPhysicalDeviceFeatures){.shaderStorageImageExtendedFormats = VK_TRUE},
+        .pEnabledFeatures = &(VkPhysicalDeviceFeatures){.shaderStorageImageExtendedFormats =
+                                                            has.shaderStorageImageExtendedFormats},
     };
     if (!aob_vk_ok(vk, vkCreateDevice(vk->physical, &create, NULL, &vk->device), "create a device", error))
         return false;
@@ -79,39 +77,14 @@ static bool create_triangle(struct vk *vk, struct aob_error *error)
     return vk->triangle;
 }
 
-static const char *device_class(VkPhysicalDeviceType type)
-{
-    switch (type) {
-    case VK_PHYSICAL_DEVICE_TYPE_CPU:
-        return "cpu";
-    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
-        return "integrated";
-    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
-        return "discrete";
-    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
-        return "virtual";
-    default:
-        return "gpu";
-    }
-}
-
 static void describe(struct vk *vk)
 {
-    VkPhysicalDeviceDriverProperties driver = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
-    VkPhysicalDeviceProperties2 all = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
-                                       .pNext = &driver};
-    vkGetPhysicalDeviceProperties2(vk->physical, &all);
-    uint32_t version = vk->properties.apiVersion;
-    snprintf(vk->driver, sizeof vk->driver, "%s %s, Vulkan %u.%u.%u", driver.driverName, driver.driverInfo,
-             VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version), VK_API_VERSION_PATCH(version));
-    vk->base.info = (struct aob_gpu_info){
-        .backend = vk->base.fns->name,
-        .device = vk->properties.deviceName,
-        .driver = vk->driver,
-        .device_class = device_class(vk->properties.deviceType),
-        .software = vk->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU,
-        .timer = vk->stamp_bits,
-    };
+    vk->base.info = (struct aob_gpu_info){.backend = vk->base.fns->name,
+                                          .device = vk->chosen.name,
+                                          .driver = vk->chosen.driver,
+                                          .device_class = vk->chosen.device_class,
+                                          .software = vk->chosen.software,
+                                          .timer = vk->chosen.timer};
 }
 
 struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_desc *desc,
@@ -119,7 +92,7 @@ struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_
 {
     struct vk *vk = AOB_NEW(struct vk);
     vk->base.fns = fns;
-    if (aob_vk_instance_create(vk, desc->validate, error) && aob_vk_choose_device(vk, error) &&
+    if (aob_vk_instance_create(vk, desc->validate, error) && aob_vk_choose_device(vk, desc->device, error) &&
         create_device(vk, error) && create_commands(vk, error) && create_sampler(vk, AOB_NEAREST, error) &&
         create_sampler(vk, AOB_BILINEAR, error) && create_triangle(vk, error) &&
         aob_vk_stamps_create(vk, error)) {
