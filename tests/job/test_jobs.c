@@ -125,6 +125,7 @@ static struct aob_block_case cases[] = {{.technique = "gtao",
 static const struct aob_block_job block = {.modules = {paths, 2},
                                            .view = view,
                                            .backend = "gl-egl",
+                                           .device = "radeon",
                                            .validate = true,
                                            .triangles = true,
                                            .error = true,
@@ -140,6 +141,7 @@ static void check_block(const struct aob_block_job *job)
     assert_int_equal(job->modules.count, 2);
     assert_path(job->modules.paths[1], "two.so");
     assert_string_equal(job->backend, "gl-egl");
+    assert_string_equal(job->device, "radeon");
     assert_true(job->validate && !job->raster && job->triangles && !job->time && job->error);
     assert_true(job->seconds == 0.75 && job->narrow == 0.015);
     assert_int_equal(job->target_count, 2);
