@@ -5,14 +5,33 @@
 #define LIST(...)                                                                                            \
     (struct aob_gpu_device_list)                                                                             \
     {                                                                                                        \
-        .items = {__VA_ARGS__}, .count = sizeof((struct aob_gpu_device[]){__VA_ARGS__}) / sizeof(struct aob_gpu_device) \
+        .items = {__VA_ARGS__},                                                                              \
+        .count = sizeof((struct aob_gpu_device[]){__VA_ARGS__}) / sizeof(struct aob_gpu_device)              \
     }
-#define CPU {.name = "llvmpipe (LLVM 15.0.6, 256 bits)", .device_class = "cpu", .software = true}
-#define INTEL {.name = "Intel(R) UHD Graphics 630 (CFL GT2)", .device_class = "integrated", .node = 128}
-#define RADEON {.name = "AMD Radeon RX 6800 (RADV NAVI21)", .device_class = "discrete", .node = 129}
-#define VIRTUAL {.name = "Virtio-GPU Venus", .device_class = "virtual"}
-#define OTHER {.name = "Layered", .device_class = "gpu"}
-#define OLD {.name = "GeForce GTX 680", .device_class = "discrete", .lacks = "Vulkan 1.3"}
+#define CPU                                                                                                  \
+    {                                                                                                        \
+        .name = "llvmpipe (LLVM 15.0.6, 256 bits)", .device_class = "cpu", .software = true                  \
+    }
+#define INTEL                                                                                                \
+    {                                                                                                        \
+        .name = "Intel(R) UHD Graphics 630 (CFL GT2)", .device_class = "integrated", .node = 128             \
+    }
+#define RADEON                                                                                               \
+    {                                                                                                        \
+        .name = "AMD Radeon RX 6800 (RADV NAVI21)", .device_class = "discrete", .node = 129                  \
+    }
+#define VIRTUAL                                                                                              \
+    {                                                                                                        \
+        .name = "Virtio-GPU Venus", .device_class = "virtual"                                                \
+    }
+#define OTHER                                                                                                \
+    {                                                                                                        \
+        .name = "Layered", .device_class = "gpu"                                                             \
+    }
+#define OLD                                                                                                  \
+    {                                                                                                        \
+        .name = "GeForce GTX 680", .device_class = "discrete", .lacks = "Vulkan 1.3"                         \
+    }
 
 static void test_the_default(void **state)
 {
@@ -36,9 +55,18 @@ static void test_the_same_device_on_another_api(void **state)
     (void)state;
     const struct aob_gpu_device radeon = RADEON, intel = INTEL, cpu = CPU;
     const struct aob_gpu_device card = {.name = "NVIDIA H100 PCIe", .device_class = "discrete"};
-#define GL_INTEL {.name = "Mesa Intel(R) UHD Graphics 630 (CFL GT2)", .device_class = "gpu", .node = 128}
-#define GL_RADEON {.name = "AMD Radeon RX 6800 (radeonsi, navi21, LLVM 15.0.6)", .device_class = "gpu", .node = 129}
-#define GL_CARD {.name = "NVIDIA H100 PCIe/PCIe/SSE2", .device_class = "gpu"}
+#define GL_INTEL                                                                                             \
+    {                                                                                                        \
+        .name = "Mesa Intel(R) UHD Graphics 630 (CFL GT2)", .device_class = "gpu", .node = 128               \
+    }
+#define GL_RADEON                                                                                            \
+    {                                                                                                        \
+        .name = "AMD Radeon RX 6800 (radeonsi, navi21, LLVM 15.0.6)", .device_class = "gpu", .node = 129     \
+    }
+#define GL_CARD                                                                                              \
+    {                                                                                                        \
+        .name = "NVIDIA H100 PCIe/PCIe/SSE2", .device_class = "gpu"                                          \
+    }
     struct aob_gpu_device_list egl = LIST(GL_INTEL, GL_RADEON, GL_CARD, CPU), processors = LIST(CPU);
     assert_int_equal(aob_gpu_default_like(&egl, &intel), 0);
     assert_int_equal(aob_gpu_default_like(&egl, &radeon), 1);
@@ -46,7 +74,7 @@ static void test_the_same_device_on_another_api(void **state)
     assert_int_equal(aob_gpu_default_like(&egl, &cpu), 0);  /* a GPU that only EGL has is no step down */
     assert_int_equal(aob_gpu_default_like(&processors, &cpu), 0);
     assert_int_equal(aob_gpu_default_like(&processors, &radeon), 1); /* none: not silently the processor */
-    egl.items[0].node = egl.items[1].node = 0; /* an EGL that tells no nodes */
+    egl.items[0].node = egl.items[1].node = 0;                       /* an EGL that tells no nodes */
     assert_int_equal(aob_gpu_default_like(&egl, &radeon), 1);
     assert_int_equal(aob_gpu_default_like(&egl, &intel), 0);
     /* Two of one name are told apart by their nodes. */
@@ -84,16 +112,19 @@ static void test_what_a_user_says(void **state)
     expect_choice(&list, "uhd", 1);
     expect_choice(&list, "LLVMPIPE", 3);
     expect_choice(&list, "amd radeon", 4); /* the whole name, though it is a part of another */
-    expect_refusal(&list, "0", "vulkan: GeForce GTX 680 lacks Vulkan 1.3: use another device or a newer driver");
+    expect_refusal(&list, "0",
+                   "vulkan: GeForce GTX 680 lacks Vulkan 1.3: use another device or a newer driver");
     expect_refusal(&one, "1", "vulkan: no device '1': there is 0 llvmpipe (LLVM 15.0.6, 256 bits)");
     expect_refusal(&one, "", "vulkan: no device '': there is 0 llvmpipe (LLVM 15.0.6, 256 bits)");
-    expect_refusal(&one, "99999999999999999999999",
-                   "vulkan: no device '99999999999999999999999': there is 0 llvmpipe (LLVM 15.0.6, 256 bits)");
+    expect_refusal(
+        &one, "99999999999999999999999",
+        "vulkan: no device '99999999999999999999999': there is 0 llvmpipe (LLVM 15.0.6, 256 bits)");
     expect_refusal(&empty, "0", "vulkan: no device '0': there are none");
-    expect_refusal(&list, "radeon",
-                   "vulkan: give a number, as several devices are 'radeon': there are 0 GeForce GTX 680; 1 "
-                   "Intel(R) UHD Graphics 630 (CFL GT2); 2 AMD Radeon RX 6800 (RADV NAVI21); 3 llvmpipe (LLVM "
-                   "15.0.6, 256 bits); 4 AMD Radeon");
+    expect_refusal(
+        &list, "radeon",
+        "vulkan: give a number, as several devices are 'radeon': there are 0 GeForce GTX 680; 1 "
+        "Intel(R) UHD Graphics 630 (CFL GT2); 2 AMD Radeon RX 6800 (RADV NAVI21); 3 llvmpipe (LLVM "
+        "15.0.6, 256 bits); 4 AMD Radeon");
 }
 
 int main(void)

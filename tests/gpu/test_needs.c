@@ -23,8 +23,16 @@ static const struct device devices[] = {
     {"Intel, one pool for both", {D, D | V | C, D | V | C | H}, 3, ~0u, {0, 1, 1, 2}},
     {"NVIDIA with a window of 256 MiB", {0, D, V | C, V | C | H, D | V | C}, 5, ~0u, {1, 4, 2, 3}},
     {"NVIDIA without", {0, D, V | C, V | C | H}, 4, ~0u, {1, 2, 2, 3}},
-    {"AMD, all of its memory seen", {D, D, V | C, D | V | C, D | V | C, V | C | H, V | C | H}, 7, ~0u, {0, 3, 2, 5}},
-    {"AMD with coherent types", {D | A, D | V | C | A, V | C | A, D, V | C, D | V | C, V | C | H}, 7, ~0u, {3, 5, 4, 6}},
+    {"AMD, all of its memory seen",
+     {D, D, V | C, D | V | C, D | V | C, V | C | H, V | C | H},
+     7,
+     ~0u,
+     {0, 3, 2, 5}},
+    {"AMD with coherent types",
+     {D | A, D | V | C | A, V | C | A, D, V | C, D | V | C, V | C | H},
+     7,
+     ~0u,
+     {3, 5, 4, 6}},
     {"Arm", {D | V | C, D | V | C | H, D | L}, 3, ~0u, {0, 0, 0, 1}},
     {"protected first", {D | P, D, V | C}, 3, ~0u, {1, 2, 2, 2}},
     {"cached, not coherent", {D, V | H, V | C}, 3, ~0u, {0, 2, 2, 2}},
@@ -82,7 +90,8 @@ static void test_a_format_is_refused_where_it_is_used(void **state)
     assert_string_equal(aob_vk_format_lacks(AOB_R16, AOB_GPU_USE_STORAGE, all, false), "storage image");
     assert_null(aob_vk_format_lacks(AOB_R16, AOB_GPU_USE_STORAGE, all, true));
     assert_null(aob_vk_format_lacks(AOB_R32F, AOB_GPU_USE_STORAGE, all, false)); /* of the plain ones */
-    assert_string_equal(aob_vk_format_lacks(AOB_R16, uses, VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT, true), "target");
+    assert_string_equal(aob_vk_format_lacks(AOB_R16, uses, VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT, true),
+                        "target");
     assert_string_equal(aob_vk_format_lacks(AOB_R16, uses, 0, true), "sampled texture");
     assert_string_equal(aob_vk_format_lacks(AOB_R16, AOB_GPU_USE_READ_BACK, 0, true), "texture to read back");
 }
