@@ -3,9 +3,11 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include "base/child.h"
 #include "base/file.h"
 #include "base/memory.h"
 #include "import_material.h"
@@ -167,6 +169,19 @@ static bool add_node(const struct aiScene *scene, const struct aiNode *node, con
     return ok;
 }
 
+/* assimp catches what memory lacks, and says it in C++'s words. */
+static bool fail_to_load(const char *path, const char *said, struct aob_error *error)
+{
+    char cause[300], limit[64] = "";
+    if (strstr(said, "contains no faces")) /* a cloud of points is a right file, and no mesh */
+        return aob_fail(error, "%s: it has no triangles: there is nothing to render", path);
+    size_t memory = aob_child_memory(0);
+    if (memory)
+        snprintf(limit, sizeof limit, " (its limit is %zu MiB)", memory >> 20);
+    snprintf(cause, sizeof cause, "not enough memory%s: %s", limit, said);
+    return aob_file_fail(path, strstr(said, "bad_alloc") ? cause : said, error);
+}
+
 bool aob_assimp_import(struct aob_mesh *mesh, const char *path, struct aob_error *error)
 {
     if (!aob_ply_check(path, error))
@@ -174,7 +189,7 @@ bool aob_assimp_import(struct aob_mesh *mesh, const char *path, struct aob_error
     const struct aob_affine identity = aob_affine_identity();
     const struct aiScene *scene = import_scene(path);
     if (!scene)
-        return aob_fail(error, "%s: cannot load: %s", path, aiGetErrorString());
+        return fail_to_load(path, aiGetErrorString(), error);
     bool ok = add_node(scene, scene->mRootNode, &identity, mesh, path, error);
     note_subdivision(path, mesh);
     aiReleaseImport(scene);
