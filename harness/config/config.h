@@ -92,6 +92,7 @@ struct aob_config {
     size_t scene_count, scene_capacity;
     struct aob_size {
         int width, height;
+        int line, column; /* as in a value */
     } * sizes;
     size_t size_count, size_capacity;
     struct aob_backend_choice backends; /* of the techniques without their own */
