@@ -208,9 +208,10 @@ static bool read_value(struct body *body, const struct spot *spot, const struct 
     if (!body->is_text || body->at == body->end)
         return fail(body, error, "it ends within %s %zu of %zu", of, spot->index, spot->element->count);
     if (strspn(body->at, "\r\n"))
-        return fail(body, error, "%s %zu has no number for its %s", of, spot->index, name);
-    return fail(body, error, "%s %zu has what is no %s number for its %s", of, spot->index,
-                type->is_real ? "such" : "whole", name);
+        return fail(body, error, spot->property->list ? "%s %zu ends within its %s" : "%s %zu has no %s", of,
+                    spot->index, name);
+    return fail(body, error, "%s %zu: its %s is no %snumber", of, spot->index, name,
+                type->is_real ? "" : "whole ");
 }
 
 static bool read_property(struct body *body, const struct spot *spot, struct aob_error *error)
@@ -220,8 +221,8 @@ static bool read_property(struct body *body, const struct spot *spot, struct aob
     if (property->list && !read_value(body, spot, property->list, &count, error))
         return false;
     if (count < (property->corners ? 1 : 0))
-        return fail(body, error, "%s %zu has %g values of its %s", spot->element->name, spot->index, count,
-                    property->name);
+        return fail(body, error, "%s %zu: its %s has %g values", spot->element->name, spot->index,
+                    property->name, count);
     for (double i = 0; i < count; i++) {
         if (!read_value(body, spot, property->type, &value, error))
             return false;

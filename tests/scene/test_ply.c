@@ -27,19 +27,19 @@ static void wrong_texts_are_told(void **state)
     static const char *const cases[][3] = {
         {"3 1 2 3\n", "", ": line 17: it ends before face 3 of 4"},
         {"3 1 2 3\n", "3 1 2", ": line 17: it ends within face 3 of 4"},
-        {"\n1 0 0\n", "\n1 0\n", ": line 11: vertex 1 has no number for its z"},
-        {"\n1 0 0\n", "\n1 O 0\n", ": line 11: vertex 1 has what is no such number for its y"},
+        {"\n1 0 0\n", "\n1 0\n", ": line 11: vertex 1 has no z"},
+        {"\n1 0 0\n", "\n1 O 0\n", ": line 11: vertex 1: its y is no number"},
         {"\n1 0 0\n", "\n1 0 0 7\n", ": line 11: vertex 1 has more numbers than the header says"},
-        {"\n1 0 0\n", "\n1 0 0x1\n", ": line 11: vertex 1 has what is no such number for its z"},
+        {"\n1 0 0\n", "\n1 0 0x1\n", ": line 11: vertex 1: its z is no number"},
         {"3 0 3 2", "3 0 9 2", ": line 16: face 2 names vertex 9 of 4"},
         {"3 0 3 2", "3 0 -1 2", ": line 16: face 2 names vertex -1 of 4"},
         {"3 0 3 2", "3 0 4 2", ": line 16: face 2 names vertex 4 of 4"},
-        {"3 0 3 2", "3 0 3.5 2", ": line 16: face 2 has what is no whole number for its vertex_indices"},
-        {"3 0 3 2", "5 0 3 2", ": line 16: face 2 has no number for its vertex_indices"},
+        {"3 0 3 2", "3 0 3.5 2", ": line 16: face 2: its vertex_indices is no whole number"},
+        {"3 0 3 2", "5 0 3 2", ": line 16: face 2 ends within its vertex_indices"},
         {"3 0 3 2", "2 0 3 2", ": line 16: face 2 has more numbers than the header says"},
-        {"3 0 3 2", "0", ": line 16: face 2 has 0 values of its vertex_indices"},
-        {"3 0 3 2", "-3 0 3 2", ": line 16: face 2 has -3 values of its vertex_indices"},
-        {"3 0 3 2", "300000000 0 3 2", ": line 16: face 2 has no number for its vertex_indices"},
+        {"3 0 3 2", "0", ": line 16: face 2: its vertex_indices has 0 values"},
+        {"3 0 3 2", "-3 0 3 2", ": line 16: face 2: its vertex_indices has -3 values"},
+        {"3 0 3 2", "300000000 0 3 2", ": line 16: face 2 ends within its vertex_indices"},
         {"vertex 4", "vertex 4000000000", ": line 14: vertex 4 has more numbers than the header says"},
         {"vertex 4", "vertex -4", ": line 3: the number of its element 'vertex' is '-4'"},
         {"face 4", "face 4000000000", ": line 18: it ends before face 4 of 4000000000"},
@@ -161,7 +161,7 @@ static void bytes_are_held_to_their_header(void **state)
         refuse_bytes(&paths, text.data, text.size - 13, ": it ends before face 3 of 4: the file is damaged");
         refuse_bytes(&paths, text.data, text.size - 4 * 13 - 5, ": it ends within vertex 3 of 4");
         text.data[text.size - 13] = 0;
-        refuse_bytes(&paths, text.data, text.size, ": face 3 has 0 values of its vertex_indices");
+        refuse_bytes(&paths, text.data, text.size, ": face 3: its vertex_indices has 0 values");
         text.data[text.size - 13] = 3;
         text.data[text.size - (big ? 1 : 4)] = 4;
         refuse_bytes(&paths, text.data, text.size, ": face 3 names vertex 4 of 4: the file is damaged");
