@@ -24,8 +24,22 @@ static const int dropped = aiComponent_TEXCOORDS | aiComponent_TANGENTS_AND_BITA
 static const unsigned steps = aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
                               aiProcess_ValidateDataStructure;
 
-static const struct aiScene *import_scene(const char *path)
+enum { SAID = 100 };
+
+/* Where a face is wrong assimp drops it, or puts a vertex of its own choice into it, and says so in its log alone. The
+ * first line of that kind; most of what it calls errors is of materials and animations. */
+static void take_log(const char *line, char *said)
 {
+    static const char *const of_shape[] = {"face", "ertex", "olygon", "riangulat"};
+    const char *text = strncmp(line, "Error", 5) == 0 ? strstr(line, ": ") : NULL;
+    for (size_t i = 0; text && !*said && i < AOB_COUNT(of_shape); i++)
+        if (strstr(text, of_shape[i]))
+            snprintf(said, SAID, "%.*s", (int)strcspn(text + 2, "\n"), text + 2);
+}
+
+static const struct aiScene *import_scene(const char *path, char said[SAID])
+{
+    const struct aiLogStream log = {take_log, said};
     struct aiPropertyStore *options = aiCreatePropertyStore();
     aiSetImportPropertyInteger(options, AI_CONFIG_PP_SBP_REMOVE,
                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
@@ -34,9 +48,11 @@ static const struct aiScene *import_scene(const char *path)
                                1); /* made up where there are none */
     size_t size;
     char *padded = aob_ply_pad(path, &size);
+    aiAttachLogStream(&log);
     const struct aiScene *scene =
         padded ? aiImportFileFromMemoryWithProperties(padded, (unsigned)size, steps, "ply", options)
                : aiImportFileExWithProperties(path, steps, NULL, options);
+    aiDetachLogStream(&log);
     free(padded);
     aiReleasePropertyStore(options);
     return scene;
@@ -187,11 +203,14 @@ bool aob_assimp_import(struct aob_mesh *mesh, const char *path, struct aob_error
     if (!aob_ply_check(path, error))
         return false;
     const struct aob_affine identity = aob_affine_identity();
-    const struct aiScene *scene = import_scene(path);
+    char said[SAID] = "";
+    const struct aiScene *scene = import_scene(path, said);
     if (!scene)
         return fail_to_load(path, aiGetErrorString(), error);
     bool ok = add_node(scene, scene->mRootNode, &identity, mesh, path, error);
     note_subdivision(path, mesh);
+    if (*said)
+        aob_mesh_note(mesh, "its shape lacks something, or is wrong: %s", said);
     aiReleaseImport(scene);
     return ok;
 }
