@@ -31,10 +31,10 @@ json_t *aob_block_job_to_json(const struct aob_block_job *job)
     for (size_t i = 0; i < job->case_count; i++)
         json_array_append_new(cases, case_to_json(&job->cases[i]));
     json_t *object =
-        json_pack("{s:s, s:s, s:b, s:b, s:b, s:b, s:b, s:f, s:f, s:o, s:o}", "job", "block", "backend",
-                  job->backend, "validate", job->validate, "raster", job->raster, "triangles", job->triangles,
-                  "time", job->time, "error", job->error, "seconds", job->seconds, "narrow", job->narrow,
-                  "targets", targets_to_json(job), "cases", cases);
+        json_pack("{s:s, s:s, s:s?, s:b, s:b, s:b, s:b, s:b, s:f, s:f, s:o, s:o}", "job", "block", "backend",
+                  job->backend, "device", job->device, "validate", job->validate, "raster", job->raster,
+                  "triangles", job->triangles, "time", job->time, "error", job->error, "seconds",
+                  job->seconds, "narrow", job->narrow, "targets", targets_to_json(job), "cases", cases);
     aob_job_view_to_json(&job->view, object);
     return object;
 }
@@ -94,6 +94,7 @@ static bool read_flags(const json_t *object, struct aob_block_job *job, struct a
                     &job->backend, "validate", &validate, "raster", &raster, "triangles", &triangles, "time",
                     &time, "error", &score, "seconds", &job->seconds, "narrow", &job->narrow) != 0)
         return aob_fail(error, "a block job lacks a field");
+    job->device = json_string_value(json_object_get(object, "device"));
     job->validate = validate;
     job->raster = raster;
     job->triangles = triangles;
