@@ -69,7 +69,7 @@ try() { # PATCH TEST: prints the verdict
     echo "does not build"
   elif passes "$2"; then
     echo SURVIVED
-  elif grep -F FAILED "$log" | grep -qF -- "$(field Says "$1")"; then
+  elif grep -FA 1 FAILED "$log" | grep -qF -- "$(field Says "$1")"; then # some tests say what they expected a line below
     echo killed
   else
     echo "not said" # it failed, but not where the patch says
