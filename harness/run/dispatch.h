@@ -12,6 +12,7 @@ struct aob_dispatch {
     const char *program;        /* path of the executable that answers to `worker` */
     struct aob_modules modules; /* the --module files */
     bool validate;              /* Vulkan validation layer in workers */
+    const char *device;         /* of each backend (aob_gpu_choose); NULL: its default */
 };
 struct aob_job_desc {
     json_t *job;                                         /* taken */
@@ -20,18 +21,21 @@ struct aob_job_desc {
     size_t memory_limit, output_limit;                   /* bytes (base/child.h); 0: none, 64 MiB */
     void (*on_answer)(void *user, const json_t *answer); /* borrowed */
     void *user;
+    const char *file; /* of the user, that it reads, and that its line names; NULL: none */
 };
 /* False: the worker could not start, crashed, took too long or said that the job cannot be done; one line
  * says which. Answers given before that have been passed on. */
 bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_desc *desc,
                       struct aob_error *error);
 
-/* "FILE: READER: " before the line of a job that read a file, unless the line names the file already. Always false. */
-bool aob_dispatch_fail_in(struct aob_error *error, const char *file, const char *reader);
-
 /* What techniques there are: built in and in the modules, which may be others than the dispatch's. */
 bool aob_dispatch_describe(const struct aob_dispatch *dispatch, const struct aob_modules *modules,
                            struct aob_technique_list *list, struct aob_error *error);
+
+/* The devices of a backend, [{name, driver, class, software, timer, lacks, chosen}] in the order of their numbers; one is
+ * `chosen` at most, that of dispatch->device or the default. NULL after a line: no driver. Decref it. */
+json_t *aob_dispatch_devices(const struct aob_dispatch *dispatch, const char *backend,
+                             struct aob_error *error);
 
 /* What a backend's device says of itself, {device, driver, class}; NULL after a line if it cannot be opened. Decref
  * it. */
