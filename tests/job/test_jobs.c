@@ -1,5 +1,6 @@
 /* Each message, written and read again without a process: every field comes back, and what is missing is said. */
 #include "check.h"
+#include "job/send.h"
 #include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -10,17 +11,6 @@
 #include "job/layout_job.h"
 #include "job/mesh_job.h"
 #include "job/modules.h"
-
-/* As it travels: through the text of one line. */
-static json_t *send(json_t *message)
-{
-    char *line = aob_json_line(message, 17);
-    json_t *read = json_loads(line, JSON_REJECT_DUPLICATES, NULL);
-    free(line);
-    json_decref(message);
-    assert_non_null(read);
-    return read;
-}
 
 /* Paths travel as absolute ones. */
 static void assert_path(const char *got, const char *relative)
@@ -127,9 +117,13 @@ static const struct aob_block_job block = {.view = view,
                                            .device = "radeon",
                                            .validate = true,
                                            .triangles = true,
+                                           .score = true,
                                            .error = true,
+                                           .process = 2,
+                                           .seed = 0xfedcba98,
                                            .seconds = 0.75,
-                                           .narrow = 0.015,
+                                           .precision = 0.015,
+                                           .clock = "wall",
                                            .targets = targets,
                                            .target_count = 2,
                                            .cases = cases,
@@ -139,8 +133,10 @@ static void check_block(const struct aob_block_job *job)
 {
     assert_string_equal(job->backend, "gl-egl");
     assert_string_equal(job->device, "radeon");
-    assert_true(job->validate && !job->raster && job->triangles && !job->time && job->error);
-    assert_true(job->seconds == 0.75 && job->narrow == 0.015);
+    assert_true(job->validate && !job->raster && job->triangles && job->score && !job->time && job->error);
+    assert_true(job->process == 2 && job->seed == 0xfedcba98 && job->seconds == 0.75 &&
+                job->precision == 0.015);
+    assert_string_equal(job->clock, "wall");
     assert_int_equal(job->target_count, 2);
     assert_true(job->targets[0].radius == 0.25 && !job->targets[0].uniform && job->targets[0].bent);
     assert_path(job->targets[0].truth, "t.exr");
@@ -176,6 +172,10 @@ static void a_block_job(void **state)
     check_view(&job.view);
     check_block(&job);
     aob_block_job_finish(&job);
+    json_object_set_new(json_object_get(message, "timing"), "clock", json_null());
+    assert_true(aob_block_job_from_json(message, &job, &error));
+    assert_null(job.clock);
+    aob_block_job_finish(&job);
     json_object_set_new(json_array_get(json_object_get(message, "cases"), 1), "target", json_integer(2));
     assert_false(aob_block_job_from_json(message, &job, &error));
     assert_contains(error.text, "target 2 of 2");
@@ -200,19 +200,6 @@ static void modules_to_describe(void **state)
     assert_int_equal(back.count, 2);
     assert_path(back.paths[1], "two.so");
     aob_modules_finish(&back);
-    json_decref(message);
-}
-
-static void shares_of_a_block(void **state)
-{
-    (void)state;
-    struct aob_block_shares shares = {1.5, 2.5, 3.5}, back;
-    json_t *message = send(aob_block_shares_to_json(&shares));
-    assert_true(aob_block_shares_from_json(message, &back));
-    assert_true(back.measured == 1.5 && back.warmup == 2.5 && back.images == 3.5);
-    json_decref(message);
-    message = json_pack("{s:i}", "index", 0);
-    assert_false(aob_block_shares_from_json(message, &back));
     json_decref(message);
 }
 
@@ -382,10 +369,11 @@ static void a_check_job(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_view_job),      cmocka_unit_test(a_check_job),
-        cmocka_unit_test(a_block_job),     cmocka_unit_test(shares_of_a_block),
-        cmocka_unit_test(a_capture_job),   cmocka_unit_test(a_capture_answer),
-        cmocka_unit_test(a_layout_job),    cmocka_unit_test(a_mesh_job),
-        cmocka_unit_test(a_layout_answer), cmocka_unit_test(modules_to_describe)};
+        cmocka_unit_test(a_view_job),          cmocka_unit_test(a_check_job),
+        cmocka_unit_test(a_block_job),         cmocka_unit_test(a_capture_job),
+        cmocka_unit_test(a_capture_answer),    cmocka_unit_test(a_layout_job),
+        cmocka_unit_test(a_mesh_job),          cmocka_unit_test(a_layout_answer),
+        cmocka_unit_test(modules_to_describe),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
