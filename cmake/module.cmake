@@ -1,6 +1,13 @@
 # Shared by the tree and, installed, by outside authors. aobudget_SHADERS_DIR is the folder that holds common/ and
 # steps/.
 
+# A module names every library that it uses, and finds its own functions before others of the same names, which the
+# program and its libraries may have.
+function(aobudget_link_module target)
+  target_link_libraries(${target} PRIVATE m)
+  target_link_options(${target} PRIVATE -Wl,-z,defs -Wl,-Bsymbolic)
+endfunction()
+
 # aobudget_shaders(NAME FOLDER STEP...): FOLDER/*.glsl and the texts of the steps as the table aob_shaders_NAME of
 # generated/NAME/shaders.h, by the target shaders_NAME.
 function(aobudget_shaders name folder)
@@ -30,7 +37,7 @@ function(aobudget_add_module name)
   add_library(${name} MODULE ${arg_SOURCES})
   add_dependencies(${name} shaders_${name})
   target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated/${name})
-  target_link_libraries(${name} PRIVATE aobudget::technique m)
-  target_link_options(${name} PRIVATE -Wl,-z,defs) # a module has no undefined symbols
+  target_link_libraries(${name} PRIVATE aobudget::technique)
+  aobudget_link_module(${name})
   set_target_properties(${name} PROPERTIES PREFIX "")
 endfunction()

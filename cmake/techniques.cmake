@@ -29,6 +29,7 @@ foreach(name ${folders})
 "#include <aobudget/technique.h>\nextern const struct aob_technique aob_technique_${name};\nAOB_MODULE(&aob_technique_${name});\n")
   add_library(module_${name} MODULE $<TARGET_OBJECTS:technique_${name}> ${CMAKE_BINARY_DIR}/generated/${name}/module.c)
   target_include_directories(module_${name} PRIVATE include)
+  aobudget_link_module(module_${name})
   set_target_properties(module_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name}
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/modules)
   list(APPEND BUILTIN_MODULES module_${name})

@@ -45,7 +45,12 @@ static bool read_flags(const struct aob_command *command, const struct aob_flags
         return false;
     if (common->words.count < command->least || common->words.count > command->most)
         return aob_fail(error, "usage: aobudget %s %s", command->name, command->usage);
-    common->dispatch.modules = (struct aob_modules){common->modules.items, common->modules.count};
+    common->dispatch.modules = (struct aob_modules){
+        .paths = common->modules.items,
+        .names = common->modules.items,
+        .count = common->modules.count,
+        .offered = common->modules.count,
+    };
     common->dispatch.validate = getenv("AOBUDGET_VALIDATE") != NULL;
     return true;
 }

@@ -160,7 +160,7 @@ static void print_backends(struct aob_text *out)
 static bool list_techniques(struct aob_common *common, struct aob_error *error)
 {
     struct aob_technique_list list;
-    bool ok = aob_dispatch_describe(&common->dispatch, &list, error);
+    bool ok = aob_dispatch_describe(&common->dispatch, &common->dispatch.modules, &list, error);
     if (ok && common->json)
         ok = write_document(techniques_to_json(&list), common->json, error);
     else if (ok)

@@ -145,6 +145,16 @@ static bool read_backend(struct aob_yaml *yaml, yaml_node_t *node, void *user)
     return true;
 }
 
+static bool read_module(struct aob_yaml *yaml, const yaml_node_t *node, struct aob_technique_choice *choice)
+{
+    const char *text;
+    if (!aob_yaml_text(yaml, node, &text))
+        return false;
+    choice->module = aob_yaml_value(node, text);
+    choice->file = aob_path_beside(yaml->path, text);
+    return true;
+}
+
 static bool read_technique_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
 {
     struct aob_technique_choice *choice = user;
@@ -155,6 +165,8 @@ static bool read_technique_entry(struct aob_yaml *yaml, const char *key, yaml_no
         choice->name = aob_yaml_value(node, text);
         return true;
     }
+    if (strcmp(key, "module") == 0)
+        return read_module(yaml, node, choice);
     if (strcmp(key, "backends") == 0)
         return aob_yaml_sequence(yaml, node, read_backend, &choice->backends) &&
                (choice->backends.count || aob_yaml_fail(yaml, node, "the list of backends is empty"));
@@ -166,7 +178,7 @@ static bool read_technique_entry(struct aob_yaml *yaml, const char *key, yaml_no
 
 static bool read_technique(struct aob_yaml *yaml, yaml_node_t *node, void *user)
 {
-    static const char *const keys[] = {"name", "backends", "params", "sweep", NULL};
+    static const char *const keys[] = {"name", "module", "backends", "params", "sweep", NULL};
     struct aob_config *config = user;
     struct aob_technique_choice *choice =
         AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity);

@@ -14,6 +14,7 @@
  *   options: {guard_band: 64, fetch: [sampled, storage]}   # a list is an axis of the sweep
  *   techniques:
  *     - name: gtao
+ *       module: build/gtao.so        # this file's gtao, whatever others there are
  *       backends: [gl-osmesa]        # in place of the config's
  *       params: {blur: 0}            # fixed values
  *       sweep:                       # axes, expanded as a product
@@ -80,6 +81,8 @@ struct aob_backend_choice { /* names, not judged here */
 };
 struct aob_technique_choice {
     struct aob_value name;
+    struct aob_value module; /* the file that it is in, as it was written; no text: by its name alone */
+    char *file;              /* that path as the current folder sees it; or NULL */
     struct aob_backend_choice backends; /* none: the config's */
     struct aob_axis *axes;              /* fixed values are axes of one */
     size_t axis_count, axis_capacity;

@@ -31,6 +31,8 @@ void aob_config_finish(struct aob_config *config)
     }
     for (size_t i = 0; i < config->technique_count; i++) {
         free(config->techniques[i].name.text);
+        free(config->techniques[i].module.text);
+        free(config->techniques[i].file);
         free_backends(&config->techniques[i].backends);
         free_axes(config->techniques[i].axes, config->techniques[i].axis_count);
     }

@@ -18,8 +18,8 @@ static json_t *targets_to_json(const struct aob_block_job *job)
 
 static json_t *case_to_json(const struct aob_block_case *c)
 {
-    return json_pack("{s:s, s:o, s:o, s:I, s:o, s:o, s:o}", "technique", c->technique, "params",
-                     aob_json_vector(c->params, c->param_count), "options",
+    return json_pack("{s:o, s:o, s:o, s:I, s:o, s:o, s:o}", "technique", aob_address_to_json(&c->technique),
+                     "params", aob_json_vector(c->params, c->param_count), "options",
                      aob_json_vector(c->options, AOB_OPTION_COUNT), "target", (json_int_t)c->target,
                      "definition", aob_json_path(c->definition), "screen", aob_json_path(c->screen), "image",
                      aob_json_path(c->image));
@@ -30,11 +30,11 @@ json_t *aob_block_job_to_json(const struct aob_block_job *job)
     json_t *cases = json_array();
     for (size_t i = 0; i < job->case_count; i++)
         json_array_append_new(cases, case_to_json(&job->cases[i]));
-    json_t *object = json_pack("{s:s, s:o, s:s, s:b, s:b, s:b, s:b, s:b, s:f, s:f, s:o, s:o}", "job", "block",
-                               "modules", aob_modules_to_json(&job->modules), "backend", job->backend,
-                               "validate", job->validate, "raster", job->raster, "triangles", job->triangles,
-                               "time", job->time, "error", job->error, "seconds", job->seconds, "narrow",
-                               job->narrow, "targets", targets_to_json(job), "cases", cases);
+    json_t *object =
+        json_pack("{s:s, s:s, s:b, s:b, s:b, s:b, s:b, s:f, s:f, s:o, s:o}", "job", "block", "backend",
+                  job->backend, "validate", job->validate, "raster", job->raster, "triangles", job->triangles,
+                  "time", job->time, "error", job->error, "seconds", job->seconds, "narrow", job->narrow,
+                  "targets", targets_to_json(job), "cases", cases);
     aob_job_view_to_json(&job->view, object);
     return object;
 }
@@ -59,14 +59,14 @@ static bool read_case(const json_t *object, const struct aob_block_job *job, str
                       struct aob_error *error)
 {
     const json_t *params = json_object_get(object, "params");
-    *c = (struct aob_block_case){.technique = json_string_value(json_object_get(object, "technique")),
-                                 .param_count = json_array_size(params),
+    *c = (struct aob_block_case){.param_count = json_array_size(params),
                                  .target = (size_t)json_integer_value(json_object_get(object, "target")),
                                  .definition = json_string_value(json_object_get(object, "definition")),
                                  .screen = json_string_value(json_object_get(object, "screen")),
                                  .image = json_string_value(json_object_get(object, "image"))};
-    if (!c->technique || c->param_count > AOB_MAX_PARAM ||
-        !aob_json_to_vector(params, c->params, c->param_count))
+    if (!aob_address_from_json(json_object_get(object, "technique"), &c->technique, error))
+        return false;
+    if (c->param_count > AOB_MAX_PARAM || !aob_json_to_vector(params, c->params, c->param_count))
         return aob_fail(error, "a block job's case has no technique with its parameters");
     if (!aob_json_to_vector(json_object_get(object, "options"), c->options, AOB_OPTION_COUNT))
         return aob_fail(error, "a block job's case has not %d options", AOB_OPTION_COUNT);
@@ -107,17 +107,14 @@ bool aob_block_job_from_json(const json_t *object, struct aob_block_job *job, st
     *job = (struct aob_block_job){0};
     if (read_flags(object, job, error) && aob_job_view_from_json(object, &job->view, error) &&
         read_targets(json_object_get(object, "targets"), job, error) &&
-        read_cases(json_object_get(object, "cases"), job, error)) {
-        aob_modules_from_json(json_object_get(object, "modules"), &job->modules);
+        read_cases(json_object_get(object, "cases"), job, error))
         return true;
-    }
     aob_block_job_finish(job);
     return false;
 }
 
 void aob_block_job_finish(struct aob_block_job *job)
 {
-    aob_modules_finish(&job->modules);
     free(job->targets);
     free(job->cases);
     *job = (struct aob_block_job){0};

@@ -5,8 +5,8 @@
 #define AOB_JOB_BLOCK_JOB_H
 #include <jansson.h>
 #include <stdbool.h>
+#include "address.h"
 #include "base/error.h"
-#include "modules.h"
 #include "plan/plan.h"
 #include "technique/option.h"
 #include "view_job.h"
@@ -18,7 +18,7 @@ struct aob_block_target { /* what every case of the block is compared with */
     bool bent;            /* a case of the block gives a bent normal */
 };
 struct aob_block_case {
-    const char *technique;
+    struct aob_address technique;
     double params[AOB_MAX_PARAM]; /* param_count, in the order of the technique's table */
     size_t param_count;
     double options[AOB_OPTION_COUNT];
@@ -28,7 +28,6 @@ struct aob_block_case {
     const char *image; /* EXR file to write; NULL: none */
 };
 struct aob_block_job {
-    struct aob_modules modules;
     struct aob_job_view view;
     const char *backend;
     bool validate;          /* Vulkan runs under its validation layer */

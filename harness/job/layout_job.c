@@ -10,18 +10,17 @@ json_t *aob_layout_job_to_json(const struct aob_layout_job *job)
     json_t *cases = json_array();
     for (size_t i = 0; i < job->case_count; i++)
         json_array_append_new(cases, aob_json_vector(job->params + i * job->param_count, job->param_count));
-    return json_pack("{s:s, s:o, s:s, s:o}", "job", "layout", "modules", aob_modules_to_json(&job->modules),
-                     "technique", job->technique, "cases", cases);
+    return json_pack("{s:s, s:o, s:o}", "job", "layout", "technique", aob_address_to_json(&job->technique),
+                     "cases", cases);
 }
 
 bool aob_layout_job_from_json(const json_t *object, struct aob_layout_job *job, struct aob_error *error)
 {
     const json_t *cases = json_object_get(object, "cases");
-    *job = (struct aob_layout_job){.technique = json_string_value(json_object_get(object, "technique")),
-                                   .case_count = json_array_size(cases),
+    *job = (struct aob_layout_job){.case_count = json_array_size(cases),
                                    .param_count = json_array_size(json_array_get(cases, 0))};
-    if (!job->technique)
-        return aob_fail(error, "a layout job names no technique");
+    if (!aob_address_from_json(json_object_get(object, "technique"), &job->technique, error))
+        return false;
     job->params = AOB_NEW_ARRAY(double, job->case_count * job->param_count);
     for (size_t i = 0; i < job->case_count; i++)
         if (!aob_json_to_vector(json_array_get(cases, i), job->params + i * job->param_count,
@@ -29,13 +28,11 @@ bool aob_layout_job_from_json(const json_t *object, struct aob_layout_job *job, 
             aob_layout_job_finish(job);
             return aob_fail(error, "case %zu of a layout job has not %zu numbers", i, job->param_count);
         }
-    aob_modules_from_json(json_object_get(object, "modules"), &job->modules);
     return true;
 }
 
 void aob_layout_job_finish(struct aob_layout_job *job)
 {
-    aob_modules_finish(&job->modules);
     free(job->params);
     *job = (struct aob_layout_job){0};
 }

@@ -4,13 +4,12 @@
 #define AOB_JOB_LAYOUT_JOB_H
 #include <jansson.h>
 #include <stdbool.h>
+#include "address.h"
 #include "base/error.h"
-#include "modules.h"
 #include "technique/graph.h"
 
 struct aob_layout_job {
-    struct aob_modules modules;
-    const char *technique;
+    struct aob_address technique;
     size_t case_count, param_count;
     double *params; /* case_count x param_count, in the order of the technique's table */
 };

@@ -21,7 +21,7 @@ void aob_modules_from_json(const json_t *array, struct aob_modules *modules)
         if (path)
             paths[count++] = path;
     }
-    *modules = (struct aob_modules){paths, count};
+    *modules = (struct aob_modules){.paths = paths, .count = count};
 }
 
 void aob_modules_finish(struct aob_modules *modules)

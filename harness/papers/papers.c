@@ -67,7 +67,7 @@ static bool check_rows(const struct papers *papers, struct aob_error *error)
 static bool check_modules(const struct papers *papers, struct aob_error *error)
 {
     struct aob_technique_list list;
-    bool ok = aob_dispatch_describe(&papers->desc->dispatch, &list, error);
+    bool ok = aob_dispatch_describe(&papers->desc->dispatch, &papers->desc->dispatch.modules, &list, error);
     if (ok)
         aob_technique_list_finish(&list);
     return ok;

@@ -47,11 +47,9 @@ static bool expand_technique(struct aob_plan *plan, struct aob_case base,
                              struct aob_error *error)
 {
     struct aob_plan_axes params = {0};
-    base.technique = aob_technique_list_find(plan->techniques, choice->name.text);
-    if (!base.technique) {
-        aob_fail(error, "unknown technique '%s'; see: aobudget list techniques", choice->name.text);
+    base.technique = aob_technique_list_find(plan->techniques, choice->module.text, choice->name.text, error);
+    if (!base.technique)
         return aob_config_fail_at(plan->config, choice->name.line, choice->name.column, error);
-    }
     const struct aob_plan_axes_desc desc = {.config = plan->config,
                                             .owner = choice->name.text,
                                             .params = base.technique->params,
@@ -178,6 +176,7 @@ void aob_plan_finish(struct aob_plan *plan)
     free(plan->cases);
     free(plan->scenes);
     free(plan->variation.params);
+    free(plan->variation.builds);
     *plan = (struct aob_plan){0};
 }
 

@@ -47,6 +47,7 @@ struct aob_case {
 struct aob_variation { /* what has more than one value in a plan */
     bool scene, backend, size, options[AOB_OPTION_COUNT];
     bool (*params)[AOB_MAX_PARAM]; /* a row for each technique of the list */
+    bool *builds; /* of each technique of the list: the plan has it and another of its name */
 };
 struct aob_plan {
     const struct aob_config *config; /* must outlive the plan, like the technique list */
@@ -69,14 +70,14 @@ void aob_plan_finish(struct aob_plan *plan);
 void aob_plan_filter(struct aob_plan *plan, const char *filter);
 
 /* A case of the plan by what tells it from the others, in a line for people: "corner/front gtao radius=0.5 slices=3
- * gl-egl". The technique always; scene, backend and size where they vary in the plan; parameters and options that vary,
+ * gl-egl". The technique always, with its module, "gtao (new.so)", where the plan has two builds of its name; scene, backend and size where they vary in the plan; parameters and options that vary,
  * then those that are not at their defaults. */
 void aob_case_describe(const struct aob_plan *plan, const struct aob_case *c, struct aob_text *text);
 
 /* Technique, all parameters, backend, size and all options, without scene and view: a part of the key. */
 void aob_case_settings(const struct aob_case *c, struct aob_text *text);
 
-/* What a history follows from one program to the next: technique by name, parameters, options, geometry, camera, size,
+/* What a history follows from one program or build to the next: technique by name, parameters, options, geometry, camera, size,
  * backend and class of device (a word: "cpu", "integrated", "discrete"). Neither the program nor the question is in
  * it. */
 void aob_case_series(const struct aob_case *c, const char *device_class, char key[AOB_KEY_SIZE]);

@@ -112,7 +112,7 @@ static void take_answer(void *user, const json_t *answer)
 static struct aob_block_case describe_case(const struct block *block, size_t i, const char *image)
 {
     const struct aob_case *c = case_of(block, i);
-    struct aob_block_case described = {.technique = c->technique->name,
+    struct aob_block_case described = {.technique = aob_technique_address(c->technique),
                                        .param_count = c->technique->param_count,
                                        .target = aob_case_own_target(c),
                                        .definition = block->files->definition[i],
@@ -131,8 +131,7 @@ static json_t *make_job(const struct block *block)
     struct aob_block_case cases[AOB_BLOCK_MAX];
     struct aob_block_target targets[AOB_CONFIG_MAX_TARGETS];
     char *images[AOB_BLOCK_MAX];
-    struct aob_block_job job = {.modules = block->m->dispatch->modules,
-                                .view = aob_job_view_of(c, files),
+    struct aob_block_job job = {.view = aob_job_view_of(c, files),
                                 .backend = c->backend,
                                 .validate = block->m->dispatch->validate,
                                 .raster = aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER,

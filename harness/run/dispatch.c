@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/child.h"
 #include "base/json.h"
+#include "base/memory.h"
 #include "gpu/gpu.h"
 
 struct answers {
@@ -61,22 +62,60 @@ static void add_technique(void *user, const json_t *answer)
     aob_technique_list_add(user, answer);
 }
 
-bool aob_dispatch_describe(const struct aob_dispatch *dispatch, struct aob_technique_list *list,
-                           struct aob_error *error)
+/* What is no text would be left out of the message without a word. */
+static bool check_modules(const struct aob_modules *modules, struct aob_error *error)
+{
+    for (size_t i = 0; i < modules->count; i++) {
+        json_t *path = aob_json_path(modules->paths[i]);
+        json_decref(path);
+        if (!path)
+            return aob_fail(error, "%s: the path of a module must be UTF-8", modules->paths[i]);
+    }
+    return true;
+}
+
+/* Answers have the paths of the message; people know the modules by the names that they gave. */
+static void name_modules(struct aob_technique_list *list, const struct aob_modules *modules)
+{
+    json_t *files = aob_modules_to_json(modules), *file;
+    size_t i;
+    for (size_t t = 0; t < list->count; t++) {
+        struct aob_technique_info *info = &list->items[t];
+        json_array_foreach(files, i, file)
+        {
+            if (!info->file || strcmp(info->file, json_string_value(file)) != 0)
+                continue;
+            free(info->module);
+            info->module = aob_strdup(modules->names[i]);
+            info->offered = i < modules->offered;
+            break;
+        }
+    }
+    json_decref(files);
+}
+
+bool aob_dispatch_describe(const struct aob_dispatch *dispatch, const struct aob_modules *modules,
+                           struct aob_technique_list *list, struct aob_error *error)
 {
     *list = (struct aob_technique_list){0};
+    if (!check_modules(modules, error))
+        return false;
     struct aob_job_desc desc = {
-        .job = json_pack("{s:s, s:o}", "job", "describe", "modules", aob_modules_to_json(&dispatch->modules)),
+        .job = json_pack("{s:s, s:o}", "job", "describe", "modules", aob_modules_to_json(modules)),
         .timeout_s = 60,
         .memory_limit = (size_t)4 << 30,
         .on_answer = add_technique,
         .user = list};
-    if (aob_dispatch_job(dispatch, &desc, error) && list->count)
+    if (aob_dispatch_job(dispatch, &desc, error) && list->count) {
+        name_modules(list, modules);
         return true;
+    }
     if (!*error->text)
         aob_fail(error, "the worker describes no technique");
-    const struct aob_modules *modules = &dispatch->modules;
-    if (modules->count && !strstr(error->text, modules->paths[0]))
+    bool named = !modules->count;
+    for (size_t i = 0; i < modules->count; i++)
+        named = named || strstr(error->text, modules->paths[i]);
+    if (!named)
         aob_fail_in(error, "loading modules (%s%s)", modules->paths[0], modules->count > 1 ? ", ..." : "");
     aob_technique_list_finish(list);
     return false;

@@ -10,7 +10,7 @@
 
 struct aob_dispatch {
     const char *program;        /* path of the executable that answers to `worker` */
-    struct aob_modules modules; /* paths of --module files */
+    struct aob_modules modules; /* the --module files */
     bool validate;              /* Vulkan validation layer in workers */
 };
 struct aob_job_desc {
@@ -29,9 +29,9 @@ bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_
 /* "FILE: READER: " before the line of a job that read a file, unless the line names the file already. Always false. */
 bool aob_dispatch_fail_in(struct aob_error *error, const char *file, const char *reader);
 
-/* What techniques there are: built in and in the modules. */
-bool aob_dispatch_describe(const struct aob_dispatch *dispatch, struct aob_technique_list *list,
-                           struct aob_error *error);
+/* What techniques there are: built in and in the modules, which may be others than the dispatch's. */
+bool aob_dispatch_describe(const struct aob_dispatch *dispatch, const struct aob_modules *modules,
+                           struct aob_technique_list *list, struct aob_error *error);
 
 /* What a backend's device says of itself, {device, driver, class}; NULL after a line if it cannot be opened. Decref
  * it. */

@@ -65,8 +65,7 @@ static json_t *make_job(const struct layout *layout)
 {
     const struct aob_plan *plan = layout->m->plan;
     const struct aob_technique_info *technique = plan->cases[layout->indices[0]].technique;
-    struct aob_layout_job job = {.modules = layout->m->dispatch->modules,
-                                 .technique = technique->name,
+    struct aob_layout_job job = {.technique = aob_technique_address(technique),
                                  .case_count = layout->count - layout->answered,
                                  .param_count = technique->param_count};
     job.params = AOB_NEW_ARRAY(double, job.case_count *job.param_count);

@@ -115,6 +115,8 @@ static void add_series(json_t *record, const struct aob_case *c)
 json_t *aob_record_create(const struct aob_record_desc *desc)
 {
     json_t *record = identity(desc->c);
+    if (desc->c->technique->module)
+        json_object_set_new(record, "module", json_string(desc->c->technique->module));
     bool scored = desc->config->measure_error;
     json_object_set_new(record, "spp", json_integer(scored ? desc->config->spp : 0));
     if (desc->state)

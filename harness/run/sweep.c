@@ -1,10 +1,93 @@
 #include "sweep.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/memory.h"
 #include "captures.h"
+
+/* Where a path leads to nothing, loading it will say so. */
+static bool same_file(const char *a, const char *b)
+{
+    char *p = realpath(a, NULL), *q = realpath(b, NULL);
+    bool same = !p || !q || strcmp(p, q) == 0;
+    free(p);
+    free(q);
+    return same;
+}
+
+/* The --module files and those of the config's entries, each name once. A name that stands for two files would not say
+ * which of them a record is of. */
+struct gathered {
+    const char **paths, **names; /* borrowed */
+    size_t count, offered;       /* offered: the --module files, which come first */
+};
+
+static bool gather(struct gathered *all, const char *name, const char *path, struct aob_error *error)
+{
+    for (size_t i = 0; i < all->count; i++) {
+        if (strcmp(all->names[i], name) != 0)
+            continue;
+        return same_file(all->paths[i], path) ||
+               aob_fail(error,
+                        "%s names two modules, %s and %s: write one of them by another path, such as ./%s",
+                        name, all->paths[i], path, name);
+    }
+    all->paths[all->count] = path;
+    all->names[all->count++] = name;
+    return true;
+}
+
+static bool gather_all(struct gathered *all, const struct aob_sweep *sweep, const struct aob_modules *offered,
+                       struct aob_error *error)
+{
+    const struct aob_config *config = &sweep->config;
+    all->paths = AOB_NEW_ARRAY(const char *, offered->count + config->technique_count + 1);
+    all->names = AOB_NEW_ARRAY(const char *, offered->count + config->technique_count + 1);
+    for (size_t i = 0; i < offered->count; i++)
+        gather(all, offered->names[i], offered->paths[i], NULL); /* in one folder equal names are one file */
+    all->offered = all->count;
+    for (size_t i = 0; i < config->technique_count; i++) {
+        const struct aob_technique_choice *choice = &config->techniques[i];
+        if (choice->file && !gather(all, choice->module.text, choice->file, error))
+            return aob_config_fail_at(config, choice->module.line, choice->module.column, error);
+    }
+    return true;
+}
+
+/* The line names the module by its whole path; the config's place goes before it. */
+static bool names(const struct aob_error *error, const char *file)
+{
+    char *path = aob_path_absolute(file);
+    bool found = strstr(error->text, path);
+    free(path);
+    return found;
+}
+
+static bool fail_at_module(const struct aob_config *config, struct aob_error *error)
+{
+    for (size_t i = 0; i < config->technique_count; i++) {
+        const struct aob_technique_choice *choice = &config->techniques[i];
+        if (choice->file && names(error, choice->file))
+            return aob_config_fail_at(config, choice->module.line, choice->module.column, error);
+    }
+    return false;
+}
+
+static bool describe(struct aob_sweep *sweep, const struct aob_dispatch *dispatch, struct aob_error *error)
+{
+    struct gathered all = {0};
+    bool ok = gather_all(&all, sweep, &dispatch->modules, error);
+    const struct aob_modules modules = {all.paths, all.names, all.count, all.offered};
+    ok = ok && (aob_dispatch_describe(dispatch, &modules, &sweep->techniques, error) ||
+                fail_at_module(&sweep->config, error));
+    free(all.paths);
+    free(all.names);
+    return ok;
+}
 
 bool aob_sweep_expand(struct aob_sweep *sweep, const struct aob_dispatch *dispatch, struct aob_error *error)
 {
-    return aob_dispatch_describe(dispatch, &sweep->techniques, error) &&
-           aob_captures_load(&sweep->config, dispatch, error) &&
+    return describe(sweep, dispatch, error) && aob_captures_load(&sweep->config, dispatch, error) &&
            aob_plan_create(&sweep->plan, &sweep->config, &sweep->techniques, error);
 }
 

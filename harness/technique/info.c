@@ -1,6 +1,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
+#include "base/text.h"
 #include "registry.h"
 
 static json_t *choices_to_json(const char *const *choices)
@@ -121,6 +122,8 @@ bool aob_technique_list_add(struct aob_technique_list *list, const json_t *descr
                                         .summary = aob_strdup(optional(described, "summary")),
                                         .notes = aob_strdup(optional(described, "notes")),
                                         .module = aob_strdup(optional(described, "module")),
+                                        .file = aob_strdup(optional(described, "module")),
+                                        .offered = true,
                                         .sampling = aob_strdup(optional(described, "sampling")),
                                         .sequence = (enum aob_sequence)word_index(sequence_words, sequence),
                                         .revision = (uint32_t)revision};
@@ -133,13 +136,78 @@ bool aob_technique_list_add(struct aob_technique_list *list, const json_t *descr
     return true;
 }
 
-const struct aob_technique_info *aob_technique_list_find(const struct aob_technique_list *list,
-                                                         const char *name)
+static bool is_of(const struct aob_technique_info *info, const char *module)
+{
+    return info->module && strcmp(info->module, module) == 0;
+}
+
+static void fail_in_module(const struct aob_technique_list *list, const char *module, const char *name,
+                           struct aob_error *error)
+{
+    struct aob_text has = {0};
+    for (size_t i = 0; i < list->count; i++)
+        if (is_of(&list->items[i], module))
+            aob_text_add(&has, "%s%s", has.size ? ", " : "", list->items[i].name);
+    aob_fail(error, "%s has no technique '%s'; it has %s", module, name, has.data);
+    aob_text_finish(&has);
+}
+
+static const struct aob_technique_info *find_in_module(const struct aob_technique_list *list,
+                                                       const char *module, const char *name,
+                                                       struct aob_error *error)
 {
     for (size_t i = 0; i < list->count; i++)
-        if (strcmp(list->items[i].name, name) == 0)
+        if (is_of(&list->items[i], module) && strcmp(list->items[i].name, name) == 0)
             return &list->items[i];
+    fail_in_module(list, module, name, error);
     return NULL;
+}
+
+static const struct aob_technique_info *
+fail_between(const struct aob_technique_info *a, const struct aob_technique_info *b, struct aob_error *error)
+{
+    aob_fail(error,
+             "technique '%s' is in %s and in %s: load one of them, or write module: FILE.so beside its name",
+             a->name, a->module, b->module);
+    return NULL;
+}
+
+static void fail_unknown(const struct aob_technique_info *elsewhere, const char *name,
+                         struct aob_error *error)
+{
+    if (elsewhere)
+        aob_fail(error, "unknown technique '%s' without a module; write module: %s beside its name", name,
+                 elsewhere->module);
+    else
+        aob_fail(error, "unknown technique '%s'; see: aobudget list techniques", name);
+}
+
+const struct aob_technique_info *aob_technique_list_find(const struct aob_technique_list *list,
+                                                         const char *module, const char *name,
+                                                         struct aob_error *error)
+{
+    const struct aob_technique_info *found = NULL, *elsewhere = NULL;
+    if (module)
+        return find_in_module(list, module, name, error);
+    for (size_t i = 0; i < list->count; i++) {
+        const struct aob_technique_info *info = &list->items[i];
+        if (strcmp(info->name, name) != 0)
+            continue;
+        if (!info->offered)
+            elsewhere = info;
+        else if (!found || !found->module) /* the built-in one comes first */
+            found = info;
+        else if (strcmp(found->digest, info->digest) != 0) /* else two names of one build */
+            return fail_between(found, info, error);
+    }
+    if (!found)
+        fail_unknown(elsewhere, name, error);
+    return found;
+}
+
+struct aob_address aob_technique_address(const struct aob_technique_info *info)
+{
+    return (struct aob_address){.technique = info->name, .module = info->file, .digest = info->digest};
 }
 
 static void free_param(struct aob_param *param)
@@ -164,6 +232,7 @@ void aob_technique_list_finish(struct aob_technique_list *list)
         free(info->summary);
         free(info->notes);
         free(info->module);
+        free(info->file);
         free(info->sampling);
     }
     free(list->items);

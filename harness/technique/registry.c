@@ -19,19 +19,11 @@ static void digest_builtin(const struct aob_technique *technique, char key[AOB_K
     aob_text_finish(&text);
 }
 
-static struct aob_registry_entry *place_for(struct aob_registry *registry, const char *name)
-{
-    for (size_t i = 0; i < registry->count; i++)
-        if (strcmp(registry->entries[i].technique->name, name) == 0)
-            return &registry->entries[i];
-    return AOB_PUSH(registry->entries, registry->count, registry->capacity);
-}
-
 void aob_registry_init(struct aob_registry *registry)
 {
     *registry = (struct aob_registry){0};
     for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++) {
-        struct aob_registry_entry *entry = place_for(registry, (*t)->name);
+        struct aob_registry_entry *entry = AOB_PUSH(registry->entries, registry->count, registry->capacity);
         entry->technique = *t;
         digest_builtin(*t, entry->digest);
     }
@@ -50,18 +42,34 @@ static bool judge_module(const struct aob_module *module, const char *path, stru
             path, module->size, AOB_ABI, sizeof *module);
     if (!module->techniques || !module->techniques[0])
         return aob_fail(error, "%s: the module has no technique", path);
-    for (const struct aob_technique *const *t = module->techniques; *t; t++)
+    for (const struct aob_technique *const *t = module->techniques; *t; t++) {
         if (!aob_technique_judge(*t, error))
             return aob_fail_in(error, "%s", path);
+        for (const struct aob_technique *const *other = module->techniques; other < t; other++)
+            if (strcmp((*other)->name, (*t)->name) == 0)
+                return aob_fail(error, "%s: two of its techniques are named '%s': rename one", path,
+                                (*t)->name);
+    }
     return true;
+}
+
+static bool is_loaded(const struct aob_registry *registry, const char *path)
+{
+    for (size_t i = 0; i < registry->count; i++)
+        if (registry->entries[i].module && strcmp(registry->entries[i].module, path) == 0)
+            return true;
+    return false;
 }
 
 bool aob_registry_load(struct aob_registry *registry, const char *path, struct aob_error *error)
 {
     char digest[AOB_KEY_SIZE];
+    if (is_loaded(registry, path))
+        return true;
     if (!aob_hash_file(path, digest, error))
         return false;
     char *full = realpath(path, NULL); /* a name without a slash would be searched for in the system */
+    /* RTLD_LOCAL: builds of one technique define the same names, and each must find its own. */
     void *handle = full ? dlopen(full, RTLD_NOW | RTLD_LOCAL) : NULL;
     free(full);
     if (!handle)
@@ -77,7 +85,7 @@ bool aob_registry_load(struct aob_registry *registry, const char *path, struct a
     }
     *AOB_PUSH(registry->handles, registry->handle_count, registry->handle_capacity) = handle;
     for (const struct aob_technique *const *t = module->techniques; *t; t++) {
-        struct aob_registry_entry *entry = place_for(registry, (*t)->name);
+        struct aob_registry_entry *entry = AOB_PUSH(registry->entries, registry->count, registry->capacity);
         entry->technique = *t;
         entry->module = path;
         memcpy(entry->digest, digest, sizeof digest);
@@ -85,11 +93,31 @@ bool aob_registry_load(struct aob_registry *registry, const char *path, struct a
     return true;
 }
 
-const struct aob_registry_entry *aob_registry_find(const struct aob_registry *registry, const char *name)
+static bool same_module(const char *a, const char *b)
+{
+    return a && b ? strcmp(a, b) == 0 : a == b;
+}
+
+const struct aob_registry_entry *aob_registry_find(const struct aob_registry *registry, const char *module,
+                                                   const char *name)
 {
     for (size_t i = 0; i < registry->count; i++)
-        if (strcmp(registry->entries[i].technique->name, name) == 0)
+        if (same_module(registry->entries[i].module, module) &&
+            strcmp(registry->entries[i].technique->name, name) == 0)
             return &registry->entries[i];
+    return NULL;
+}
+
+const struct aob_technique *aob_registry_open(struct aob_registry *registry,
+                                              const struct aob_address *address, struct aob_error *error)
+{
+    if (address->module && !aob_registry_load(registry, address->module, error))
+        return NULL;
+    const struct aob_registry_entry *entry = aob_registry_find(registry, address->module, address->technique);
+    if (entry && strcmp(entry->digest, address->digest) == 0)
+        return entry->technique;
+    aob_fail(error, "%s: the file is another one than when its technique '%s' was planned: start again",
+             address->module ? address->module : "the program", address->technique);
     return NULL;
 }
 

@@ -23,10 +23,28 @@ struct aob_registry {
     size_t handle_count, handle_capacity;
 };
 
-/* The built-ins, then each module in turn; a module's technique takes the place of one of the same name. */
+/* Where a technique is, and which build of it is meant. A name is not enough: a process may hold several builds of one
+ * technique. Texts are borrowed. */
+struct aob_address {
+    const char *technique;
+    const char *module; /* path of its .so, NULL: built in */
+    const char *digest; /* as in struct aob_registry_entry */
+};
+
+/* The built-ins, then the techniques of each module that is loaded; all stay, whatever their names. A file that is loaded
+ * by one path twice is loaded once. By two paths it has its entries twice, of one digest, though the system maps it
+ * once. `path` is borrowed until aob_registry_finish. */
 void aob_registry_init(struct aob_registry *registry);
 bool aob_registry_load(struct aob_registry *registry, const char *path, struct aob_error *error);
-const struct aob_registry_entry *aob_registry_find(const struct aob_registry *registry, const char *name);
+
+/* The technique of that name in the module of that path, as it was loaded; module NULL: the built-in one. */
+const struct aob_registry_entry *aob_registry_find(const struct aob_registry *registry, const char *module,
+                                                   const char *name);
+
+/* The same after its module is loaded. NULL after a line if that fails, or if what is there now is another build than the
+ * one that is meant. */
+const struct aob_technique *aob_registry_open(struct aob_registry *registry,
+                                              const struct aob_address *address, struct aob_error *error);
 void aob_registry_finish(struct aob_registry *registry);
 
 /* The number of a module interface as people know it: up to 3 it stood in the upper half. */
@@ -36,8 +54,10 @@ uint32_t aob_abi_number(uint32_t abi);
 bool aob_technique_judge(const struct aob_technique *technique, struct aob_error *error);
 
 struct aob_technique_info {
-    char *name, *title, *citation, *summary, *notes,
-        *module;    /* the last three may be NULL; module: a built-in's */
+    char *name, *title, *citation, *summary, *notes; /* the last two may be NULL */
+    char *module;   /* its file as the user wrote it, which records call it by; NULL: built in */
+    char *file;     /* the same for workers, absolute; NULL: built in */
+    bool offered;   /* it is built in or of a --module: who names no module may mean it */
     char *sampling; /* the parameter that counts its samples, or NULL */
     enum aob_sequence sequence;
     uint32_t revision;
@@ -55,7 +75,12 @@ json_t *aob_technique_info_to_json(const struct aob_technique_info *info); /* th
 json_t *aob_param_to_json(const struct aob_param *param); /* unit, scale, stage and rule as words */
 bool aob_technique_list_add(struct aob_technique_list *list,
                             const json_t *described); /* false: not of that shape */
+
+/* The technique of that name in a module as the user wrote it. Module NULL: that of an offered module, else the built-in
+ * one. NULL after a line if there is none, or if offered modules have different builds of it. */
 const struct aob_technique_info *aob_technique_list_find(const struct aob_technique_list *list,
-                                                         const char *name);
+                                                         const char *module, const char *name,
+                                                         struct aob_error *error);
+struct aob_address aob_technique_address(const struct aob_technique_info *info); /* borrows its texts */
 void aob_technique_list_finish(struct aob_technique_list *list);
 #endif

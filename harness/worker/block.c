@@ -71,21 +71,21 @@ static const struct aob_screen *use_screen(struct aob_block *block, const struct
 static void init_frame(struct aob_worker *worker, struct aob_block *block, size_t index)
 {
     const struct aob_block_case *c = &block->job.cases[index];
-    const struct aob_registry_entry *entry = aob_registry_find(&block->registry, c->technique);
     struct aob_frame *frame = &block->frames[block->frame_count];
     struct aob_error error = {{0}};
     unsigned char values[4 * AOB_MAX_PARAM];
     struct aob_options options;
     const struct aob_screen *screen = NULL;
+    const struct aob_technique *technique = aob_registry_open(&block->registry, &c->technique, &error);
     int64_t start = aob_clock_wall_ns();
-    if (!entry) {
-        reply_failure(worker, index, "failed", "the technique is not in this worker");
+    if (!technique) {
+        reply_failure(worker, index, "failed", error.text);
         return;
     }
     aob_param_pack(aob_option_params, AOB_OPTION_COUNT, c->options, &options, sizeof options);
-    if (!aob_worker_values(entry->technique, c->params, c->param_count, values, &error) ||
+    if (!aob_worker_values(technique, c->params, c->param_count, values, &error) ||
         !(screen = use_screen(block, &options, &error)) ||
-        !aob_frame_init(frame, screen, entry->technique, values, (enum aob_fetch)options.fetch, &error)) {
+        !aob_frame_init(frame, screen, technique, values, (enum aob_fetch)options.fetch, &error)) {
         reply_failure(worker, index, frame->unfit ? "unsupported" : "failed", error.text);
         return;
     }
@@ -171,8 +171,8 @@ static void finish_block(struct aob_block *block)
 static bool run_block(struct aob_worker *worker, struct aob_error *error)
 {
     struct aob_block *block = AOB_NEW(struct aob_block);
-    bool ok = aob_block_job_from_json(worker->job, &block->job, error) && load_gbuffer(block, error) &&
-              aob_worker_registry(&block->job.modules, &block->registry, error);
+    aob_registry_init(&block->registry);
+    bool ok = aob_block_job_from_json(worker->job, &block->job, error) && load_gbuffer(block, error);
     if (ok && !open_device(block, error))
         reply_all(worker, block, "unsupported", error->text);
     else if (ok)

@@ -10,10 +10,11 @@
 /* One block while it is worked on. */
 struct aob_block {
     struct aob_block_job job;
-    struct aob_registry registry;
-    struct aob_gbuffer gbuffer;   /* canonical: what scores know of the view */
-    struct aob_gbuffer drawn;     /* by the device, where the job says raster; else empty */
-    struct aob_mesh mesh;         /* where the job says raster or triangles; else empty */
+    struct aob_registry
+        registry;               /* with the modules of the cases, each loaded when its first case is set up */
+    struct aob_gbuffer gbuffer; /* canonical: what scores know of the view */
+    struct aob_gbuffer drawn;   /* by the device, where the job says raster; else empty */
+    struct aob_mesh mesh;       /* where the job says raster or triangles; else empty */
     struct aob_geometry geometry; /* where it says triangles; else empty */
     json_t *difference;           /* of the two; NULL where there is but one */
     struct aob_gpu *gpu;

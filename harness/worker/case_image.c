@@ -100,7 +100,7 @@ bool aob_case_image_write(const struct aob_block *block, const struct aob_block_
     add_plane(&file, "screen.AO", image->screen);
     add_error(&file, image);
     add_camera(&file, &block->job.view.camera);
-    aob_image_set_text(&file, "aobudget.technique", c->technique);
+    aob_image_set_text(&file, "aobudget.technique", c->technique.technique);
     bool ok = aob_image_write(&file, c->image, error);
     aob_image_finish(&file);
     return ok;

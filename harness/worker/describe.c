@@ -1,18 +1,21 @@
 #include "base/json.h"
 #include "base/machine.h"
 #include "gpu/gpu.h"
+#include "job/modules.h"
 #include "worker.h"
 
 static bool describe(struct aob_worker *worker, struct aob_error *error)
 {
     struct aob_registry registry;
     struct aob_modules modules;
+    bool ok = true;
     aob_modules_from_json(json_object_get(worker->job, "modules"), &modules);
-    bool ok = aob_worker_registry(&modules, &registry, error);
+    aob_registry_init(&registry);
+    for (size_t i = 0; ok && i < modules.count; i++)
+        ok = aob_registry_load(&registry, modules.paths[i], error);
     for (size_t i = 0; ok && i < registry.count; i++)
         aob_worker_reply(worker, aob_technique_to_json(&registry.entries[i]));
-    if (ok)
-        aob_registry_finish(&registry);
+    aob_registry_finish(&registry);
     aob_modules_finish(&modules);
     return ok;
 }

@@ -72,17 +72,13 @@ static bool layout(struct aob_worker *worker, struct aob_error *error)
     struct aob_layout_job job;
     if (!aob_layout_job_from_json(worker->job, &job, error))
         return false;
-    bool ok = aob_worker_registry(&job.modules, &registry, error);
-    const struct aob_registry_entry *entry = ok ? aob_registry_find(&registry, job.technique) : NULL;
-    for (size_t i = 0; entry && i < job.case_count; i++)
-        aob_worker_reply(worker,
-                         lay_case(entry->technique, job.params + i * job.param_count, job.param_count));
-    if (ok && !entry)
-        aob_fail(error, "no technique '%s'", job.technique);
-    if (ok)
-        aob_registry_finish(&registry);
+    aob_registry_init(&registry);
+    const struct aob_technique *technique = aob_registry_open(&registry, &job.technique, error);
+    for (size_t i = 0; technique && i < job.case_count; i++)
+        aob_worker_reply(worker, lay_case(technique, job.params + i * job.param_count, job.param_count));
+    aob_registry_finish(&registry);
     aob_layout_job_finish(&job);
-    return entry;
+    return technique;
 }
 
 const struct aob_worker_job aob_worker_layout = {"layout", layout};

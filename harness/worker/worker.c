@@ -18,18 +18,6 @@ void aob_worker_reply(struct aob_worker *worker, json_t *answer)
     json_decref(answer);
 }
 
-bool aob_worker_registry(const struct aob_modules *modules, struct aob_registry *registry,
-                         struct aob_error *error)
-{
-    aob_registry_init(registry);
-    for (size_t i = 0; i < modules->count; i++)
-        if (!aob_registry_load(registry, modules->paths[i], error)) {
-            aob_registry_finish(registry);
-            return false;
-        }
-    return true;
-}
-
 bool aob_worker_values(const struct aob_technique *technique, const double *params, size_t count,
                        void *values, struct aob_error *error)
 {

@@ -1,7 +1,7 @@
 /* `aobudget worker`: one job in a process of its own. It reads one JSON document on standard input and answers with JSON
  * lines on standard output. Only here are modules loaded, drivers opened and files of strangers parsed, so a crash costs
  * this job. The messages are in job/, writer and reader of each in one file; two jobs are too small for one:
- *   describe {modules}  -> a technique a line (aob_technique_to_json)
+ *   describe {modules}  -> a technique a line (aob_technique_to_json), built in or of the modules
  *   probe    {backend}  -> {device, driver, class}, and {cpu, cores} where a processor is the device
  * A job that cannot be done says so in one line on standard error and exits with 2. */
 #ifndef AOB_WORKER_WORKER_H
@@ -9,7 +9,6 @@
 #include <jansson.h>
 #include <stdbool.h>
 #include "base/error.h"
-#include "job/modules.h"
 #include "job/view_job.h"
 #include "scene/mesh.h"
 #include "technique/registry.h"
@@ -29,10 +28,6 @@ extern const struct aob_worker_job aob_worker_describe, aob_worker_probe, aob_wo
 int aob_worker_main(const struct aob_worker_job *const *jobs);
 
 void aob_worker_reply(struct aob_worker *worker, json_t *answer); /* takes the reference */
-
-/* The built-in techniques and those of the modules; aob_registry_finish frees. */
-bool aob_worker_registry(const struct aob_modules *modules, struct aob_registry *registry,
-                         struct aob_error *error);
 
 /* The numbers as the technique's own values struct, into a buffer of 4 * AOB_MAX_PARAM bytes; false with a line if there
  * are not as many as it has parameters. */

@@ -7,7 +7,7 @@
 #include "label.h"
 
 static const char names[] =
-    "key,series,run,scene,view,technique,params,options,backend,size,status,reason,target_radius,"
+    "key,series,run,scene,view,technique,module,params,options,backend,size,status,reason,target_radius,"
     "target_weighting,reference,time_ms,ratio_to_ref,ci_low,ci_high,memory_bytes";
 
 /* A field and the comma before it; in quotes where it must be. */
@@ -44,7 +44,8 @@ static void add_case(struct aob_text *csv, const struct aob_rows *rows, const st
     add_text(csv, rows->runs[row->run].folder); /* two runs may share a name */
     add_text(csv, row->scene);
     add_text(csv, row->view);
-    add_text(csv, row->technique);
+    add_text(csv, row->name);
+    add_text(csv, row->module);
     add_text(csv, params);
     add_text(csv, options);
     add_text(csv, row->backend);

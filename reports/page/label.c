@@ -157,14 +157,14 @@ char *aob_label_full(const struct aob_row *row)
 }
 
 /* The first run that describes the technique has them. */
-static json_t *defaults_of(const struct aob_rows *rows, const char *technique)
+static json_t *defaults_of(const struct aob_rows *rows, const struct aob_row *row)
 {
     for (size_t i = 0; i < rows->run_count; i++) {
         json_t *list = json_object_get(rows->runs[i].info, "techniques"), *info;
         size_t k;
         json_array_foreach(list, k, info)
         {
-            if (strcmp(aob_member_text(info, "name"), technique) == 0)
+            if (aob_row_is_of(row, info))
                 return aob_label_defaults(info);
         }
     }
@@ -182,11 +182,12 @@ void aob_labels_make(struct aob_rows *rows)
 {
     struct words *params = AOB_NEW_ARRAY(struct words, rows->technique_count);
     struct words options = {json_object(), json_object(), option_defaults()};
-    for (size_t k = 0; k < rows->technique_count; k++)
-        params[k] = (struct words){json_object(), json_object(), defaults_of(rows, rows->techniques[k])};
     for (size_t i = 0; i < rows->count; i++) {
         const struct aob_row *row = &rows->list[i];
-        meet(&params[row->technique_place], row, json_object_get(row->json, "params"));
+        struct words *own = &params[row->technique_place];
+        if (!own->first)
+            *own = (struct words){json_object(), json_object(), defaults_of(rows, row)};
+        meet(own, row, json_object_get(row->json, "params"));
         meet(&options, row, json_object_get(row->json, "options"));
     }
     for (size_t i = 0; i < rows->count; i++)

@@ -1,6 +1,7 @@
 #include "rows.h"
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "label.h"
 #include "places.h"
 #include "rows_scores.h"
@@ -20,6 +21,12 @@ const char *aob_rows_damage(const struct aob_rows *rows)
 bool aob_row_is_ok(const struct aob_row *row)
 {
     return strcmp(row->status, "ok") == 0;
+}
+
+bool aob_row_is_of(const struct aob_row *row, const json_t *technique)
+{
+    return strcmp(aob_member_text(technique, "name"), row->name) == 0 &&
+           (!*row->module || strcmp(aob_member_text(technique, "module"), row->module) == 0);
 }
 
 static int small_int(double value)
@@ -45,6 +52,8 @@ static void take_line(struct aob_row *row, size_t run, const json_t *line)
         .scene = aob_member_text(line, "scene"),
         .view = aob_member_text(line, "view"),
         .technique = aob_member_text(line, "technique"),
+        .name = aob_member_text(line, "technique"),
+        .module = aob_member_text(line, "module"),
         .backend = aob_member_text(line, "backend"),
         .status = aob_member_text(line, "status"),
         .reason = aob_member_text(line, "reason"),
@@ -122,6 +131,30 @@ static void take_section(struct aob_rows *rows, size_t index, json_t *places)
         section->backend = row->backend;
 }
 
+/* Builds are told apart by their modules, where there are several. */
+static void name_builds(struct aob_rows *rows)
+{
+    json_t *modules = json_object(), *several = json_object();
+    for (size_t i = 0; i < rows->count; i++) {
+        const struct aob_row *row = &rows->list[i];
+        const json_t *first = json_object_get(modules, row->name);
+        if (!first)
+            json_object_set_new(modules, row->name, json_string(row->module));
+        else if (strcmp(json_string_value(first), row->module) != 0)
+            json_object_set_new(several, row->name, json_true());
+    }
+    for (size_t i = 0; i < rows->count; i++) {
+        struct aob_row *row = &rows->list[i];
+        struct aob_text text = {0};
+        if (!*row->module || !json_object_get(several, row->name))
+            continue;
+        aob_text_add(&text, "%s (%s)", row->name, row->module);
+        row->technique = row->build = text.data;
+    }
+    json_decref(modules);
+    json_decref(several);
+}
+
 static void list_places(struct aob_rows *rows)
 {
     json_t *sections = json_object(), *techniques = json_object();
@@ -165,6 +198,7 @@ bool aob_rows_read(struct aob_rows *rows, const char *const *folders, size_t fol
         ok = read_run(rows, i, error);
     }
     if (ok) {
+        name_builds(rows);
         list_places(rows);
         aob_rows_read_scores(rows);
         aob_labels_make(rows);
@@ -178,6 +212,7 @@ void aob_rows_finish(struct aob_rows *rows)
 {
     for (size_t i = 0; i < rows->count; i++) {
         free(rows->list[i].label);
+        free(rows->list[i].build);
         free(rows->list[i].scores);
     }
     for (size_t i = 0; i < rows->section_count; i++)

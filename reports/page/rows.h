@@ -33,7 +33,10 @@ struct aob_score {
 struct aob_row {
     size_t run, section, technique_place; /* places in the lists below */
     const json_t *json;
-    const char *key, *series, *scene, *view, *technique, *backend, *status, *reason, *image;
+    const char *key, *series, *scene, *view, *backend, *status, *reason, *image;
+    const char
+        *technique; /* what it is called: its name; "gtao (new.so)" where the rows have two builds of it */
+    const char *name, *module; /* of the technique, as in the journal; module "": built in */
     int width, height;
     double cost_ms;                /* of a frame: processor time, or wall time if that is the case's clock */
     double ratio, ci_low, ci_high; /* the 95 % interval is the ratio's */
@@ -41,6 +44,7 @@ struct aob_row {
     struct aob_score *scores; /* one a target, in the order of the targets */
     size_t score_count;
     char *label; /* what sets the case apart (label.h) */
+    char *build; /* the technique's text where it is more than its name; else NULL */
 };
 
 /* One scene seen in one view, in one run. */
@@ -61,7 +65,8 @@ struct aob_rows {
     size_t target_count, target_capacity;
     struct aob_section *sections; /* in the order of the journals */
     size_t section_count, section_capacity;
-    const char **techniques; /* in the same order; the place is the technique's colour */
+    const char *
+        *techniques; /* what they are called, in the same order; the place is the technique's colour */
     size_t technique_count, technique_capacity;
 };
 
@@ -75,6 +80,10 @@ void aob_rows_finish(struct aob_rows *rows);
 const char *aob_rows_damage(const struct aob_rows *rows);
 
 bool aob_row_is_ok(const struct aob_row *row);
+
+/* Whether an entry of run.json's techniques is the row's. Of an older record, which names no module, the first of the
+ * name is. */
+bool aob_row_is_of(const struct aob_row *row, const json_t *technique);
 
 /* The case's score against the target of that place; against its own, which `error` holds. NULL: there is none. */
 const struct aob_score *aob_row_score(const struct aob_row *row, size_t target);

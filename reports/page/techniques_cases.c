@@ -3,7 +3,6 @@
 #include "base/memory.h"
 #include "label.h"
 #include "markdown.h"
-#include "places.h"
 
 const struct aob_row *aob_techniques_row(const struct aob_techniques *t, size_t technique, size_t section)
 {
@@ -59,20 +58,25 @@ static bool is_default(const json_t *defaults, const struct aob_row *row)
     return true;
 }
 
+/* The place of the row's technique in the list; `count`: it is not there. */
+static size_t place_of(const struct aob_techniques *t, const struct aob_row *row)
+{
+    size_t k = 0;
+    while (k < t->count && !aob_row_is_of(row, json_array_get(t->list, k)))
+        k++;
+    return k;
+}
+
 void aob_techniques_choose(struct aob_techniques *t)
 {
-    json_t *places = json_object(), **defaults = AOB_NEW_ARRAY(json_t *, t->count);
+    json_t **defaults = AOB_NEW_ARRAY(json_t *, t->count);
     t->chosen = AOB_NEW_ARRAY(const struct aob_row *, t->count * t->rows.section_count);
-    for (size_t k = 0; k < t->count; k++) {
-        const json_t *technique = json_array_get(t->list, k);
-        defaults[k] = aob_label_defaults(technique);
-        json_object_set_new(places, aob_member_text(technique, "name"), json_integer((json_int_t)k));
-    }
+    for (size_t k = 0; k < t->count; k++)
+        defaults[k] = aob_label_defaults(json_array_get(t->list, k));
     for (size_t i = 0; i < t->rows.count; i++) {
         const struct aob_row *row = &t->rows.list[i];
-        const json_t *known = json_object_get(places, row->technique);
-        size_t k = (size_t)json_integer_value(known);
-        if (!known || !is_default(defaults[k], row))
+        size_t k = place_of(t, row);
+        if (k == t->count || !is_default(defaults[k], row))
             continue;
         const struct aob_row **place = &t->chosen[k * t->rows.section_count + row->section];
         if (!*place || (!aob_row_is_ok(*place) && aob_row_is_ok(row)))
@@ -80,6 +84,5 @@ void aob_techniques_choose(struct aob_techniques *t)
     }
     for (size_t k = 0; k < t->count; k++)
         json_decref(defaults[k]);
-    json_decref(places);
     free(defaults);
 }

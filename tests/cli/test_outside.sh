@@ -38,6 +38,22 @@ done
 rm "$prefix/planted"
 check "the plotter finds its library" bash -c "ldd '$prefix/bin/aobudget-plot' | grep -F 'libaoviz.so => $prefix/'"
 check "the plotter starts" bash -c "echo '{\"figures\": []}' | '$prefix/bin/aobudget-plot'"
+# Modules link what they use: the loader finds every symbol in what each one names.
+links() { # FILE.so: all that it needs is in what it names
+  local missing used
+  missing=$(ldd -r "$1" 2>&1 | grep -E 'undefined symbol|not found')
+  used=$(nm -D --undefined-only "$1" | grep -cE ' (sqrt|exp|exp2|pow|cos|sin|acos|atan|log|log2)f?@')
+  [ -z "$missing" ] && { [ "$used" -eq 0 ] || readelf -d "$1" | grep -qF '[libm.so.6]'; } && return
+  echo "$missing; $used functions of libm"
+  return 1
+}
+gcc -shared -fPIC -xc - -o "$folder/unlinked.so" <<<'double sqrt(double); double f(double x); double f(double x) { return sqrt(x); }'
+for module in "$prefix"/lib/aobudget/modules/*.so; do
+  check "$(basename "$module") links what it uses" links "$module"
+done
+check "some of them use libm" bash -c "readelf -d '$prefix'/lib/aobudget/modules/*.so | grep -F '[libm.so.6]'"
+unlinked() { ! links "$folder/unlinked.so"; }
+check "one that does not is found" unlinked
 check "an installed built-in" "$program" list techniques --module "$prefix/lib/aobudget/modules/gtao.so"
 
 # The tutorial shows the files, and the files hold nothing that it does not show.
@@ -88,6 +104,36 @@ if [ -n "$drivers" ]; then
   check "better than nothing: $ours < 0.6 x $none" awk "BEGIN { exit !($ours > 0 && $ours < 0.6 * $none) }"
   check "an open plane stays open: $plane" awk "BEGIN { exit !(\"$plane\" != \"\" && $plane < 0.001) }"
 fi
+
+# A function that nobody has is an error of the linker, and a module's own come before those of the program's libraries.
+for built in "$module" plain/depth_unsharp.so "$prefix/lib/aobudget/modules/gtao.so"; do
+  check "$built finds its own names first" bash -c "readelf -d '$built' | grep -qw SYMBOLIC"
+done
+plain() { # OUT FLAGS...: the loop of tests/modules with the flags of pkg-config; it has a function of libjansson's name
+  local out=$1
+  shift
+  gcc -std=c11 -O2 -shared -fPIC -DLOOP_TRIPS=2 -DLOOP_WORK=2 -DLOOP_SHIFT=5 -Dloop_shift=json_true "$@" \
+    $(pkg-config --cflags aobudget) "$tree/tests/modules/loop/loop.c" -o "$out" 2>&1
+}
+# shellcheck disable=SC2046 # words of pkg-config
+plain clash.so -Dloop_turns=json_false $(pkg-config --libs aobudget)
+plain lost.so -Dloop_turns=json_false
+if [ -n "$drivers" ]; then
+  shown() { "$program" shot --technique loop --module "$1" --scene corner --size 32x18 --backend gl-egl --reference-spp 0; }
+  lost() { ! shown lost.so; }
+  check "a name of a library's" shown clash.so
+  check "which is lost without those flags" lost
+fi
+undefined() { # COMMAND...: fails, and names the function
+  ! "$@" >"$folder/.link" 2>&1 && grep -qF "undefined reference to \`nobody_has_this'" "$folder/.link"
+}
+cp depth_unsharp.c depth_unsharp.good
+echo 'void nobody_has_this(void); void calls_it(void); void calls_it(void) { nobody_has_this(); }' >>depth_unsharp.c
+check "CMake: an undefined symbol is an error" undefined cmake --build build
+check "pkg-config: so is it" undefined gcc -std=c11 -shared -fPIC -Iplain $(pkg-config --cflags aobudget) depth_unsharp.c \
+  -o plain/undefined.so $(pkg-config --libs aobudget)
+mv depth_unsharp.good depth_unsharp.c && touch depth_unsharp.c
+check "and good again" cmake --build build
 
 # What is no module of this interface: one line, code 2.
 strip --strip-all -o stripped.so $module

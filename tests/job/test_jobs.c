@@ -9,6 +9,7 @@
 #include "job/check_job.h"
 #include "job/layout_job.h"
 #include "job/mesh_job.h"
+#include "job/modules.h"
 
 /* As it travels: through the text of one line. */
 static json_t *send(json_t *message)
@@ -111,9 +112,8 @@ static void a_view_job(void **state)
     json_decref(message);
 }
 
-static const char *const paths[] = {"one.so", "two.so"};
 static struct aob_block_target targets[] = {{0.25, false, "t.exr", true}, {INFINITY, true, NULL, false}};
-static struct aob_block_case cases[] = {{.technique = "gtao",
+static struct aob_block_case cases[] = {{.technique = {"gtao", "one.so", "0123"},
                                          .params = {0.5, 3},
                                          .param_count = 2,
                                          .options = {16, 1},
@@ -121,9 +121,8 @@ static struct aob_block_case cases[] = {{.technique = "gtao",
                                          .definition = "d.exr",
                                          .screen = "s.exr",
                                          .image = "i.exr"},
-                                        {.technique = "none"}};
-static const struct aob_block_job block = {.modules = {paths, 2},
-                                           .view = view,
+                                        {.technique = {"none", NULL, "4567"}}};
+static const struct aob_block_job block = {.view = view,
                                            .backend = "gl-egl",
                                            .validate = true,
                                            .triangles = true,
@@ -137,8 +136,6 @@ static const struct aob_block_job block = {.modules = {paths, 2},
 
 static void check_block(const struct aob_block_job *job)
 {
-    assert_int_equal(job->modules.count, 2);
-    assert_path(job->modules.paths[1], "two.so");
     assert_string_equal(job->backend, "gl-egl");
     assert_true(job->validate && !job->raster && job->triangles && !job->time && job->error);
     assert_true(job->seconds == 0.75 && job->narrow == 0.015);
@@ -148,7 +145,12 @@ static void check_block(const struct aob_block_job *job)
     assert_true(isinf(job->targets[1].radius) && job->targets[1].uniform && !job->targets[1].truth &&
                 !job->targets[1].bent);
     assert_int_equal(job->case_count, 2);
-    assert_string_equal(job->cases[0].technique, "gtao");
+    assert_string_equal(job->cases[0].technique.technique, "gtao");
+    assert_path(job->cases[0].technique.module, "one.so");
+    assert_string_equal(job->cases[0].technique.digest, "0123");
+    assert_string_equal(job->cases[1].technique.technique, "none");
+    assert_null(job->cases[1].technique.module);
+    assert_string_equal(job->cases[1].technique.digest, "4567");
     assert_int_equal(job->cases[0].param_count, 2);
     assert_true(job->cases[0].params[0] == 0.5 && job->cases[0].params[1] == 3);
     assert_true(job->cases[0].options[0] == 16 && job->cases[0].options[1] == 1 &&
@@ -175,9 +177,27 @@ static void a_block_job(void **state)
     json_object_set_new(json_array_get(json_object_get(message, "cases"), 1), "target", json_integer(2));
     assert_false(aob_block_job_from_json(message, &job, &error));
     assert_contains(error.text, "target 2 of 2");
+    json_object_set_new(json_array_get(json_object_get(message, "cases"), 1), "target", json_integer(1));
+    json_object_del(json_object_get(json_array_get(json_object_get(message, "cases"), 1), "technique"),
+                    "digest");
+    assert_false(aob_block_job_from_json(message, &job, &error));
+    assert_contains(error.text, "no digest");
     json_array_clear(json_object_get(message, "cases"));
     assert_false(aob_block_job_from_json(message, &job, &error));
     assert_contains(error.text, "0 cases");
+    json_decref(message);
+}
+
+static void modules_to_describe(void **state)
+{
+    (void)state;
+    static const char *const paths[] = {"one.so", "two.so"};
+    struct aob_modules back;
+    json_t *message = send(aob_modules_to_json(&(struct aob_modules){paths, paths, 2, 2}));
+    aob_modules_from_json(message, &back);
+    assert_int_equal(back.count, 2);
+    assert_path(back.paths[1], "two.so");
+    aob_modules_finish(&back);
     json_decref(message);
 }
 
@@ -263,19 +283,29 @@ static void a_layout_job(void **state)
 {
     (void)state;
     double params[] = {0.5, 3, 1, 9};
-    struct aob_layout_job out = {.technique = "gtao", .case_count = 2, .param_count = 2, .params = params},
+    struct aob_layout_job out = {.technique = {"gtao", "two.so", "89"},
+                                 .case_count = 2,
+                                 .param_count = 2,
+                                 .params = params},
                           job;
     struct aob_error error = {{0}};
     json_t *message = send(aob_layout_job_to_json(&out));
     assert_true(aob_layout_job_from_json(message, &job, &error));
-    assert_string_equal(job.technique, "gtao");
-    assert_true(job.case_count == 2 && job.param_count == 2 && job.modules.count == 0);
+    assert_string_equal(job.technique.technique, "gtao");
+    assert_path(job.technique.module, "two.so");
+    assert_string_equal(job.technique.digest, "89");
+    assert_true(job.case_count == 2 && job.param_count == 2);
     assert_memory_equal(job.params, params, sizeof params);
     aob_layout_job_finish(&job);
     json_array_append_new(json_array_get(json_object_get(message, "cases"), 1), json_real(1));
     assert_false(aob_layout_job_from_json(message, &job, &error));
     assert_contains(error.text, "case 1");
     json_decref(message);
+}
+
+static void a_layout_answer(void **state)
+{
+    (void)state;
     json_t *term = aob_term_to_json(&(struct aob_term){.radius = 0.5});
     struct aob_layout_answer answer = {.status = "ok",
                                        .graph = "abc",
@@ -285,7 +315,7 @@ static void a_layout_job(void **state)
                                        .definition = term,
                                        .mapped = true},
                              back;
-    message = send(aob_layout_answer_to_json(&answer));
+    json_t *message = send(aob_layout_answer_to_json(&answer));
     json_decref(term);
     assert_true(aob_layout_answer_from_json(message, &back));
     assert_string_equal(back.graph, "abc");
@@ -349,9 +379,11 @@ static void a_check_job(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_view_job),    cmocka_unit_test(a_check_job),
-                                       cmocka_unit_test(a_block_job),   cmocka_unit_test(shares_of_a_block),
-                                       cmocka_unit_test(a_capture_job), cmocka_unit_test(a_capture_answer),
-                                       cmocka_unit_test(a_layout_job),  cmocka_unit_test(a_mesh_job)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_view_job),      cmocka_unit_test(a_check_job),
+        cmocka_unit_test(a_block_job),     cmocka_unit_test(shares_of_a_block),
+        cmocka_unit_test(a_capture_job),   cmocka_unit_test(a_capture_answer),
+        cmocka_unit_test(a_layout_job),    cmocka_unit_test(a_mesh_job),
+        cmocka_unit_test(a_layout_answer), cmocka_unit_test(modules_to_describe)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

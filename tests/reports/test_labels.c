@@ -19,6 +19,46 @@ static void test_labels(void **state)
     free(page);
 }
 
+static void write_builds(const char *first, const char *second)
+{
+    struct aob_text journal = {0};
+    static const char format[] =
+        "{\"key\":\"%s\",\"scene\":\"corner\",\"view\":\"front\",\"technique\":\"gtao\",%s"
+        "\"params\":{\"steps\":%s},\"status\":\"ok\"}\n";
+    aob_text_add(&journal, format, "a", first, "6");
+    aob_text_add(&journal, format, "b", second, "7");
+    put("journal.jsonl", journal.data);
+    put("run.json",
+        "{\"techniques\":[{\"name\":\"gtao\",\"params\":[{\"name\":\"steps\",\"initial\":6}]},"
+        "{\"name\":\"gtao\",\"module\":\"new.so\",\"params\":[{\"name\":\"steps\",\"initial\":8}]}]}");
+    aob_text_finish(&journal);
+}
+
+/* Two builds of one technique are two techniques on the page, each with its own defaults; one alone is called by its
+ * name. */
+static void test_builds(void **state)
+{
+    struct aob_rows rows;
+    (void)state;
+    write_builds("", "\"module\":\"new.so\",");
+    read_rows(&rows);
+    assert_int_equal(rows.technique_count, 2);
+    assert_string_equal(rows.list[0].technique, "gtao");
+    assert_string_equal(rows.list[0].label, "");
+    assert_string_equal(rows.list[1].technique, "gtao (new.so)");
+    assert_string_equal(rows.list[1].label, "steps=7");
+    aob_rows_finish(&rows);
+    char *page = make_page();
+    assert_non_null(strstr(page, "gtao (new.so)"));
+    free(page);
+    write_builds("\"module\":\"new.so\",", "\"module\":\"new.so\",");
+    read_rows(&rows);
+    assert_int_equal(rows.technique_count, 1);
+    assert_string_equal(rows.list[0].technique, "gtao");
+    assert_string_equal(rows.list[0].label, "steps=6");
+    aob_rows_finish(&rows);
+}
+
 static char *concat(const char *format, const char *a, const char *b, const char *c)
 {
     struct aob_text text = {0};
@@ -38,6 +78,7 @@ static size_t count_fields(const char *line)
 static const char odd_journal[] =
     "{\"key\":\"k\",\"series\":\"s\",\"scene\":\"a \\\"b\\\", "
     "c\",\"view\":\"two\\nlines\",\"technique\":\"gtao\","
+    "\"module\":\"old.so\","
     "\"params\":{\"radius\":0.5,\"mode\":\"x\"},\"backend\":\"vulkan\",\"width\":64,"
     "\"height\":32,\"status\":\"ok\",\"options\":{\"fetch\":\"sampled\",\"guard_band\":64},"
     "\"memory_bytes\":2048,\"time\":{\"clock\":\"wall\",\"wall_ms\":1.5,\"ratio_to_"
@@ -56,17 +97,17 @@ static void test_csv(void **state)
     free(make_page());
     char *csv = get("report/cases.csv"), *line = strstr(csv, "\r\n");
     static const char head[] =
-        "key,series,run,scene,view,technique,params,options,backend,size,status,reason,target_radius,"
+        "key,series,run,scene,view,technique,module,params,options,backend,size,status,reason,target_radius,"
         "target_weighting,reference,time_ms,ratio_to_ref,ci_low,ci_high,memory_bytes,rmse,band_rmse,";
     static const char *const parts[] = {
-        ",\"a \"\"b\"\", c\",\"two\nlines\",gtao,radius=0.5 mode=x,fetch=sampled "
+        ",\"a \"\"b\"\", c\",\"two\nlines\",gtao,old.so,radius=0.5 mode=x,fetch=sampled "
         "guard_band=64,vulkan,64x32,ok,,",
         "0.1,cosine,ray-traced,1.5,2,1.75,,2048,0.25,,",
         "inf,uniform,screen,1.5,2,1.75,,2048,0.125,,",
     };
     char *first = concat("\r\nk,s,%s%s%s", folder, parts[0], parts[1]),
          *second = concat("\r\nk,s,%s%s%s", folder, parts[0], parts[2]),
-         *third = concat("\r\nl,,%s%s%s", folder, ",,,,,,,,failed,no image,,,,,,,,,,", "");
+         *third = concat("\r\nl,,%s%s%s", folder, ",,,,,,,,,failed,no image,,,,,,,,,,", "");
     assert_memory_equal(csv, head, sizeof head - 1);
     assert_memory_equal(line, first, strlen(first));
     line = strstr(line + 2, "\r\n");
@@ -86,6 +127,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_labels),
+        cmocka_unit_test(test_builds),
         cmocka_unit_test(test_csv),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -24,27 +24,100 @@ static void test_builtins_are_sound(void **state)
     for (size_t i = 0; i < registry.count; i++)
         if (!aob_technique_judge(registry.entries[i].technique, &error))
             fail_msg("%s", error.text);
-    assert_non_null(aob_registry_find(&registry, "gtao"));
-    assert_null(aob_registry_find(&registry, "fixed_pass"));
+    assert_non_null(aob_registry_find(&registry, NULL, "gtao"));
+    assert_null(aob_registry_find(&registry, NULL, "fixed_pass"));
     aob_registry_finish(&registry);
 }
 
-static void test_module_takes_the_place(void **state)
+/* Built in and from a module, each by its address; the module once, however often it is loaded. */
+static void test_builds_stand_side_by_side(void **state)
 {
     (void)state;
     struct aob_registry registry;
     struct aob_error error;
-    char *path = module_path("modules/gtao.so"), builtin[AOB_KEY_SIZE];
+    char *path = module_path("modules/gtao.so");
     aob_registry_init(&registry);
     size_t count = registry.count;
-    strcpy(builtin, aob_registry_find(&registry, "gtao")->digest);
-    if (!aob_registry_load(&registry, path, &error))
-        fail_msg("%s", error.text);
-    assert_int_equal(registry.count, count);
-    assert_string_equal(aob_registry_find(&registry, "gtao")->module, path);
-    assert_string_not_equal(aob_registry_find(&registry, "gtao")->digest, builtin);
+    for (int twice = 0; twice < 2; twice++)
+        if (!aob_registry_load(&registry, path, &error))
+            fail_msg("%s", error.text);
+    assert_int_equal(registry.count, count + 1);
+    const struct aob_registry_entry *builtin = aob_registry_find(&registry, NULL, "gtao"),
+                                    *loaded = aob_registry_find(&registry, path, "gtao");
+    assert_null(builtin->module);
+    assert_string_equal(loaded->module, path);
+    assert_ptr_not_equal(loaded->technique, builtin->technique);
+    assert_string_not_equal(loaded->digest, builtin->digest);
+    assert_null(aob_registry_find(&registry, path, "hbao"));
+    assert_null(aob_registry_find(&registry, "other.so", "gtao"));
     aob_registry_finish(&registry);
     free(path);
+}
+
+/* An address is of one build: the file must still hold it. */
+static void test_addresses(void **state)
+{
+    (void)state;
+    struct aob_registry registry;
+    struct aob_error error = {{0}};
+    char *path = module_path("modules/gtao.so"), digest[AOB_KEY_SIZE], other[AOB_KEY_SIZE];
+    assert_true(aob_hash_file(path, digest, &error));
+    strcpy(other, digest);
+    other[0] ^= 1;
+    aob_registry_init(&registry);
+    const struct aob_technique *gtao =
+        aob_registry_open(&registry, &(struct aob_address){"gtao", path, digest}, &error);
+    assert_non_null(gtao);
+    assert_ptr_equal(gtao, aob_registry_find(&registry, path, "gtao")->technique);
+    assert_null(aob_registry_open(&registry, &(struct aob_address){"gtao", path, other}, &error));
+    assert_contains(error.text,
+                    "gtao.so: the file is another one than when its technique 'gtao' was planned");
+    assert_null(aob_registry_open(&registry, &(struct aob_address){"hbao", path, digest}, &error));
+    assert_null(aob_registry_open(&registry, &(struct aob_address){"gtao", NULL, digest}, &error));
+    assert_contains(error.text, "the program: the file is another one");
+    assert_null(aob_registry_open(&registry, &(struct aob_address){"gtao", "nowhere.so", digest}, &error));
+    assert_contains(error.text, "nowhere.so: cannot open");
+    aob_registry_finish(&registry);
+    free(path);
+}
+
+struct known {
+    const char *name, *module, *digest;
+    bool offered;
+};
+static const struct known knowns[] = {
+    {"a", NULL, "1", true},     {"b", NULL, "2", true},      {"a", "one.so", "3", true},
+    {"c", "one.so", "3", true}, {"c", "same.so", "3", true}, {"d", "one.so", "3", true},
+    {"d", "two.so", "4", true}, {"b", "far.so", "5", false}, {"e", "far.so", "5", false},
+};
+
+/* Who names no module means the offered one, else what is built in; who names one means that one. */
+static void test_names(void **state)
+{
+    (void)state;
+    struct aob_technique_info items[AOB_COUNT(knowns)];
+    const struct aob_technique_list list = {items, AOB_COUNT(knowns)};
+    struct aob_error error;
+    for (size_t i = 0; i < AOB_COUNT(knowns); i++) {
+        items[i] = (struct aob_technique_info){.name = (char *)(uintptr_t)knowns[i].name,
+                                               .module = (char *)(uintptr_t)knowns[i].module,
+                                               .offered = knowns[i].offered};
+        strcpy(items[i].digest, knowns[i].digest);
+    }
+    assert_ptr_equal(aob_technique_list_find(&list, NULL, "a", &error), &items[2]);
+    assert_ptr_equal(aob_technique_list_find(&list, NULL, "b", &error), &items[1]);
+    assert_ptr_equal(aob_technique_list_find(&list, NULL, "c", &error), &items[3]);
+    assert_ptr_equal(aob_technique_list_find(&list, "same.so", "c", &error), &items[4]);
+    assert_ptr_equal(aob_technique_list_find(&list, "two.so", "d", &error), &items[6]);
+    assert_ptr_equal(aob_technique_list_find(&list, "far.so", "b", &error), &items[7]);
+    assert_null(aob_technique_list_find(&list, NULL, "d", &error));
+    assert_contains(error.text, "technique 'd' is in one.so and in two.so: ");
+    assert_null(aob_technique_list_find(&list, NULL, "e", &error));
+    assert_contains(error.text, "unknown technique 'e' without a module; write module: far.so");
+    assert_null(aob_technique_list_find(&list, NULL, "f", &error));
+    assert_contains(error.text, "unknown technique 'f'; see: aobudget list techniques");
+    assert_null(aob_technique_list_find(&list, "far.so", "a", &error));
+    assert_contains(error.text, "far.so has no technique 'a'; it has b, e");
 }
 
 static void refused(const char *path, const char *says)
@@ -135,12 +208,14 @@ static void test_rows_that_would_mislead_are_refused(void **state)
 static void test_foreign_files_are_refused(void **state)
 {
     (void)state;
-    char *old = module_path("tests/modules/old_abi.so");
+    char *old = module_path("tests/modules/old_abi.so"), *twice = module_path("tests/modules/twice.so");
+    refused(twice, "twice.so: two of its techniques are named 'twice'");
     refused(old, "made for module interface 3, this program has 4: build it again");
     refused("/nonexistent/x.so", "cannot open");
     refused("/tmp", "is it a file?");
     refused("/etc/passwd", "cannot load");
     free(old);
+    free(twice);
 }
 
 static const struct aob_shader no_shaders[] = {{NULL, NULL}};
@@ -240,10 +315,10 @@ static void test_travels_as_json(void **state)
     struct aob_registry registry;
     struct aob_technique_list list = {0};
     aob_registry_init(&registry);
-    const struct aob_registry_entry *gtao = aob_registry_find(&registry, "gtao");
+    const struct aob_registry_entry *gtao = aob_registry_find(&registry, NULL, "gtao");
     json_t *json = aob_technique_to_json(gtao);
     assert_true(aob_technique_list_add(&list, json));
-    const struct aob_technique_info *info = aob_technique_list_find(&list, "gtao");
+    const struct aob_technique_info *info = aob_technique_list_find(&list, NULL, "gtao", NULL);
     assert_int_equal(info->param_count, gtao->technique->param_count);
     for (size_t i = 0; i < info->param_count; i++) {
         assert_string_equal(info->params[i].name, gtao->technique->params[i].name);
@@ -259,7 +334,9 @@ static void test_travels_as_json(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_builtins_are_sound),
-                                       cmocka_unit_test(test_module_takes_the_place),
+                                       cmocka_unit_test(test_builds_stand_side_by_side),
+                                       cmocka_unit_test(test_addresses),
+                                       cmocka_unit_test(test_names),
                                        cmocka_unit_test(test_foreign_files_are_refused),
                                        cmocka_unit_test(test_rows_that_would_mislead_are_refused),
                                        cmocka_unit_test(test_bad_tables_are_refused),

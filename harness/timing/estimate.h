@@ -1,0 +1,31 @@
+/* The ratio of two costs from several processes. Rounds of one process share what that process was dealt: addresses,
+ * page colours, the threads' places. So a process's own interval tells too little, and processes are what is sampled.
+ * docs/measuring.md has the study that this rule comes from. Threads: pure functions. */
+#ifndef AOB_TIMING_ESTIMATE_H
+#define AOB_TIMING_ESTIMATE_H
+#include <stddef.h>
+#include "base/statistics.h"
+
+/* Paired rounds of one process: milliseconds a frame, positive. */
+struct aob_rounds {
+    const double *cost, *fixed; /* of what is measured, and of what it is measured against */
+    size_t count;               /* >= 1 */
+};
+
+/* The estimate is exp of the median of all processes' ln(cost/fixed). Its interval has the half-width, on the log scale,
+ *
+ *     h = sqrt(max(s^2, w^2) / P) * (z + (t - z) sqrt(1 - w^2/s^2))
+ *
+ * P: processes. s^2: variance of the processes' medians. w^2: what rounds alone would make of it, (1.2533 sigma)^2 times
+ * the mean of 1/rounds, with sigma = 1.4826 times the median distance of a round from its process's median. z = 1.96;
+ * t: Student's, P - 1 degrees of freedom. The square root is the share of s that rounds do not explain; it counts as 0
+ * where s < w. So three processes that agree as well as their rounds allow have a normal interval, and three that differ
+ * a wide one.
+ *
+ * A single process has the sign-test interval of its rounds, which is too narrow where processes differ. `bounded` is
+ * false with fewer than two processes and fewer than 6 rounds, or where no process has two rounds. */
+struct aob_ratio aob_estimate_ratio(const struct aob_rounds *processes, size_t process_count);
+
+/* Half of the interval's width, as a share of the ratio: 0.03 is 3 %. INFINITY where it is not bounded. */
+double aob_estimate_half_width(const struct aob_ratio *ratio);
+#endif
