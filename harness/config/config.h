@@ -115,6 +115,8 @@ struct aob_config {
 /* A YAML file. On false the line is FILE:LINE:COLUMN: what, and what is allowed; the config is empty. */
 bool aob_config_read(struct aob_config *config, const char *path, struct aob_error *error);
 void aob_config_finish(struct aob_config *config);
+void aob_technique_choice_finish(
+    struct aob_technique_choice *choice); /* of an entry that leaves its config */
 
 /* Put FILE:LINE:COLUMN before the error that is there; FILE alone for line 0, nothing for what is from the command line.
  * Always false. */
