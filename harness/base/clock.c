@@ -1,5 +1,5 @@
 #include "clock.h"
-#include <sys/resource.h>
+#include <string.h>
 #include <time.h>
 
 static int64_t read_clock(clockid_t id)
@@ -19,9 +19,19 @@ int64_t aob_clock_cpu_ns(void)
     return read_clock(CLOCK_PROCESS_CPUTIME_ID);
 }
 
-int64_t aob_clock_preemptions(void)
+static const char *const names[AOB_CLOCK_COUNT] = {"cpu", "wall", "device"};
+
+const char *aob_clock_name(enum aob_clock clock)
 {
-    struct rusage usage;
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_nivcsw;
+    return names[clock];
+}
+
+bool aob_clock_find(const char *name, enum aob_clock *clock)
+{
+    for (int i = 0; name && i < AOB_CLOCK_COUNT; i++)
+        if (strcmp(name, names[i]) == 0) {
+            *clock = (enum aob_clock)i;
+            return true;
+        }
+    return false;
 }

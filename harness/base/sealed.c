@@ -15,6 +15,7 @@ enum {
     SEAL = MARK + DIGEST,
     BLOCK = 1 << 16
 };
+_Static_assert((int)SEAL == (int)AOB_SEAL_SIZE, "a reader of another format skips this many bytes");
 
 static const char *name_of(const char *path)
 {

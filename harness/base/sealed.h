@@ -15,6 +15,7 @@ enum aob_sealed {
     AOB_SEALED_WRONG, /* the content is not what was written under this name */
     AOB_SEALED_SHUT,  /* it cannot be read, which says nothing of its content */
 };
+enum { AOB_SEAL_SIZE = 40 };            /* bytes behind those of the file */
 extern const char aob_sealed_version[]; /* a part of the names in the cache */
 
 /* Reads the whole file as a stream and says what it is. The error has a line unless it is good. */

@@ -212,6 +212,21 @@ static bool parse_int(const char *text, int64_t *value)
     return true;
 }
 
+bool aob_parse_percent(const char *text, double *share)
+{
+    size_t size = strlen(text);
+    char number[32];
+    double percent;
+    if (!size || size > sizeof number || text[size - 1] != '%')
+        return false;
+    memcpy(number, text, size - 1);
+    number[size - 1] = '\0';
+    if (!aob_parse_double(number, &percent))
+        return false;
+    *share = percent / 100;
+    return true;
+}
+
 bool aob_parse_size(const char *text, int *width, int *height)
 {
     const char *x = strchr(text, 'x');

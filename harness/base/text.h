@@ -32,6 +32,9 @@ void aob_line_print_list(char *line, size_t size, const char *format, va_list ar
  * and `inf` is accepted. Returns false and leaves *value alone otherwise. */
 bool aob_parse_double(const char *text, double *value);
 
+/* Reads "3%" or "0.5%" as a share, .03 or .005. The sign must be there, since 3 alone could be 300 %. */
+bool aob_parse_percent(const char *text, double *share);
+
 /* Reads "WxH"; both are in 1..16384. */
 bool aob_parse_size(const char *text, int *width, int *height);
 

@@ -1,9 +1,10 @@
 #include "run/run.h"
 #include "command.h"
+#include "config/config.h"
 
 struct options {
     struct aob_common common;
-    const char *out, *filter;
+    const char *out, *filter, *precision;
     bool resume, fresh;
 };
 
@@ -14,14 +15,21 @@ static const struct aob_flag flags[] = {
     {"fresh", NULL, "discard what DIR holds", AOB_FLAG_SWITCH, offsetof(struct options, fresh)},
     {"filter", "TEXT", "only cases whose line in `plan` holds the text", AOB_FLAG_TEXT,
      offsetof(struct options, filter)},
+    {"precision", "P%", "timing a case ends where its interval is so narrow (as the config says, or 3%)",
+     AOB_FLAG_TEXT, offsetof(struct options, precision)},
     {0},
 };
 
 static enum aob_exit run(void *from, struct aob_error *error)
 {
     const struct options *options = from;
+    double precision = 0;
     if (options->resume && options->fresh) {
         aob_fail(error, "run: give --resume or --fresh, not both");
+        return AOB_EXIT_USAGE;
+    }
+    if (options->precision && !aob_config_parse_precision(options->precision, &precision, error)) {
+        aob_fail_in(error, "--precision");
         return AOB_EXIT_USAGE;
     }
     return aob_run(&(struct aob_run_desc){.dispatch = options->common.dispatch,
@@ -29,6 +37,7 @@ static enum aob_exit run(void *from, struct aob_error *error)
                                           .out = options->out,
                                           .filter = options->filter,
                                           .json = options->common.json,
+                                          .precision = precision,
                                           .fresh = options->fresh,
                                           .quiet = options->common.quiet},
                    error);
@@ -37,7 +46,7 @@ static enum aob_exit run(void *from, struct aob_error *error)
 const struct aob_command aob_command_run_config = {
     .name = "run",
     .help = "a sweep: times, errors, images, report",
-    .usage = "CONFIG [--out DIR] [--resume|--fresh] [--filter TEXT] [--module FILE.so]",
+    .usage = "CONFIG [--out DIR] [--resume|--fresh] [--filter TEXT] [--precision P%] [--module FILE.so]",
     .summary = "The sweep: journal, images, report.",
     .flags = flags,
     .modules = true,

@@ -17,7 +17,7 @@ struct options {
     struct aob_common common;
     const char *technique, *scene; /* scene: a listed one, a mesh file or capture:FILE */
     const char *view, *eye, *target, *fov, *ortho, *shift, *metres_per_unit, *size, *backend, *reference_spp;
-    const char *target_radius, *target_weighting;
+    const char *target_radius, *target_weighting, *precision;
     const char *reference_radius;                 /* what the first of these was called */
     const char *convention[AOB_CONVENTION_COUNT]; /* of a capture, by enum aob_convention_key */
     const char *out;
@@ -46,6 +46,8 @@ static const struct aob_flag flags[] = {
     TEXT("target-radius", "R[,R...]", target_radius,
          "what it is compared with: visibility of this radius (the technique's); inf allowed"),
     TEXT("target-weighting", "W", target_weighting, "of that visibility: cosine or uniform (cosine)"),
+    TEXT("precision", "P%", precision,
+         "timing ends where the interval is so narrow (3%), or after half a second"),
     TEXT("reference-radius", "R", reference_radius, "is now --target-radius"),
     TEXT("out", "FILE.exr", out, "the images"),
     TEXT("depth", "KIND", convention[AOB_CONVENTION_DEPTH],
@@ -137,6 +139,12 @@ static bool choose_params(const struct options *o, struct aob_config *config, st
     return true;
 }
 
+static bool choose_precision(const struct options *o, struct aob_config *config, struct aob_error *error)
+{
+    return !o->precision || aob_config_parse_precision(o->precision, &config->precision, error) ||
+           aob_fail_in(error, "--precision");
+}
+
 static bool choose_reference(const struct options *o, struct aob_config *config, struct aob_error *error)
 {
     double spp = config->spp;
@@ -185,7 +193,8 @@ static bool make_config(const struct options *o, struct aob_config *config, stru
         AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity);
     technique->name.text = aob_strdup(o->technique);
     return choose_conventions(o, scene, error) && choose_camera(o, scene, error) &&
-           choose_params(o, config, error) && choose_reference(o, config, error);
+           choose_params(o, config, error) && choose_reference(o, config, error) &&
+           choose_precision(o, config, error);
 }
 
 static void keep_record(void *user, size_t index, json_t *record)
@@ -195,15 +204,26 @@ static void keep_record(void *user, size_t index, json_t *record)
     *kept = json_incref(record);
 }
 
+/* By its clock, with what its interval reaches to either side. */
+static void print_time(const json_t *time, struct aob_text *text)
+{
+    const char *clock = json_string_value(json_object_get(time, "clock"));
+    char member[16];
+    snprintf(member, sizeof member, "%s_ms", clock);
+    aob_text_add(text, ": %.3f ms %s, %.2f x fixed pass", json_number_value(json_object_get(time, member)),
+                 clock, json_number_value(json_object_get(time, "ratio_to_ref")));
+    const json_t *precision = json_object_get(time, "precision");
+    if (json_is_number(precision))
+        aob_text_add(text, " (+-%.2g %%)", 100 * json_number_value(precision));
+}
+
 static void print_record(const struct aob_sweep *sweep, const json_t *record, struct aob_text *out)
 {
     const json_t *time = json_object_get(record, "time"), *error = json_object_get(record, "error");
     struct aob_text text = {0};
     aob_case_describe(&sweep->plan, &sweep->plan.cases[0], &text);
     if (time)
-        aob_text_add(&text, ": %.3f ms cpu, %.2f x fixed pass",
-                     json_number_value(json_object_get(time, "cpu_ms")),
-                     json_number_value(json_object_get(time, "ratio_to_ref")));
+        print_time(time, &text);
     struct aob_metrics metrics;
     aob_metrics_from_json(&metrics, error);
     aob_metrics_print_brief(&metrics, ", ", &text);

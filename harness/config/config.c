@@ -17,7 +17,7 @@ void aob_config_init(struct aob_config *config)
                                   .measure_error = true,
                                   .images = true,
                                   .seconds = 1.5,
-                                  .narrow = 0.03,
+                                  .precision = 0.03,
                                   .spp = 256,
                                   .thickness = -1};
 }
@@ -28,6 +28,17 @@ bool aob_config_fail_at(const struct aob_config *config, int line, int column, s
         return false;
     return line ? aob_fail_in(error, "%s:%d:%d", config->path, line, column)
                 : aob_fail_in(error, "%s", config->path);
+}
+
+bool aob_config_parse_precision(const char *text, double *precision, struct aob_error *error)
+{
+    double share;
+    if (!aob_parse_percent(text, &share) || !(share >= AOB_CONFIG_MIN_PRECISION) ||
+        share > AOB_CONFIG_MAX_PRECISION)
+        return aob_fail(error, "'%s' is no precision: write a percentage, such as 3%%, within %g%% .. %g%%",
+                        text, 100 * AOB_CONFIG_MIN_PRECISION, 100 * AOB_CONFIG_MAX_PRECISION);
+    *precision = share;
+    return true;
 }
 
 void aob_axis_add(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name,
@@ -197,11 +208,22 @@ static bool read_size(struct aob_yaml *yaml, yaml_node_t *node, void *user)
            aob_yaml_fail(yaml, node, "'%s' is not WIDTHxHEIGHT with 1 .. 16384 pixels each", text);
 }
 
+static bool read_precision(struct aob_yaml *yaml, yaml_node_t *node, double *precision)
+{
+    struct aob_error why = {{0}};
+    const char *text;
+    if (!aob_yaml_text(yaml, node, &text))
+        return false;
+    return aob_config_parse_precision(text, precision, &why) || aob_yaml_fail(yaml, node, "%s", why.text);
+}
+
 static bool read_measure_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
 {
     struct aob_config *config = user;
     if (strcmp(key, "seconds") == 0)
         return aob_yaml_number(yaml, node, 0.01, 3600, &config->seconds);
+    if (strcmp(key, "precision") == 0)
+        return read_precision(yaml, node, &config->precision);
     bool *into = strcmp(key, "time") == 0    ? &config->measure_time
                  : strcmp(key, "error") == 0 ? &config->measure_error
                                              : &config->images;
@@ -246,7 +268,7 @@ static bool read_name(struct aob_yaml *yaml, const yaml_node_t *node, struct aob
 
 static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
 {
-    static const char *const measure_keys[] = {"time", "error", "images", "seconds", NULL};
+    static const char *const measure_keys[] = {"time", "error", "images", "seconds", "precision", NULL};
     struct aob_config *config = user;
     struct axes options = {&config->options, &config->option_count, &config->option_capacity};
     if (strcmp(key, "name") == 0)

@@ -20,7 +20,8 @@
  *       sweep:                       # axes, expanded as a product
  *         - {param: radius, from: 0.25, to: 2, log2: 1}    # steps of a factor 2^1; or step: 0.25
  *         - {param: slices, values: [1, 3]}
- *   measure: {time: true, error: true, images: true, seconds: 1.5}   # seconds of timing a case, at most
+ *   measure: {time: true, error: true, images: true, seconds: 1.5, precision: 3%}   # seconds of timing a case, at most;
+ *                                    # it ends early where the interval of its cost reaches so far to either side
  *   target: {radius: 1, weighting: cosine}   # what every image is compared with: the ray-traced visibility of this radius
  *                                    # (inf allowed) and weighting (cosine, uniform). One or a list; default: each radius
  *                                    # of the sweep, cosine
@@ -104,7 +105,7 @@ struct aob_config {
     size_t technique_count, technique_capacity;
     bool measure_time, measure_error, images;
     double seconds;   /* of timing, a case */
-    double narrow;    /* share of a ratio within which its interval ends timing early; no key of a file */
+    double precision; /* share of a cost that its interval may reach to either side: timing ends there */
     int spp;          /* rays a pixel of the reference, even */
     double thickness; /* of what the depth shows, in the screen-space bound, scene units: 0 thin, INFINITY;
                          negative: each technique's radius */
@@ -126,12 +127,17 @@ bool aob_config_fail_at(const struct aob_config *config, int line, int column, s
 const struct aob_backend_choice *aob_config_backends(const struct aob_config *config,
                                                      const struct aob_technique_choice *choice);
 
-/* The defaults that a file starts from: nothing chosen, time, error and images measured, 1.5 s, 256 spp. */
+/* The defaults that a file starts from: nothing chosen, time, error and images measured, 1.5 s, 3 %, 256 spp. */
 void aob_config_init(struct aob_config *config);
 
 /* Put targets of one weighting ("cosine", "uniform") from "R" or "R,R": for the command line. */
 bool aob_config_add_targets(struct aob_config *config, const char *radii, const char *weighting,
                             struct aob_error *error);
+
+/* Reads "3%" as .03. */
+#define AOB_CONFIG_MIN_PRECISION 1e-3
+#define AOB_CONFIG_MAX_PRECISION 0.5
+bool aob_config_parse_precision(const char *text, double *precision, struct aob_error *error);
 
 /* Put one axis of one value; for the command line. */
 void aob_axis_add(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name,

@@ -31,10 +31,13 @@ json_t *aob_block_job_to_json(const struct aob_block_job *job)
     for (size_t i = 0; i < job->case_count; i++)
         json_array_append_new(cases, case_to_json(&job->cases[i]));
     json_t *object =
-        json_pack("{s:s, s:s, s:b, s:b, s:b, s:b, s:b, s:f, s:f, s:o, s:o}", "job", "block", "backend",
-                  job->backend, "validate", job->validate, "raster", job->raster, "triangles", job->triangles,
-                  "time", job->time, "error", job->error, "seconds", job->seconds, "narrow", job->narrow,
-                  "targets", targets_to_json(job), "cases", cases);
+        json_pack("{s:s, s:s, s:b, s:b, s:b, s:b, s:b, s:b, s:o, s:o}", "job", "block", "backend", job->backend, "validate", job->validate,
+                  "raster", job->raster, "triangles", job->triangles, "score", job->score, "time", job->time,
+                  "error", job->error, "targets", targets_to_json(job), "cases", cases);
+    json_object_set_new(object, "timing",
+                        json_pack("{s:i, s:I, s:f, s:f, s:s?}", "process", job->process, "seed",
+                                  (json_int_t)job->seed, "seconds", job->seconds, "precision", job->precision,
+                                  "clock", job->clock));
     aob_job_view_to_json(&job->view, object);
     return object;
 }
@@ -89,23 +92,36 @@ static bool read_cases(const json_t *array, struct aob_block_job *job, struct ao
 
 static bool read_flags(const json_t *object, struct aob_block_job *job, struct aob_error *error)
 {
-    int validate, raster, triangles, time, score;
-    if (json_unpack((json_t *)(uintptr_t)object, "{s:s, s:b, s:b, s:b, s:b, s:b, s:F, s:F}", "backend",
-                    &job->backend, "validate", &validate, "raster", &raster, "triangles", &triangles, "time",
-                    &time, "error", &score, "seconds", &job->seconds, "narrow", &job->narrow) != 0)
+    int validate, raster, triangles, score, time, compare;
+    if (json_unpack((json_t *)(uintptr_t)object, "{s:s, s:b, s:b, s:b, s:b, s:b, s:b}", "backend",
+                    &job->backend, "validate", &validate, "raster", &raster, "triangles", &triangles, "score",
+                    &score, "time", &time, "error", &compare) != 0)
         return aob_fail(error, "a block job lacks a field");
     job->validate = validate;
     job->raster = raster;
     job->triangles = triangles;
+    job->score = score;
     job->time = time;
-    job->error = score;
+    job->error = compare;
+    return true;
+}
+
+static bool read_timing(const json_t *object, struct aob_block_job *job, struct aob_error *error)
+{
+    json_int_t seed;
+    if (json_unpack((json_t *)(uintptr_t)object, "{s:i, s:I, s:F, s:F}", "process", &job->process, "seed",
+                    &seed, "seconds", &job->seconds, "precision", &job->precision) != 0)
+        return aob_fail(error, "a block job does not say how it is timed");
+    job->seed = (uint32_t)seed;
+    job->clock = json_string_value(json_object_get(object, "clock"));
     return true;
 }
 
 bool aob_block_job_from_json(const json_t *object, struct aob_block_job *job, struct aob_error *error)
 {
     *job = (struct aob_block_job){0};
-    if (read_flags(object, job, error) && aob_job_view_from_json(object, &job->view, error) &&
+    if (read_flags(object, job, error) && read_timing(json_object_get(object, "timing"), job, error) &&
+        aob_job_view_from_json(object, &job->view, error) &&
         read_targets(json_object_get(object, "targets"), job, error) &&
         read_cases(json_object_get(object, "cases"), job, error))
         return true;
@@ -118,6 +134,53 @@ void aob_block_job_finish(struct aob_block_job *job)
     free(job->targets);
     free(job->cases);
     *job = (struct aob_block_job){0};
+}
+
+json_t *aob_block_timed_to_json(const struct aob_block_timed *timed)
+{
+    json_t *cases = json_array();
+    for (size_t i = 0; i < timed->count; i++) {
+        const struct aob_block_timed_case *c = &timed->cases[i];
+        json_array_append_new(cases, json_pack("{s:I, s:f, s:O}", "index", (json_int_t)c->index, "setup_ms",
+                                               c->setup_ms, "passes", c->passes));
+    }
+    return json_pack("{s:{s:s, s:i, s:o}}", "timed", "clock", aob_clock_name(timed->clock), "threads",
+                     timed->threads, "cases", cases);
+}
+
+static bool read_timed_case(const json_t *object, size_t case_count, struct aob_block_timed *timed)
+{
+    json_int_t index;
+    double setup_ms;
+    json_t *passes;
+    if (timed->count == AOB_BLOCK_MAX ||
+        json_unpack((json_t *)(uintptr_t)object, "{s:I, s:F, s:o}", "index", &index, "setup_ms", &setup_ms,
+                    "passes", &passes) != 0 ||
+        index < 0 || (size_t)index >= case_count)
+        return false;
+    timed->cases[timed->count++] =
+        (struct aob_block_timed_case){(size_t)index, setup_ms, json_incref(passes)};
+    return true;
+}
+
+bool aob_block_timed_from_json(const json_t *object, size_t case_count, struct aob_block_timed *timed)
+{
+    const json_t *head = json_object_get(object, "timed"), *cases = json_object_get(head, "cases");
+    *timed = (struct aob_block_timed){.threads = (int)json_integer_value(json_object_get(head, "threads"))};
+    bool ok = aob_clock_find(json_string_value(json_object_get(head, "clock")), &timed->clock);
+    for (size_t i = 0; ok && i < json_array_size(cases); i++)
+        ok = read_timed_case(json_array_get(cases, i), case_count, timed);
+    if (ok && timed->count)
+        return true;
+    aob_block_timed_finish(timed);
+    return false;
+}
+
+void aob_block_timed_finish(struct aob_block_timed *timed)
+{
+    for (size_t i = 0; i < timed->count; i++)
+        json_decref(timed->cases[i].passes);
+    *timed = (struct aob_block_timed){0};
 }
 
 json_t *aob_block_shares_to_json(const struct aob_block_shares *shares)

@@ -1,48 +1,23 @@
+#include "block.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/sealed.h"
-#include "gpu/gpu.h"
-#include "job/block_job.h"
-#include "measurement.h"
 #include "record.h"
 
-/* A block under way: what its worker has answered. */
-struct block {
-    struct aob_measurement *m;
-    const size_t *indices;
-    size_t count;
-    const struct aob_view_files *files;   /* while its worker runs */
-    char *truths[AOB_CONFIG_MAX_TARGETS]; /* "truths/HASH.exr" below the run's folder; NULL: it is not kept */
-    bool answered[AOB_BLOCK_MAX];
-};
-
-static const struct aob_case *case_of(const struct block *block, size_t i)
+const struct aob_case *aob_run_block_case(const struct aob_run_block *block, size_t place)
 {
-    return &block->m->plan->cases[block->indices[i]];
+    return &block->m->plan->cases[block->indices[place]];
 }
 
-/* "images/KEY.exr", below the run's folder. */
-static void image_name(const struct aob_case *c, char name[AOB_KEY_SIZE + 16])
+void aob_run_block_image(const struct aob_case *c, char name[AOB_KEY_SIZE + 16])
 {
     snprintf(name, AOB_KEY_SIZE + 16, "images/%s.exr", c->key);
 }
 
-/* Where the worker is to write the case's image; NULL: nowhere. free() it. */
-static char *image_path(const struct block *block, size_t i)
-{
-    char name[AOB_KEY_SIZE + 16];
-    if (block->m->image)
-        return aob_strdup(block->m->image);
-    if (!block->m->folder || !block->m->plan->config->images)
-        return NULL;
-    image_name(case_of(block, i), name);
-    return aob_path_join(block->m->folder, name);
-}
-
-static bool has_image(const struct block *block, const char *name)
+static bool has_image(const struct aob_run_block *block, const char *name)
 {
     char *path = block->m->folder ? aob_path_join(block->m->folder, name) : NULL;
     bool exists = path && aob_file_exists(path);
@@ -52,7 +27,7 @@ static bool has_image(const struct block *block, const char *name)
 
 /* The truths of the targets go into the run's folder once, whatever the number of cases: images hold that of one target
  * only. They are copied when the worker has read them, so that a damaged one is never kept. */
-static void keep_truths(struct block *block)
+static void keep_truths(struct aob_run_block *block)
 {
     for (size_t t = 0; t < AOB_COUNT(block->truths) && block->truths[t]; t++) {
         struct aob_error error = {{0}};
@@ -65,100 +40,74 @@ static void keep_truths(struct block *block)
     }
 }
 
-static void finish_case(struct block *block, size_t i, const char *status, const char *reason,
-                        const json_t *answer)
+void aob_run_block_finish_case(struct aob_run_block *block, size_t i, const char *status, const char *reason,
+                               const json_t *answer)
 {
     size_t index = block->indices[i];
     char name[AOB_KEY_SIZE + 16];
     if (json_object_get(answer, "errors"))
         keep_truths(block);
-    image_name(case_of(block, i), name);
-    json_t *record =
-        aob_record_create(&(struct aob_record_desc){.config = block->m->plan->config,
-                                                    .c = case_of(block, i),
-                                                    .state = &block->m->states[index],
-                                                    .status = status,
-                                                    .reason = reason,
-                                                    .answer = answer,
-                                                    .target = aob_case_own_target(case_of(block, i)),
-                                                    .truths = block->truths,
-                                                    .image = answer && has_image(block, name) ? name : NULL});
+    aob_run_block_image(aob_run_block_case(block, i), name);
+    json_t *record = aob_record_create(
+        &(struct aob_record_desc){.config = block->m->plan->config,
+                                  .c = aob_run_block_case(block, i),
+                                  .state = &block->m->states[index],
+                                  .status = status,
+                                  .reason = reason,
+                                  .answer = answer,
+                                  .target = aob_case_own_target(aob_run_block_case(block, i)),
+                                  .truths = block->truths,
+                                  .image = answer && has_image(block, name) ? name : NULL});
     block->answered[i] = true;
     block->m->states[index].stage = AOB_DONE;
     block->m->on_record(block->m->user, index, record);
     json_decref(record);
 }
 
-static void take_answer(void *user, const json_t *answer)
+/* Of the process that scores. */
+static void take_case(struct aob_run_block *block, const json_t *answer)
 {
-    struct block *block = user;
-    struct aob_block_shares shares;
-    if (aob_block_shares_from_json(answer, &shares)) {
-        block->m->shares.measured += shares.measured;
-        block->m->shares.warmup += shares.warmup;
-        block->m->shares.images += shares.images;
-        return;
-    }
     const json_t *index = json_object_get(answer, "index");
     size_t i = (size_t)json_integer_value(index);
     const char *status = json_string_value(json_object_get(answer, "status"));
-    if (!index || i >= block->count || block->answered[i] || !status)
+    if (!index || i >= block->count || block->answered[i] || block->held[i] || !status)
         return;
     if (block->count > 1 && strcmp(status, "failed") == 0)
         return; /* it may be a neighbour's fault: it is tried alone */
-    finish_case(block, i, status, json_string_value(json_object_get(answer, "reason")), answer);
+    if (block->m->plan->config->measure_time && strcmp(status, "ok") == 0)
+        block->held[i] = json_deep_copy(answer);
+    else
+        aob_run_block_finish_case(block, i, status, json_string_value(json_object_get(answer, "reason")),
+                                  answer);
 }
 
-static struct aob_block_case describe_case(const struct block *block, size_t i, const char *image)
+static void take_round(struct aob_run_block_reply *reply, const json_t *round)
 {
-    const struct aob_case *c = case_of(block, i);
-    struct aob_block_case described = {.technique = aob_technique_address(c->technique),
-                                       .param_count = c->technique->param_count,
-                                       .target = aob_case_own_target(c),
-                                       .definition = block->files->definition[i],
-                                       .screen = block->files->screen[i],
-                                       .image = image};
-    memcpy(described.params, c->params, c->technique->param_count * sizeof *c->params);
-    memcpy(described.options, c->options, sizeof described.options);
-    return described;
+    struct aob_round_list *rounds = reply->rounds;
+    if (!*reply->garbled.text)
+        aob_round_from_json(round, AOB_PUSH(rounds->items, rounds->count, rounds->capacity), &reply->garbled);
 }
 
-static json_t *make_job(const struct block *block)
+void aob_run_block_take(void *user, const json_t *answer)
 {
-    const struct aob_view_files *files = block->files;
-    const struct aob_case *c = case_of(block, 0);
-    const struct aob_config *config = block->m->plan->config;
-    struct aob_block_case cases[AOB_BLOCK_MAX];
-    struct aob_block_target targets[AOB_CONFIG_MAX_TARGETS];
-    char *images[AOB_BLOCK_MAX];
-    struct aob_block_job job = {.view = aob_job_view_of(c, files),
-                                .backend = c->backend,
-                                .validate = block->m->dispatch->validate,
-                                .raster = aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER,
-                                .time = config->measure_time,
-                                .error = config->measure_error,
-                                .seconds = config->seconds,
-                                .narrow = config->narrow,
-                                .targets = targets,
-                                .target_count = files->target_count,
-                                .cases = cases,
-                                .case_count = block->count};
-    for (size_t t = 0; t < files->target_count; t++)
-        targets[t] = (struct aob_block_target){c->scene->targets[t].radius, c->scene->targets[t].uniform,
-                                               files->truth[t], files->bent};
-    for (size_t i = 0; i < block->count; i++) {
-        images[i] = image_path(block, i);
-        cases[i] = describe_case(block, i, images[i]);
-        job.triangles = job.triangles || block->m->states[block->indices[i]].triangles;
-    }
-    json_t *object = aob_block_job_to_json(&job);
-    for (size_t i = 0; i < block->count; i++)
-        free(images[i]);
-    return object;
+    struct aob_run_block_reply *reply = user;
+    struct aob_shares *sum = &reply->block->m->shares;
+    struct aob_block_shares shares;
+    if (aob_block_shares_from_json(answer, &shares)) {
+        sum->measured += shares.measured;
+        sum->warmup += shares.warmup;
+        sum->images += shares.images;
+        reply->complete = true;
+    } else if (json_object_get(answer, "round"))
+        take_round(reply, json_object_get(answer, "round"));
+    else if (json_object_get(answer, "timed") && !reply->timed.count)
+        aob_block_timed_from_json(answer, reply->block->count, &reply->timed);
+    else
+        take_case(reply->block, answer);
 }
 
 /* "truths/HASH.exr" below the run's folder for each target, named as in the cache by what it depends on. */
-static void name_truths(struct block *block)
+static void name_truths(struct aob_run_block *block)
 {
     for (size_t t = 0; t < block->files->target_count; t++) {
         struct aob_text name = {0};
@@ -167,73 +116,73 @@ static void name_truths(struct block *block)
     }
 }
 
-static void free_truths(struct block *block)
+static void free_truths(struct aob_run_block *block)
 {
     for (size_t t = 0; t < AOB_COUNT(block->truths); t++)
         free(block->truths[t]);
 }
 
-/* Ten times what timing may take, and about six times what a pixel's score against a target takes (0.3 us). */
-static double time_limit(const struct block *block)
+static void fail_rest(struct aob_run_block *block)
 {
-    const struct aob_case *c = case_of(block, 0);
-    double scores = (double)c->width * c->height * (double)block->files->target_count;
-    return 120 + (double)block->count * (10 * block->m->plan->config->seconds + 2e-6 * scores);
-}
-
-static bool run_worker(struct block *block, struct aob_error *error)
-{
-    enum { ROOM = 32 };
-    const struct aob_case *c = case_of(block, 0);
-    const char *env[ROOM] = {0};
-    if (block->m->on_work)
-        block->m->on_work(block->m->user, block->indices[0], "compiling and measuring");
-    char threads[40];
-    size_t used = 0;
-    for (const char *const *e = aob_gpu_find(c->backend)->environment; *e && used < ROOM - 2; e++)
-        env[used++] = *e;
-    snprintf(threads, sizeof threads, "LP_NUM_THREADS=%d", (int)aob_case_options(c).threads);
-    if (aob_case_options(c).threads)
-        env[used++] = threads;
-    struct aob_job_desc desc = {.job = make_job(block),
-                                .env = env,
-                                .timeout_s = time_limit(block),
-                                .on_answer = take_answer,
-                                .user = block};
-    return aob_dispatch_job(block->m->dispatch, &desc, error);
-}
-
-static void fail_rest(struct block *block, const char *reason)
-{
+    const char *reason = *block->reason ? block->reason : "the worker gave no answer for this case";
     for (size_t i = 0; i < block->count; i++)
         if (!block->answered[i])
-            finish_case(block, i, "failed", reason, NULL);
+            aob_run_block_finish_case(block, i, "failed", reason, NULL);
 }
 
 /* In a worker of its own, where no other case can have done it harm. */
-static void retry_alone(struct block *block)
+static void retry_alone(struct aob_run_block *block)
 {
     for (size_t i = 0; i < block->count; i++)
         if (!block->answered[i])
             aob_measurement_block(block->m, &block->indices[i], 1);
 }
 
+/* All cases are scored in one process, which times what it can; the times of the others follow. */
+static void measure(struct aob_run_block *block)
+{
+    static const size_t places[AOB_BLOCK_MAX] = {0, 1, 2, 3, 4, 5};
+    struct aob_round_list rounds = {0};
+    struct aob_run_block_reply reply = {.rounds = &rounds};
+    struct aob_error error = {{0}};
+    const struct aob_processes_desc processes = aob_run_block_processes(block, 0, block->count);
+    const struct aob_process_desc first = aob_process_describe(&processes, 0);
+    bool ok =
+        aob_run_block_send(block,
+                           &(struct aob_run_block_job){
+                               .places = places, .count = block->count, .score = true, .process = &first},
+                           &reply, &error);
+    snprintf(block->reason, sizeof block->reason, "%s", error.text);
+    if (block->m->plan->config->measure_time)
+        aob_run_block_time(block, &reply, ok ? NULL : error.text);
+    aob_block_timed_finish(&reply.timed);
+    aob_rounds_finish(&rounds);
+}
+
+static void finish(struct aob_run_block *block)
+{
+    for (size_t i = 0; i < block->count; i++)
+        json_decref(block->held[i]);
+    free_truths(block);
+}
+
 void aob_measurement_block(struct aob_measurement *m, const size_t *indices, size_t count)
 {
     struct aob_view_files files = {0};
-    struct block block = {.m = m, .indices = indices, .count = count, .files = &files};
+    struct aob_run_block block = {.m = m, .indices = indices, .count = count, .files = &files};
     struct aob_error error = {{0}};
     if (!aob_view_prepare(m, indices, count, &files, &error)) {
-        fail_rest(&block, error.text);
+        snprintf(block.reason, sizeof block.reason, "%s", error.text);
+        fail_rest(&block);
         return;
     }
     if (m->folder && m->plan->config->images)
         name_truths(&block);
-    bool ok = run_worker(&block, &error);
+    measure(&block);
     aob_view_files_finish(&files);
     if (count > 1)
         retry_alone(&block);
     else
-        fail_rest(&block, ok ? "the worker gave no answer for this case" : error.text);
-    free_truths(&block);
+        fail_rest(&block);
+    finish(&block);
 }

@@ -1,5 +1,7 @@
 #include "measurement.h"
 #include <stdlib.h>
+#include <sys/random.h>
+#include "base/clock.h"
 #include "base/memory.h"
 
 /* Cases of one view and guard band together, else in the plan's order. */
@@ -38,7 +40,9 @@ bool aob_measurement_init(struct aob_measurement *m, const struct aob_dispatch *
     *m = (struct aob_measurement){.dispatch = dispatch, .plan = plan, .failed_views = json_object()};
     m->states = AOB_NEW_ARRAY(struct aob_state, plan->case_count);
     sort_by_view(m);
-    if (aob_cache_open(&m->cache, error))
+    if (getrandom(&m->seed, sizeof m->seed, 0) != sizeof m->seed)
+        m->seed = (uint32_t)aob_clock_wall_ns();
+    if ((!plan->config->measure_time || aob_measure_lock_check(error)) && aob_cache_open(&m->cache, error))
         return true;
     aob_measurement_finish(m);
     return false;

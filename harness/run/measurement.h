@@ -3,8 +3,10 @@
 #ifndef AOB_RUN_MEASUREMENT_H
 #define AOB_RUN_MEASUREMENT_H
 #include <jansson.h>
+#include <stdint.h>
 #include "base/error.h"
 #include "dispatch.h"
+#include "measure_lock.h"
 #include "plan/plan.h"
 #include "state.h"
 #include "store/cache.h"
@@ -24,6 +26,8 @@ struct aob_measurement {
     const char *folder; /* of the run: images go to its images/; NULL: none are kept */
     const char *image;  /* in place of that: the file for the image of a plan's only case */
     struct aob_shares shares;
+    struct aob_measure_lock lock;
+    uint32_t seed; /* of the orders of its timing, drawn anew for each measurement; records tell it */
     void (*on_work)(void *user, size_t index,
                     const char *work); /* "tracing", of the case's view; NULL: nobody asks */
     void (*on_record)(void *user, size_t index, json_t *record); /* one case done; the record is borrowed */
@@ -37,9 +41,10 @@ void aob_measurement_finish(struct aob_measurement *m); /* of a zeroed one too *
 /* Calls each technique's check() and build() on its pending cases, in workers; refused ones get their reason. */
 void aob_measurement_layout(struct aob_measurement *m);
 
-/* Measures the pending cases `indices` of one block (aob_case_same_block, at most AOB_BLOCK_MAX). A case that fails in
- * a shared worker, or whose worker dies, is tried once more in a worker of its own, so that a fault costs only the case
- * that has it. Every case gets its record. */
+/* Measures the pending cases `indices` of one block (aob_case_same_block, at most AOB_BLOCK_MAX): scores in one worker,
+ * times in several (timing/processes.h). A case that fails in a shared worker, or whose worker dies, is tried once more
+ * in workers of its own, so that a fault costs only the case that has it; a worker that dies while it only times costs
+ * its rounds, as long as enough others are good. Every case gets its record, after its last round. */
 void aob_measurement_block(struct aob_measurement *m, const size_t *indices, size_t count);
 
 /* For aob_measurement_block: the files of a view. Loads, casts and traces what the cache lacks. */

@@ -22,9 +22,11 @@ struct run {
     struct aob_measurement measurement;
     struct aob_run_folder folder;
     struct aob_progress progress;
-    json_t *info;     /* what run.json says (info.h); at the end with the seconds */
-    size_t stored;    /* records of this time */
-    size_t counts[4]; /* by status, in status_names' order, of the cases in this run's plan */
+    json_t *info;          /* what run.json says (info.h); at the end with the seconds */
+    size_t stored;         /* records of this time */
+    size_t counts[4];      /* by status, in status_names' order, of the cases in this run's plan */
+    size_t imprecise;      /* of them, those whose time is less precise than was wanted, */
+    double seconds_needed; /* and what the worst of them would need; 0: none knows */
     struct aob_error store_error;
     int64_t start_ns;
 };
@@ -39,10 +41,10 @@ static bool read_config(struct run *run, struct aob_error *error)
     for (size_t i = 0; i < config->size_count; i++)
         if (desc->max_width && config->sizes[i].width > desc->max_width)
             config->sizes[i].width = desc->max_width;
-    if (desc->max_seconds > 0 && config->seconds > desc->max_seconds)
-        config->seconds = desc->max_seconds;
-    config->seconds *= exp2(desc->patience);
-    config->narrow *= exp2(-desc->patience);
+    if (desc->seconds > 0)
+        config->seconds = desc->seconds;
+    if (desc->precision > 0)
+        config->precision = desc->precision;
     if (desc->max_spp && config->spp > desc->max_spp)
         config->spp = desc->max_spp;
     return true;
@@ -78,6 +80,12 @@ static void count(struct run *run, const json_t *record)
     const char *status = json_string_value(json_object_get(record, "status"));
     for (size_t i = 0; status && i < AOB_COUNT(status_names); i++)
         run->counts[i] += strcmp(status, status_names[i]) == 0;
+    const json_t *time = json_object_get(record, "time"), *precision = json_object_get(time, "precision");
+    double seconds = json_number_value(json_object_get(time, "seconds_needed"));
+    if (!precision || (json_is_number(precision) && !(seconds > 0)))
+        return;
+    run->imprecise++;
+    run->seconds_needed = fmax(run->seconds_needed, seconds);
 }
 
 /* Below the run's folder: a file that is there and not known to be wrong. One that cannot be read may be good. */
@@ -264,20 +272,46 @@ static bool write_report(struct run *run, struct aob_error *error)
     return ok && aob_run_folder_describe(&run->folder, run->info, error);
 }
 
-static bool print_summary(const struct run *run, struct aob_error *error)
+/* "; 3 are less precise than 3 %, seconds: 12 would do". Two digits of an estimate are enough. */
+static void add_imprecise(const struct run *run, struct aob_text *text)
 {
-    if (!run->desc->quiet)
-        aob_note("%zu cases: %zu ok, %zu unsupported, %zu invalid, %zu failed; page: %s/report/index.html",
-                 run->sweep.plan.case_count, run->counts[0], run->counts[1], run->counts[2], run->counts[3],
-                 run->folder.path);
-    if (!run->desc->json)
-        return true;
+    if (!run->imprecise)
+        return;
+    aob_text_add(text, "; %zu less precise than %g %%", run->imprecise, 100 * run->sweep.config.precision);
+    double step = run->seconds_needed > 0 ? pow(10, floor(log10(run->seconds_needed)) - 1) : 0;
+    if (step > 0)
+        aob_text_add(text, ", for which seconds: %g would do", ceil(run->seconds_needed / step) * step);
+}
+
+static json_t *summary_to_json(const struct run *run)
+{
     json_t *counts = json_object();
     for (size_t i = 0; i < AOB_COUNT(status_names); i++)
         json_object_set_new(counts, status_names[i], json_integer((json_int_t)run->counts[i]));
-    json_t *document = json_pack("{s:s, s:s, s:i, s:o, s:O}", "name", run->sweep.config.name, "folder",
-                                 run->folder.path, "cases", (int)run->sweep.plan.case_count, "status", counts,
-                                 "seconds", json_object_get(run->info, "seconds"));
+    double seconds = run->seconds_needed > 0 ? run->seconds_needed : NAN;
+    return json_pack("{s:s, s:s, s:i, s:o, s:{s:i, s:o}, s:O}", "name", run->sweep.config.name, "folder",
+                     run->folder.path, "cases", (int)run->sweep.plan.case_count, "status", counts,
+                     "imprecise", "cases", (int)run->imprecise, "seconds_needed", aob_json_number(seconds),
+                     "seconds", json_object_get(run->info, "seconds"));
+}
+
+static void note_summary(const struct run *run)
+{
+    struct aob_text imprecise = {0};
+    add_imprecise(run, &imprecise);
+    aob_note("%zu cases: %zu ok, %zu unsupported, %zu invalid, %zu failed%s; page: %s/report/index.html",
+             run->sweep.plan.case_count, run->counts[0], run->counts[1], run->counts[2], run->counts[3],
+             imprecise.data ? imprecise.data : "", run->folder.path);
+    aob_text_finish(&imprecise);
+}
+
+static bool print_summary(const struct run *run, struct aob_error *error)
+{
+    if (!run->desc->quiet)
+        note_summary(run);
+    if (!run->desc->json)
+        return true;
+    json_t *document = summary_to_json(run);
     bool ok = aob_json_write(document, run->desc->json, error);
     json_decref(document);
     return ok;

@@ -15,9 +15,9 @@ struct aob_run_desc {
     bool no_page;       /* the journal only; `aobudget report` can make the page later */
     int max_width; /* pixels; of wider pictures only the middle columns, at their scale, so that a pixel costs what
                            it did; 0: as the config says */
-    double max_seconds; /* of timing a case; 0: as the config says */
-    int patience;       /* times to double these seconds and to halve the interval that ends timing early */
-    int max_spp;        /* rays a pixel of the reference, even; 0: as the config says */
+    double seconds;   /* of timing a case; 0: as the config says */
+    double precision; /* share that ends timing early; 0: as the config says */
+    int max_spp;      /* rays a pixel of the reference, even; 0: as the config says */
 };
 
 /* OK: every case of the plan is measured. PART: some are not; each has its reason in the journal. USAGE:

@@ -87,38 +87,52 @@ static bool judge_earlier_run(const struct aob_run_folder *folder, json_t *info,
     return ok;
 }
 
-/* Removes only names that a run writes: 32 hexadecimal digits and .exr. A user's own files stay. */
-static void discard_images(const char *images)
+/* Removes only names that a run writes: 32 hexadecimal digits and the ending. A user's own files stay. */
+static void discard_files(const char *path, const char *name, const char *ending)
 {
-    DIR *directory = opendir(images);
+    char *folder = aob_path_join(path, name);
+    DIR *directory = opendir(folder);
     for (struct dirent *entry; directory && (entry = readdir(directory));) {
-        if (strspn(entry->d_name, "0123456789abcdef") != 32 || strcmp(entry->d_name + 32, ".exr") != 0)
+        if (strspn(entry->d_name, "0123456789abcdef") != 32 || strcmp(entry->d_name + 32, ending) != 0)
             continue;
-        char *path = aob_path_join(images, entry->d_name);
-        unlink(path);
-        free(path);
+        char *file = aob_path_join(folder, entry->d_name);
+        unlink(file);
+        free(file);
     }
     if (directory)
         closedir(directory);
+    free(folder);
 }
 
-static bool discard_earlier_run(struct aob_run_folder *folder, const char *images, const char *truths,
-                                struct aob_error *error)
+static bool discard_earlier_run(struct aob_run_folder *folder, struct aob_error *error)
 {
-    discard_images(images);
-    discard_images(truths);
+    discard_files(folder->path, "images", ".exr");
+    discard_files(folder->path, "truths", ".exr");
+    discard_files(folder->path, "rounds", ".jsonl.zst");
     return aob_journal_clear(&folder->journal, error);
 }
 
 /* What a killed run left half-written. */
 static void clean_parts(const char *path)
 {
-    static const char *const folders[] = {".", "images", "truths", "graphs", "report", NULL};
+    static const char *const folders[] = {".", "images", "truths", "rounds", "graphs", "report", NULL};
     for (const char *const *f = folders; *f; f++) {
         char *folder = aob_path_join(path, *f);
         aob_part_clean(folder);
         free(folder);
     }
+}
+
+static bool create_folders(const char *path, struct aob_error *error)
+{
+    static const char *const folders[] = {"images", "truths", "rounds", NULL};
+    bool ok = true;
+    for (const char *const *f = folders; *f && ok; f++) {
+        char *folder = aob_path_join(path, *f);
+        ok = aob_folder_create(folder, error);
+        free(folder);
+    }
+    return ok;
 }
 
 bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t *info, bool fresh,
@@ -127,16 +141,12 @@ bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t
     *folder = (struct aob_run_folder){.path = aob_strdup(path),
                                       .info = aob_path_join(path, "run.json"),
                                       .journal_path = aob_path_join(path, "journal.jsonl")};
-    char *images = aob_path_join(path, "images"), *truths = aob_path_join(path, "truths");
-    bool ok = aob_folder_create(path, error) && aob_folder_create(images, error) &&
-              aob_folder_create(truths, error) && (fresh || judge_earlier_run(folder, info, error)) &&
+    bool ok = aob_folder_create(path, error) && create_folders(path, error) &&
+              (fresh || judge_earlier_run(folder, info, error)) &&
               aob_journal_open(&folder->journal, folder->journal_path, error) &&
-              (!fresh || discard_earlier_run(folder, images, truths, error)) &&
-              aob_run_folder_describe(folder, info, error);
+              (!fresh || discard_earlier_run(folder, error)) && aob_run_folder_describe(folder, info, error);
     if (ok)
         clean_parts(path);
-    free(images);
-    free(truths);
     return ok;
 }
 

@@ -1,4 +1,5 @@
-/* The folder of a run: journal.jsonl, run.json (which run it is), images/, truths/, report/. */
+/* The folder of a run: journal.jsonl, run.json (which run it is), images/, truths/, rounds/,
+ * report/. */
 #ifndef AOB_STORE_RUN_FOLDER_H
 #define AOB_STORE_RUN_FOLDER_H
 #include <jansson.h>

@@ -2,22 +2,22 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/clock.h"
 #include "base/memory.h"
+#include "base/statistics.h"
+#include "summary.h"
 
-enum { SLOT_FIXED, SLOT_CONTROL, SLOT_CASES, SLOT_MAX = SLOT_CASES + AOB_BLOCK_MAX };
-
-/* One block while it is measured: rounds x slots of times. */
+/* One block while one process measures it. */
 struct run {
     const struct aob_timing_desc *desc;
-    const struct aob_timing_clock *clock;
-    size_t slots, rounds;
-    int repeats; /* frames a slot */
-    double cpu[SLOT_MAX][AOB_ROUNDS_MAX], wall[SLOT_MAX][AOB_ROUNDS_MAX];
-    bool clean[SLOT_MAX][AOB_ROUNDS_MAX];
-    double pass_cpu[AOB_BLOCK_MAX][AOB_MAX_PASS][AOB_ROUNDS_MAX];
+    const struct aob_timing_source *source;
+    size_t slots;
+    double cost_ms[AOB_SLOT_MAX]; /* a frame, by the judged clock */
+    int frames[AOB_SLOT_MAX];     /* a slot */
+    struct aob_round_list *rounds;
+    size_t first;      /* of this process in the list */
+    double measured_s; /* wall time inside its slots */
     uint64_t random;
-    size_t order[SLOT_MAX];
+    size_t order[AOB_SLOT_MAX];
 };
 
 static bool run_on_device(void *user, struct aob_frame *frame, int repeats, struct aob_frame_time *time,
@@ -27,53 +27,104 @@ static bool run_on_device(void *user, struct aob_frame *frame, int repeats, stru
     return aob_frame_run(frame, repeats, time, error);
 }
 
-static int64_t machine_now(void *user)
+static struct aob_causes causes_here(void *user)
 {
     (void)user;
-    return aob_clock_wall_ns();
+    return aob_causes_now();
 }
 
-static int64_t machine_preemptions(void *user)
-{
-    (void)user;
-    return aob_clock_preemptions();
-}
-
-static const struct aob_timing_clock machine = {run_on_device, machine_now, machine_preemptions, NULL};
-
-static int64_t now_ns(const struct run *run)
-{
-    return run->clock->now_ns(run->clock->user);
-}
-
-static int64_t preemptions(const struct run *run)
-{
-    return run->clock->preemptions(run->clock->user);
-}
+static const struct aob_timing_source here = {run_on_device, causes_here, NULL};
 
 static struct aob_frame *slot_frame(const struct run *run, size_t slot)
 {
-    return slot < SLOT_CASES ? run->desc->fixed : run->desc->frames[slot - SLOT_CASES];
+    return slot < AOB_SLOT_CASES ? run->desc->fixed : run->desc->frames[slot - AOB_SLOT_CASES];
 }
 
-/* Of one frame of the slot's; positive, as ratios are taken of it. */
-static double frame_ms(const struct run *run, int64_t ns)
+static struct aob_spent spent(const struct aob_gpu_time *time)
 {
-    return fmax((double)ns * 1e-6 / run->repeats, 1e-9);
+    return (struct aob_spent){
+        {[AOB_CLOCK_CPU] = time->cpu_ns, [AOB_CLOCK_WALL] = time->wall_ns, [AOB_CLOCK_DEVICE] = AOB_NO_TIME}};
 }
 
-static bool run_slot(struct run *run, size_t slot, size_t round, struct aob_error *error)
+static bool run_slot(const struct run *run, size_t slot, int frames, struct aob_slot *into,
+                     struct aob_error *error)
 {
     struct aob_frame *frame = slot_frame(run, slot);
     struct aob_frame_time time;
-    int64_t preempted = preemptions(run);
-    if (!run->clock->run(run->clock->user, frame, run->repeats, &time, error))
+    struct aob_causes before = run->source->causes(run->source->user);
+    if (!run->source->run(run->source->user, frame, frames, &time, error))
         return false;
-    run->clean[slot][round] = preemptions(run) == preempted;
-    run->cpu[slot][round] = frame_ms(run, time.whole.cpu_ns);
-    run->wall[slot][round] = frame_ms(run, time.whole.wall_ns);
-    for (int p = 0; slot >= SLOT_CASES && p < frame->graph.pass_count; p++)
-        run->pass_cpu[slot - SLOT_CASES][p][round] = frame_ms(run, time.passes[p].cpu_ns);
+    struct aob_causes after = run->source->causes(run->source->user);
+    into->frames = frames;
+    into->whole = spent(&time.whole);
+    into->causes = aob_causes_between(&before, &after);
+    into->pass_count = 0;
+    for (int p = 0; p < frame->graph.pass_count; p++)
+        if (frame->passes[p])
+            into->passes[into->pass_count++] = spent(&time.passes[p]);
+    return true;
+}
+
+/* Takes the slot's cost from so many of its frames. */
+static bool probe_slot(struct run *run, size_t slot, int frames, struct aob_error *error)
+{
+    struct aob_slot probe;
+    if (!run_slot(run, slot, frames, &probe, error))
+        return false;
+    run->cost_ms[slot] = aob_slot_ms(&probe, run->desc->clock);
+    return true;
+}
+
+/* As many frames as take so long; a clock that stands still must not make them endless. */
+static int frames_for(const struct run *run, size_t slot, double ms)
+{
+    const double most = 100000;
+    return (int)fmax(fmin(round(ms / run->cost_ms[slot]), most), 1);
+}
+
+/* The fixed pass alone, until three successive slots of it agree within 10 %: on a processor ten at most. The clocks of
+ * other devices rise with their load: they get a fifth of a second of it before their times count, and two seconds at
+ * most. */
+static bool settle(struct run *run, struct aob_error *error)
+{
+    const bool ramps = run->desc->clock != AOB_CLOCK_CPU;
+    const double least_ms = ramps ? 200 : 0, most_ms = ramps ? 2000 : INFINITY;
+    double loaded_ms = 0, older, old = INFINITY, now = INFINITY;
+    for (int slots = 0; (ramps || slots < 10) && loaded_ms < most_ms; slots++) {
+        int frames = frames_for(run, AOB_SLOT_FIXED, AOB_SLOT_LEAST_MS);
+        if (!probe_slot(run, AOB_SLOT_FIXED, frames, error))
+            return false;
+        older = old;
+        old = now;
+        now = run->cost_ms[AOB_SLOT_FIXED];
+        loaded_ms += now * frames;
+        if (fabs(now - old) < 0.1 * now && fabs(old - older) < 0.1 * now && loaded_ms >= least_ms)
+            break;
+    }
+    return true;
+}
+
+static bool warm_up(struct run *run, struct aob_error *error)
+{
+    for (int turn = 0; turn < 2; turn++)
+        for (size_t s = 0; s < run->slots; s++)
+            if (!probe_slot(run, s, 1, error))
+                return false;
+    return settle(run, error);
+}
+
+/* From as many frames as can be measured well. */
+static bool choose_frames(struct run *run, struct aob_error *error)
+{
+    double dearest = 0;
+    for (size_t s = 0; s < run->slots; s++) {
+        if (!probe_slot(run, s, frames_for(run, s, AOB_SLOT_LEAST_MS), error))
+            return false;
+        dearest = fmax(dearest, run->cost_ms[s]);
+    }
+    double slot_ms = fmin(fmax(dearest, AOB_SLOT_LEAST_MS), AOB_SLOT_MOST_MS);
+    for (size_t s = 0; s < run->slots; s++)
+        run->frames[s] = frames_for(run, s, slot_ms);
     return true;
 }
 
@@ -101,63 +152,38 @@ static void order_round(struct run *run, size_t round)
     run->order[run->slots - 1] = first;
 }
 
-static bool run_round(struct run *run, size_t round, struct aob_error *error)
+static bool run_round(struct run *run, size_t number, struct aob_error *error)
 {
-    order_round(run, round);
-    for (size_t i = 0; i < run->slots; i++)
-        if (!run_slot(run, run->order[i], round, error))
+    struct aob_round *round = AOB_PUSH(run->rounds->items, run->rounds->count, run->rounds->capacity);
+    *round = (struct aob_round){.process = run->desc->process,
+                                .number = (int)number,
+                                .seed = run->desc->seed,
+                                .clock = run->desc->clock,
+                                .slot_count = run->slots};
+    order_round(run, number);
+    for (size_t i = 0; i < run->slots; i++) {
+        size_t slot = run->order[i];
+        round->slots[slot].place = (int)i;
+        if (!run_slot(run, slot, run->frames[slot], &round->slots[slot], error))
             return false;
-    return true;
-}
-
-/* Two whole rounds (drivers compile at the first draw), then the fixed pass alone until three successive ones
- * agree within 10 %, ten at most. */
-static bool warm_up(struct run *run, struct aob_error *error)
-{
-    for (size_t round = 0; round < 2; round++)
-        if (!run_round(run, round, error))
-            return false;
-    for (size_t round = 2; round < 12; round++) {
-        const double *cpu = &run->cpu[SLOT_FIXED][round];
-        if (!run_slot(run, SLOT_FIXED, round, error))
-            return false;
-        if (round >= 4 && fabs(cpu[0] - cpu[-1]) < 0.1 * cpu[0] && fabs(cpu[-1] - cpu[-2]) < 0.1 * cpu[0])
-            break;
     }
+    run->measured_s += aob_round_seconds(round);
     return true;
-}
-
-/* A slot has as many frames as make the cheapest take 2 ms, as long as the dearest stays within 100 ms. */
-static void choose_repeats(struct run *run)
-{
-    double cheapest = INFINITY, dearest = 0;
-    for (size_t s = 0; s < run->slots; s++) {
-        cheapest = fmin(cheapest, run->cpu[s][1]);
-        dearest = fmax(dearest, run->cpu[s][1]);
-    }
-    double wanted = fmin(ceil(2 / cheapest), floor(100 / dearest));
-    run->repeats = wanted < 1 ? 1 : wanted > 16 ? 16 : (int)wanted;
-}
-
-static const double *judged(const struct run *run, size_t slot)
-{
-    return run->desc->wall ? run->wall[slot] : run->cpu[slot];
 }
 
 static bool is_check_point(size_t rounds)
 {
-    for (double n = 20; n < AOB_ROUNDS_MAX; n *= 1.5)
-        if ((size_t)n == rounds)
-            return true;
-    return false;
+    double n = 20;
+    while ((size_t)n < rounds)
+        n *= 1.5;
+    return (size_t)n == rounds;
 }
 
 static bool narrow_enough(const struct run *run)
 {
-    double factor = 1 + (run->desc->narrow > 0 ? run->desc->narrow : 0.03);
-    for (size_t s = SLOT_CASES; s < run->slots; s++) {
-        struct aob_ratio r = aob_paired_ratio(judged(run, s), judged(run, SLOT_FIXED), run->rounds);
-        if (!r.bounded || r.high > r.ratio * factor || r.low < r.ratio / factor)
+    for (size_t s = AOB_SLOT_CASES; s < run->slots; s++) {
+        struct aob_ratio ratio = aob_rounds_own_ratio(run->rounds, run->first, s);
+        if (aob_ratio_width(&ratio) > run->desc->precision)
             return false;
     }
     return true;
@@ -165,66 +191,26 @@ static bool narrow_enough(const struct run *run)
 
 static bool measure(struct run *run, struct aob_error *error)
 {
-    int64_t limit = now_ns(run) + (int64_t)(run->desc->seconds * (double)run->desc->frame_count * 1e9);
-    for (run->rounds = 0; run->rounds < AOB_ROUNDS_MAX;) {
-        if (!run_round(run, run->rounds, error))
+    double limit = run->desc->seconds * (double)run->desc->frame_count;
+    for (size_t count = 0;;) {
+        if (!run_round(run, count, error))
             return false;
-        run->rounds++;
-        if (is_check_point(run->rounds) && narrow_enough(run))
-            break;
-        if (run->rounds >= 6 && now_ns(run) > limit) /* six: the fewest that have an interval */
-            break;
-    }
-    return true;
-}
-
-static double total_seconds(const struct run *run, size_t slot)
-{
-    double sum = 0;
-    for (size_t r = 0; r < run->rounds; r++)
-        sum += run->wall[slot][r] * run->repeats * 1e-3;
-    return sum;
-}
-
-static void summarise(const struct run *run, size_t index, struct aob_timing *timing)
-{
-    size_t slot = SLOT_CASES + index;
-    double clean[AOB_ROUNDS_MAX];
-    *timing = (struct aob_timing){.rounds = run->rounds};
-    for (size_t r = 0; r < run->rounds; r++)
-        if (run->clean[slot][r])
-            clean[timing->clean_rounds++] = run->wall[slot][r];
-    timing->cpu_ms = aob_median(run->cpu[slot], run->rounds);
-    timing->wall_ms = timing->clean_rounds ? aob_median(clean, timing->clean_rounds) : NAN;
-    timing->to_fixed = aob_paired_ratio(judged(run, slot), judged(run, SLOT_FIXED), run->rounds);
-    timing->measured_s = total_seconds(run, slot);
-    for (int p = 0; p < run->desc->frames[index]->graph.pass_count; p++) {
-        timing->pass_cpu_ms[p] = aob_median(run->pass_cpu[index][p], run->rounds);
-        timing->pass_to_fixed[p] =
-            aob_paired_ratio(run->pass_cpu[index][p], run->cpu[SLOT_FIXED], run->rounds);
+        count++;
+        if (is_check_point(count) && narrow_enough(run))
+            return true;
+        if (count >= AOB_ROUNDS_LEAST && run->measured_s >= limit)
+            return true;
     }
 }
 
-bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_block_timing *result,
+bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_round_list *rounds,
                     struct aob_error *error)
 {
-    struct run *run = AOB_NEW(struct run);
-    *run = (struct run){.desc = desc,
-                        .clock = desc->clock ? desc->clock : &machine,
-                        .slots = SLOT_CASES + desc->frame_count,
-                        .repeats = 1,
-                        .random = desc->seed};
-    bool ok = warm_up(run, error);
-    if (ok)
-        choose_repeats(run);
-    ok = ok && measure(run, error);
-    for (size_t i = 0; ok && i < desc->frame_count; i++)
-        summarise(run, i, &result->cases[i]);
-    if (ok) {
-        result->control = aob_paired_ratio(judged(run, SLOT_CONTROL), judged(run, SLOT_FIXED), run->rounds);
-        result->fixed_cpu_ms = aob_median(run->cpu[SLOT_FIXED], run->rounds);
-        result->fixed_s = total_seconds(run, SLOT_FIXED) + total_seconds(run, SLOT_CONTROL);
-    }
-    free(run);
-    return ok;
+    struct run run = {.desc = desc,
+                      .source = desc->source ? desc->source : &here,
+                      .slots = AOB_SLOT_CASES + desc->frame_count,
+                      .rounds = rounds,
+                      .first = rounds->count,
+                      .random = desc->seed};
+    return warm_up(&run, error) && choose_frames(&run, error) && measure(&run, error);
 }

@@ -1,5 +1,6 @@
-/* Timing of a block: its cases' frames interleaved with the fixed reference pass, round by round, so that
- * drift and load fall on both sides of every ratio (docs/measuring.md says why). */
+/* Timing of a block in one process: its cases' frames interleaved with the fixed reference pass, round by round, so that
+ * drift and load fall on both sides of every ratio (docs/measuring.md says why). What several processes measure is put
+ * together by processes.h. */
 #ifndef AOB_TIMING_TIMING_H
 #define AOB_TIMING_TIMING_H
 #include <stdbool.h>
@@ -7,16 +8,14 @@
 #include <stdint.h>
 #include "base/error.h"
 #include "frame/frame.h"
-#include "plan/plan.h"
-#include "base/statistics.h"
+#include "rounds.h"
 
-/* Where the times of a block come from, so that a test can say what each frame costs. `user` is passed to each. */
-struct aob_timing_clock {
+/* Where the figures of a block come from, so that a test can say what each frame costs. `user` is passed to each. */
+struct aob_timing_source {
     /* As aob_frame_run. */
     bool (*run)(void *user, struct aob_frame *frame, int repeats, struct aob_frame_time *time,
                 struct aob_error *error);
-    int64_t (*now_ns)(void *user);      /* monotonic; it ends the rounds */
-    int64_t (*preemptions)(void *user); /* as aob_clock_preemptions */
+    struct aob_causes (*causes)(void *user); /* as aob_causes_now */
     void *user;
 };
 
@@ -24,32 +23,25 @@ struct aob_timing_desc {
     struct aob_frame *fixed; /* the fixed reference pass; run twice a round (the second is the A/A control) */
     struct aob_frame *const *frames; /* frame_count cases, 1..AOB_BLOCK_MAX */
     size_t frame_count;
-    double seconds; /* a case; timing stops there even if the interval is still wide */
-    double narrow;  /* share that an interval may reach to either side for timing to end early; 0: 0.03 */
-    uint32_t seed;  /* of the order within rounds */
-    bool wall;      /* judge by wall time (a real GPU), else by processor time */
-    const struct aob_timing_clock *clock; /* NULL: the frame's device and this process's clocks */
+    double
+        seconds; /* a case, of wall time inside the rounds: timing ends there even if an interval is still wide */
+    double
+        precision; /* share: timing ends early where each case's own interval is as narrow; 0: it does not */
+    int process;   /* written into the rounds */
+    uint32_t seed; /* of the order within rounds */
+    enum aob_clock
+        clock; /* that costs are judged by. Other than AOB_CLOCK_CPU: a device whose clocks rise under load */
+    const struct aob_timing_source *source; /* NULL: the frame's device and this process */
 };
-enum { AOB_ROUNDS_MAX = 230 };
+enum { AOB_ROUNDS_LEAST = 2 }; /* a process */
 
-struct aob_timing {                   /* of one case; milliseconds a frame */
-    double cpu_ms, wall_ms;           /* medians over rounds; wall over clean rounds, NAN if there is none */
-    struct aob_ratio to_fixed;        /* paired ratio to the fixed pass */
-    size_t rounds, clean_rounds;      /* clean: no involuntary context switch during the case's frames */
-    double pass_cpu_ms[AOB_MAX_PASS]; /* medians */
-    struct aob_ratio pass_to_fixed[AOB_MAX_PASS]; /* paired ratios of processor time to the fixed pass */
-    double measured_s;                            /* wall time inside measured frames, all rounds */
-};
-struct aob_block_timing {
-    struct aob_timing cases[AOB_BLOCK_MAX];
-    struct aob_ratio control; /* fixed pass against itself: what this block cannot resolve */
-    double fixed_cpu_ms;
-    double fixed_s; /* wall time inside the fixed pass, all rounds */
-};
-
-/* Warm-up (two rounds, then the fixed pass until it is steady; drivers compile at the first draw), then
- * rounds in a seeded cyclic order until every ratio's 95 % interval is narrow enough at a check point (20, 30,
- * 45, 67, 101, 151, 227 rounds) or time is up. */
-bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_block_timing *result,
+/* 1. Every slot runs one frame, twice: drivers compile at the first draw. 2. The fixed pass alone, until it is steady.
+ * 3. Each slot is given its number of frames: a slot takes as long as the dearest frame, at least AOB_SLOT_LEAST_MS and
+ * at most AOB_SLOT_MOST_MS, whatever its case costs. 4. Rounds, in seeded cyclic Latin squares, until every case's
+ * interval is narrow enough at a check point (20, 30, 45, 67, 101, ... rounds) or time is up. Adds the rounds of 4 to
+ * the list. */
+#define AOB_SLOT_LEAST_MS 2.0
+#define AOB_SLOT_MOST_MS  100.0
+bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_round_list *rounds,
                     struct aob_error *error);
 #endif

@@ -68,29 +68,44 @@ static const struct aob_screen *use_screen(struct aob_block *block, const struct
     return screen;
 }
 
-static void init_frame(struct aob_worker *worker, struct aob_block *block, size_t index)
+/* False: its status and reason are in the two last. */
+static bool init_frame(struct aob_block *block, size_t index, const char **status, struct aob_error *error)
 {
     const struct aob_block_case *c = &block->job.cases[index];
     struct aob_frame *frame = &block->frames[block->frame_count];
-    struct aob_error error = {{0}};
     unsigned char values[4 * AOB_MAX_PARAM];
     struct aob_options options;
     const struct aob_screen *screen = NULL;
-    const struct aob_technique *technique = aob_registry_open(&block->registry, &c->technique, &error);
+    const struct aob_technique *technique = aob_registry_open(&block->registry, &c->technique, error);
     int64_t start = aob_clock_wall_ns();
-    if (!technique) {
-        reply_failure(worker, index, "failed", error.text);
-        return;
-    }
+    *status = "failed";
+    if (!technique)
+        return false;
     aob_param_pack(aob_option_params, AOB_OPTION_COUNT, c->options, &options, sizeof options);
-    if (!aob_worker_values(technique, c->params, c->param_count, values, &error) ||
-        !(screen = use_screen(block, &options, &error)) ||
-        !aob_frame_init(frame, screen, technique, values, (enum aob_fetch)options.fetch, &error)) {
-        reply_failure(worker, index, frame->unfit ? "unsupported" : "failed", error.text);
-        return;
+    if (!aob_worker_values(technique, c->params, c->param_count, values, error) ||
+        !(screen = use_screen(block, &options, error)) ||
+        !aob_frame_init(frame, screen, technique, values, (enum aob_fetch)options.fetch, error)) {
+        *status = frame->unfit ? "unsupported" : "failed";
+        return false;
     }
     block->setup_ms[block->frame_count] = seconds_since(start) * 1e3;
     block->case_of_frame[block->frame_count++] = index;
+    return true;
+}
+
+/* A case that has no frame is told where cases are judged; a process that only times has failed then. */
+static bool init_frames(struct aob_worker *worker, struct aob_block *block, struct aob_error *error)
+{
+    for (size_t i = 0; i < block->job.case_count; i++) {
+        struct aob_error why = {{0}};
+        const char *status;
+        if (init_frame(block, i, &status, &why))
+            continue;
+        if (!block->job.score)
+            return aob_fail(error, "%s", why.text);
+        reply_failure(worker, i, status, why.text);
+    }
+    return true;
 }
 
 static void reply_case(struct aob_worker *worker, struct aob_block *block, size_t f)
@@ -101,11 +116,10 @@ static void reply_case(struct aob_worker *worker, struct aob_block *block, size_
                                "fingerprint", fingerprint(block));
     if (block->difference)
         json_object_set(answer, "gbuffer", block->difference);
-    if (aob_block_score(block, f, answer, &error)) {
+    block->good[f] = aob_block_score(block, f, answer, &error);
+    if (block->good[f])
         json_object_set_new(answer, "status", json_string("ok"));
-        if (block->job.time)
-            json_object_set_new(answer, "time", aob_block_time_to_json(block, f));
-    } else
+    else
         json_object_set_new(answer, "reason", json_string(error.text));
     aob_worker_reply(worker, answer);
 }
@@ -131,21 +145,18 @@ static bool open_device(struct aob_block *block, struct aob_error *error)
            use_screen(block, &(struct aob_options){0}, error);
 }
 
+/* Images come first, so that only what is worth it is timed. */
 static bool run_cases(struct aob_worker *worker, struct aob_block *block, struct aob_error *error)
 {
     int64_t start = aob_clock_wall_ns();
-    for (size_t i = 0; i < block->job.case_count; i++)
-        init_frame(worker, block, i);
-    if (block->job.time && block->frame_count) {
-        if (!aob_frame_init(&block->fixed, &block->screens[0], &aob_technique_fixed_pass, &(int32_t){0},
-                            AOB_FETCH_SAMPLED, error) ||
-            !aob_block_measure(block, error))
-            return false;
-    }
-    /* compiling, probing, warming up */
-    block->shares.warmup = seconds_since(start) - block->shares.measured;
-    for (size_t f = 0; f < block->frame_count; f++)
+    if (!init_frames(worker, block, error))
+        return false;
+    for (size_t f = 0; block->job.score && f < block->frame_count; f++)
         reply_case(worker, block, f);
+    if (block->job.time && !aob_block_measure(worker, block, error))
+        return false;
+    /* compiling, probing, warming up */
+    block->shares.warmup = seconds_since(start) - block->shares.measured - block->shares.images;
     aob_worker_reply(worker, aob_block_shares_to_json(&block->shares));
     return true;
 }
@@ -173,10 +184,13 @@ static bool run_block(struct aob_worker *worker, struct aob_error *error)
     struct aob_block *block = AOB_NEW(struct aob_block);
     aob_registry_init(&block->registry);
     bool ok = aob_block_job_from_json(worker->job, &block->job, error) && load_gbuffer(block, error);
-    if (ok && !open_device(block, error))
-        reply_all(worker, block, "unsupported", error->text);
-    else if (ok)
+    bool opened = ok && open_device(block, error);
+    if (opened)
         ok = run_cases(worker, block, error);
+    else if (ok && block->job.score)
+        reply_all(worker, block, "unsupported", error->text);
+    else
+        ok = false;
     finish_block(block);
     return ok;
 }

@@ -4,7 +4,6 @@
 #include <jansson.h>
 #include "frame/frame.h"
 #include "job/block_job.h"
-#include "timing/timing.h"
 #include "worker.h"
 
 /* One block while it is worked on. */
@@ -25,13 +24,12 @@ struct aob_block {
     struct aob_frame fixed, frames[AOB_BLOCK_MAX];
     size_t case_of_frame[AOB_BLOCK_MAX], frame_count;
     double setup_ms[AOB_BLOCK_MAX];
-    struct aob_block_timing timing[AOB_BLOCK_MAX]; /* of each frame, as cases[0] */
+    bool good[AOB_BLOCK_MAX]; /* of each frame, where the job scores: its image is a visibility */
     struct aob_block_shares shares;
 };
 
-/* Times all frames; results go to block->timing and the shares. */
-bool aob_block_measure(struct aob_block *block, struct aob_error *error);
-json_t *aob_block_time_to_json(const struct aob_block *block, size_t f); /* the member `time` of a record */
+/* Times the frames that the job wants timed, and replies with what they are and their rounds. */
+bool aob_block_measure(struct aob_worker *worker, struct aob_block *block, struct aob_error *error);
 
 /* Runs the frame once more, scores its image against the targets and writes the EXR that the case asks for. Puts
  * `errors` into the answer, and `status` invalid where the image is no visibility. */

@@ -1,96 +1,114 @@
 #include <stdlib.h>
-#include "base/clock.h"
-#include "base/json.h"
 #include "base/machine.h"
 #include "block.h"
+#include "timing/fixed_pass.h"
+#include "timing/timing.h"
 
-/* One timing run of some of the block's frames; its results go to their places. */
-static bool time_frames(struct aob_block *block, const size_t *which, size_t count, struct aob_error *error)
+/* Whose time this device's costs are. The processes after the first are told, so that they cannot differ. */
+static bool choose_clock(const struct aob_block *block, enum aob_clock *clock, struct aob_error *error)
+{
+    *clock = block->gpu->info.software ? AOB_CLOCK_CPU : AOB_CLOCK_WALL;
+    return !block->job.clock || aob_clock_find(block->job.clock, clock) ||
+           aob_fail(error, "a block job has an unknown clock '%s'", block->job.clock);
+}
+
+/* A frame that the driver has compiled. */
+static bool probe_cost(struct aob_block *block, size_t f, enum aob_clock clock, double *ms,
+                       struct aob_error *error)
+{
+    struct aob_frame_time time;
+    if (!aob_frame_run(&block->frames[f], 1, &time, error))
+        return false;
+    *ms = 1e-6 * (double)(clock == AOB_CLOCK_CPU ? time.whole.cpu_ns : time.whole.wall_ns);
+    return true;
+}
+
+/* The frames that are timed together. A case dearer than the longest slot would take the rounds of its neighbours: it is
+ * left for a process of its own, unless there is nothing else to time. */
+static bool choose_frames(struct aob_block *block, enum aob_clock clock, size_t *which, size_t *count,
+                          struct aob_error *error)
+{
+    size_t dear = block->frame_count;
+    double ms;
+    *count = 0;
+    for (size_t f = 0; f < block->frame_count; f++) {
+        if (block->job.score && !block->good[f])
+            continue;
+        if (block->job.score && !probe_cost(block, f, clock, &ms, error))
+            return false;
+        if (!block->job.score || ms <= AOB_SLOT_MOST_MS)
+            which[(*count)++] = f;
+        else if (dear == block->frame_count)
+            dear = f;
+    }
+    if (!*count && dear < block->frame_count)
+        which[(*count)++] = dear;
+    return true;
+}
+
+static json_t *pass_names(const struct aob_frame *frame)
+{
+    json_t *names = json_array();
+    for (int p = 0; p < frame->graph.pass_count; p++)
+        if (frame->passes[p])
+            json_array_append_new(names, json_string(frame->graph.passes[p].name));
+    return names;
+}
+
+static void reply_timed(struct aob_worker *worker, const struct aob_block *block, enum aob_clock clock,
+                        const size_t *which, size_t count)
+{
+    const char *threads = getenv("LP_NUM_THREADS");
+    struct aob_block_timed timed = {
+        .clock = clock, .threads = threads ? atoi(threads) : aob_machine_cores(), .count = count};
+    for (size_t i = 0; i < count; i++)
+        timed.cases[i] = (struct aob_block_timed_case){
+            block->case_of_frame[which[i]], block->setup_ms[which[i]], pass_names(&block->frames[which[i]])};
+    aob_worker_reply(worker, aob_block_timed_to_json(&timed));
+    aob_block_timed_finish(&timed);
+}
+
+static bool time_frames(struct aob_block *block, enum aob_clock clock, const size_t *which, size_t count,
+                        struct aob_round_list *rounds, struct aob_error *error)
 {
     struct aob_frame *frames[AOB_BLOCK_MAX];
-    struct aob_block_timing timing;
     for (size_t i = 0; i < count; i++)
         frames[i] = &block->frames[which[i]];
-    if (!aob_timing_run(&(struct aob_timing_desc){.fixed = &block->fixed,
-                                                  .frames = frames,
-                                                  .frame_count = count,
-                                                  .seconds = block->job.seconds,
-                                                  .narrow = block->job.narrow,
-                                                  .seed = 1,
-                                                  .wall = !block->gpu->info.software},
-                        &timing, error))
+    return aob_frame_init(&block->fixed, &block->screens[0], &aob_technique_fixed_pass, &(int32_t){0},
+                          AOB_FETCH_SAMPLED, error) &&
+           aob_timing_run(&(struct aob_timing_desc){.fixed = &block->fixed,
+                                                    .frames = frames,
+                                                    .frame_count = count,
+                                                    .seconds = block->job.seconds,
+                                                    .precision = block->job.precision,
+                                                    .process = block->job.process,
+                                                    .seed = block->job.seed,
+                                                    .clock = clock},
+                          rounds, error);
+}
+
+static void reply_rounds(struct aob_worker *worker, struct aob_block *block,
+                         const struct aob_round_list *rounds)
+{
+    for (size_t r = 0; r < rounds->count; r++) {
+        block->shares.measured += aob_round_seconds(&rounds->items[r]);
+        aob_worker_reply(worker, json_pack("{s:o}", "round", aob_round_to_json(&rounds->items[r])));
+    }
+}
+
+bool aob_block_measure(struct aob_worker *worker, struct aob_block *block, struct aob_error *error)
+{
+    struct aob_round_list rounds = {0};
+    size_t which[AOB_BLOCK_MAX], count;
+    enum aob_clock clock;
+    if (!choose_clock(block, &clock, error) || !choose_frames(block, clock, which, &count, error))
         return false;
-    for (size_t i = 0; i < count; i++) {
-        block->timing[which[i]] = timing;
-        block->timing[which[i]].cases[0] = timing.cases[i];
-        block->shares.measured += timing.cases[i].measured_s;
-    }
-    block->shares.measured += timing.fixed_s;
-    return true;
-}
-
-/* A frame in milliseconds of this process, after the driver has compiled it. */
-static bool probe_cost(struct aob_block *block, size_t f, double *ms, struct aob_error *error)
-{
-    int64_t start = 0;
-    for (int i = 0; i < 2; i++) {
-        start = aob_clock_cpu_ns();
-        if (!aob_frame_run(&block->frames[f], 1, NULL, error))
-            return false;
-    }
-    *ms = (double)(aob_clock_cpu_ns() - start) * 1e-6;
-    return true;
-}
-
-/* A case dearer than 100 ms a frame is timed by itself: it would take the rounds of its neighbours. */
-bool aob_block_measure(struct aob_block *block, struct aob_error *error)
-{
-    size_t cheap[AOB_BLOCK_MAX], cheap_count = 0;
-    double ms;
-    for (size_t f = 0; f < block->frame_count; f++) {
-        if (!probe_cost(block, f, &ms, error))
-            return false;
-        if (ms <= 100)
-            cheap[cheap_count++] = f;
-        else if (!time_frames(block, &f, 1, error))
-            return false;
-    }
-    return !cheap_count || time_frames(block, cheap, cheap_count, error);
-}
-
-/* The interval is null where there are too few rounds for one. */
-static json_t *bound_to_json(const struct aob_ratio *ratio, double bound)
-{
-    return ratio->bounded ? json_real(bound) : json_null();
-}
-
-static json_t *passes_to_json(const struct aob_frame *frame, const struct aob_timing *t)
-{
-    json_t *passes = json_array();
-    for (int p = 0; p < frame->graph.pass_count; p++) {
-        const struct aob_ratio *ratio = &t->pass_to_fixed[p];
-        if (frame->passes[p])
-            json_array_append_new(passes,
-                                  json_pack("{s:s, s:f, s:f, s:o, s:o}", "name", frame->graph.passes[p].name,
-                                            "cpu_ms", t->pass_cpu_ms[p], "ratio_to_ref", ratio->ratio,
-                                            "ci_low", bound_to_json(ratio, ratio->low), "ci_high",
-                                            bound_to_json(ratio, ratio->high)));
-    }
-    return passes;
-}
-
-json_t *aob_block_time_to_json(const struct aob_block *block, size_t f)
-{
-    const struct aob_block_timing *run = &block->timing[f];
-    const struct aob_timing *t = &run->cases[0];
-    const char *threads = getenv("LP_NUM_THREADS");
-    return json_pack("{s:s, s:f, s:o, s:f, s:o, s:o, s:i, s:i, s:i, s:f, s:f, s:f, s:f, s:o}", "clock",
-                     block->gpu->info.software ? "cpu" : "wall", "cpu_ms", t->cpu_ms, "wall_ms",
-                     aob_json_number(t->wall_ms), "ratio_to_ref", t->to_fixed.ratio, "ci_low",
-                     bound_to_json(&t->to_fixed, t->to_fixed.low), "ci_high",
-                     bound_to_json(&t->to_fixed, t->to_fixed.high), "rounds", (int)t->rounds, "clean_rounds",
-                     (int)t->clean_rounds, "threads", threads ? atoi(threads) : aob_machine_cores(),
-                     "setup_ms", block->setup_ms[f], "ref_cpu_ms", run->fixed_cpu_ms, "control_low",
-                     run->control.low, "control_high", run->control.high, "passes",
-                     passes_to_json(&block->frames[f], t));
+    if (!count)
+        return true;
+    reply_timed(worker, block, clock, which, count);
+    bool ok = time_frames(block, clock, which, count, &rounds, error);
+    if (ok)
+        reply_rounds(worker, block, &rounds);
+    aob_rounds_finish(&rounds);
+    return ok;
 }

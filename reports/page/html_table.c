@@ -106,7 +106,8 @@ static const struct column {
     {"backend", "", "", false, add_backend},
     {"size", "px", "", true, add_size},
     {"status", "", "with the reason if it is not ok", false, add_status},
-    {"time", "ms", "of one frame: processor time, or wall time on a real GPU", true, add_time},
+    {"time", "ms", "of one frame: processor time, or on a real GPU the device's or wall time", true,
+     add_time},
     {"ratio", "95 % interval", "time divided by that of the fixed reference pass", true, add_ratio},
     {"memory", "MiB", "textures of the technique", true, add_memory},
 };

@@ -34,11 +34,13 @@ static int small_int(double value)
     return value >= 1 && value <= 65536 ? (int)value : 0;
 }
 
-/* What the case is judged by: processor time on a software driver, wall time on a GPU. */
+/* By the clock that the case is judged by: processor time on a software driver, the device's own on a GPU that has one. */
 static double cost_of(const json_t *time)
 {
-    bool wall = strcmp(aob_member_text(time, "clock"), "wall") == 0;
-    return aob_member_number(time, wall ? "wall_ms" : "cpu_ms");
+    const char *clock = aob_member_text(time, "clock");
+    return aob_member_number(time, strcmp(clock, "device") == 0 ? "device_ms"
+                                   : strcmp(clock, "wall") == 0 ? "wall_ms"
+                                                                : "cpu_ms");
 }
 
 static void take_line(struct aob_row *row, size_t run, const json_t *line)

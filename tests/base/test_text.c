@@ -1,6 +1,7 @@
 #include <string.h>
 #include "base/error.h"
 #include "base/json.h"
+#include "base/memory.h"
 #include "base/text.h"
 #include "check.h"
 
@@ -156,11 +157,31 @@ static void test_a_long_path_leaves_its_cause(void **state)
     assert_string_equal(error.text + sizeof error.text - 1 - 20, "x/b.obj: no triangle");
 }
 
+static void test_a_percentage_has_its_sign(void **state)
+{
+    (void)state;
+    static const char *const bad[] = {
+        "", "%", "3", "3 %", "3%%", "3% ", "x%", "nan%", "0.000000000000000000000000000001%"};
+    double share = 7;
+    for (size_t i = 0; i < AOB_COUNT(bad); i++) {
+        assert_false(aob_parse_percent(bad[i], &share));
+        assert_true(share == 7);
+    }
+    assert_true(aob_parse_percent("3%", &share));
+    assert_float_equal(share, 0.03, 1e-15);
+    assert_true(aob_parse_percent("0.5%", &share));
+    assert_float_equal(share, 0.005, 1e-15);
+    assert_true(aob_parse_percent("-200%", &share)); /* bounds are the caller's */
+    assert_float_equal(share, -2, 1e-15);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_parts_are_joined), cmocka_unit_test(test_lines_that_are_cut_say_so),
-        cmocka_unit_test(test_what_may_be_shown), cmocka_unit_test(test_a_line_is_text),
-        cmocka_unit_test(test_a_long_path_leaves_its_cause)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_parts_are_joined),
+                                       cmocka_unit_test(test_lines_that_are_cut_say_so),
+                                       cmocka_unit_test(test_what_may_be_shown),
+                                       cmocka_unit_test(test_a_line_is_text),
+                                       cmocka_unit_test(test_a_long_path_leaves_its_cause),
+                                       cmocka_unit_test(test_a_percentage_has_its_sign)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

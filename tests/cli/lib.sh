@@ -3,6 +3,7 @@
 program=$(realpath "$1")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+export AOBUDGET_LOCK=$folder/measure.lock # tests run beside each other, and none of them is about a time
 failures=0
 
 # expect CODE 'TEXT' COMMAND...: exit code, exactly one line on standard error that holds TEXT, nothing of a crash.

@@ -23,7 +23,8 @@ check "48 cases ok" grep -q '"ok": 48' summary.json
 check "the page" grep -q '<html' out/report/index.html
 check "its pictures" test "$(ls out/report/figures/*.png | wc -l)" -ge 10
 for field in key scene view technique revision params options backend width height status time error memory_bytes \
-  image fingerprint clock cpu_ms wall_ms ratio_to_ref ci_low ci_high rounds clean_rounds threads setup_ms passes reference \
+  image fingerprint clock cpu_ms wall_ms device_ms ratio_to_ref ci_low ci_high precision precision_wanted seconds seconds_needed \
+  processes rounds clean_rounds frames seed threads setup_ms ref_ms control_low control_high slots rounds_file passes reference \
   rmse band_rmse border_rmse mae bias p95 max flip ssim reference_se definition_rmse pixels; do
   check "every line has $field" test "$(grep -c "\"$field\":" out/journal.jsonl)" -eq 48
 done

@@ -126,9 +126,13 @@ static const struct aob_block_job block = {.view = view,
                                            .backend = "gl-egl",
                                            .validate = true,
                                            .triangles = true,
+                                           .score = true,
                                            .error = true,
+                                           .process = 2,
+                                           .seed = 0xfedcba98,
                                            .seconds = 0.75,
-                                           .narrow = 0.015,
+                                           .precision = 0.015,
+                                           .clock = "wall",
                                            .targets = targets,
                                            .target_count = 2,
                                            .cases = cases,
@@ -137,8 +141,10 @@ static const struct aob_block_job block = {.view = view,
 static void check_block(const struct aob_block_job *job)
 {
     assert_string_equal(job->backend, "gl-egl");
-    assert_true(job->validate && !job->raster && job->triangles && !job->time && job->error);
-    assert_true(job->seconds == 0.75 && job->narrow == 0.015);
+    assert_true(job->validate && !job->raster && job->triangles && job->score && !job->time && job->error);
+    assert_true(job->process == 2 && job->seed == 0xfedcba98 && job->seconds == 0.75 &&
+                job->precision == 0.015);
+    assert_string_equal(job->clock, "wall");
     assert_int_equal(job->target_count, 2);
     assert_true(job->targets[0].radius == 0.25 && !job->targets[0].uniform && job->targets[0].bent);
     assert_path(job->targets[0].truth, "t.exr");
@@ -174,6 +180,10 @@ static void a_block_job(void **state)
     check_view(&job.view);
     check_block(&job);
     aob_block_job_finish(&job);
+    json_object_set_new(json_object_get(message, "timing"), "clock", json_null());
+    assert_true(aob_block_job_from_json(message, &job, &error));
+    assert_null(job.clock);
+    aob_block_job_finish(&job);
     json_object_set_new(json_array_get(json_object_get(message, "cases"), 1), "target", json_integer(2));
     assert_false(aob_block_job_from_json(message, &job, &error));
     assert_contains(error.text, "target 2 of 2");
@@ -198,6 +208,27 @@ static void modules_to_describe(void **state)
     assert_int_equal(back.count, 2);
     assert_path(back.paths[1], "two.so");
     aob_modules_finish(&back);
+    json_decref(message);
+}
+
+static void what_a_block_times(void **state)
+{
+    (void)state;
+    json_t *names = json_pack("[s, s]", "ao", "blur");
+    struct aob_block_timed back, timed = {.clock = AOB_CLOCK_DEVICE, .threads = 7, .count = 2};
+    timed.cases[0] = (struct aob_block_timed_case){4, 1.25, names};
+    timed.cases[1] = (struct aob_block_timed_case){0, 0.5, json_incref(names)};
+    json_t *message = send(aob_block_timed_to_json(&timed));
+    assert_true(aob_block_timed_from_json(message, 5, &back));
+    assert_true(back.clock == AOB_CLOCK_DEVICE && back.threads == 7 && back.count == 2);
+    assert_true(back.cases[0].index == 4 && back.cases[0].setup_ms == 1.25);
+    assert_true(json_equal(back.cases[0].passes, names));
+    assert_true(back.cases[1].index == 0 && back.cases[1].setup_ms == 0.5);
+    aob_block_timed_finish(&back);
+    assert_false(aob_block_timed_from_json(message, 4, &back)); /* it has no case 4 */
+    json_object_set_new(json_object_get(message, "timed"), "clock", json_string("sun"));
+    assert_false(aob_block_timed_from_json(message, 5, &back));
+    aob_block_timed_finish(&timed);
     json_decref(message);
 }
 
@@ -380,10 +411,11 @@ static void a_check_job(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_view_job),      cmocka_unit_test(a_check_job),
-        cmocka_unit_test(a_block_job),     cmocka_unit_test(shares_of_a_block),
-        cmocka_unit_test(a_capture_job),   cmocka_unit_test(a_capture_answer),
-        cmocka_unit_test(a_layout_job),    cmocka_unit_test(a_mesh_job),
-        cmocka_unit_test(a_layout_answer), cmocka_unit_test(modules_to_describe)};
+        cmocka_unit_test(a_view_job),        cmocka_unit_test(a_check_job),
+        cmocka_unit_test(a_block_job),       cmocka_unit_test(what_a_block_times),
+        cmocka_unit_test(shares_of_a_block), cmocka_unit_test(a_capture_job),
+        cmocka_unit_test(a_capture_answer),  cmocka_unit_test(a_layout_job),
+        cmocka_unit_test(a_mesh_job),        cmocka_unit_test(a_layout_answer),
+        cmocka_unit_test(modules_to_describe)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

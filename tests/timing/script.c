@@ -1,6 +1,8 @@
 #include "script.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "base/memory.h"
 #include "check.h"
 
@@ -9,68 +11,72 @@ static double or_default(double value, double initial)
     return value > 0 ? value : initial;
 }
 
-/* Milliseconds of the next frame of that index; -1 is the fixed pass. */
+/* Milliseconds of a frame of the next slot of that index; -1 is the fixed pass. */
 static void next_cost(struct script *s, int index, double *cpu, double *wall)
 {
-    int round = index < 0 ? 0 : s->runs[index]++ - SCRIPT_WARM_UP;
+    int round = index < 0 ? 0 : s->runs[index] - SCRIPT_WARM_UP;
     if (index < 0)
-        *cpu = or_default(s->fixed_ms[s->fixed_runs++], 2);
+        *cpu = or_default(s->settling_ms[s->fixed_runs++], or_default(s->fixed_ms, 2));
     else
-        *cpu = s->cpu_ms ? s->cpu_ms(index, round) : 4;
-    *wall = index >= 0 && s->wall_ms ? s->wall_ms(index, round) : 2 * *cpu;
-    s->preemptions += index >= 0 && s->preempted && s->preempted(index, round);
+        *cpu = s->cpu_ms ? s->cpu_ms(s, index, round) : 4;
+    *wall = index >= 0 && s->wall_ms ? s->wall_ms(s, index, round) : 2 * *cpu;
+    if (index < 0 || !s->cause)
+        return;
+    struct aob_causes now = s->cause(s, index, round);
+    s->causes.involuntary += now.involuntary;
+    s->causes.minor_faults += now.minor_faults;
+    s->causes.steal_ticks += now.steal_ticks;
 }
 
-/* Adds a share of a cost in milliseconds. */
-static void add_share(struct aob_gpu_time *time, double cpu, double wall, double share)
+static struct aob_gpu_time share_of(double cpu, double wall, double share)
 {
-    time->cpu_ns += (int64_t)llround(cpu * 1e6 * share);
-    time->wall_ns += (int64_t)llround(wall * 1e6 * share);
+    return (struct aob_gpu_time){.cpu_ns = (int64_t)llround(cpu * 1e6 * share),
+                                 .wall_ns = (int64_t)llround(wall * 1e6 * share)};
 }
 
-/* One frame a slot and round, where each takes more than the 2 ms that are enough. Passes are 1 : 2 : 3 ... of the
- * whole. */
+/* Passes are 1 : 2 : 3 ... of the whole. */
 static bool run(void *user, struct aob_frame *frame, int repeats, struct aob_frame_time *time,
                 struct aob_error *error)
 {
     struct script *s = user;
     int index = -1, count = frame->graph.pass_count;
+    double cpu, wall;
     (void)error;
-    *time = (struct aob_frame_time){0};
     for (int i = 0; i < SCRIPT_CASES; i++)
         index = frame == s->frames[i] ? i : index;
-    for (int r = 0; r < repeats; r++) {
-        double cpu, wall;
-        next_cost(s, index, &cpu, &wall);
-        add_share(&time->whole, cpu, wall, 1);
-        for (int p = 0; p < count; p++)
-            add_share(&time->passes[p], cpu, wall, 2.0 * (p + 1) / (count * (count + 1)));
-        s->now += (int64_t)llround(wall * 1e6);
-        assert_true(s->count < SCRIPT_RUNS_MAX);
-        s->order[s->count++] = index;
-    }
+    next_cost(s, index, &cpu, &wall);
+    *time = (struct aob_frame_time){.whole = share_of(cpu, wall, repeats)};
+    for (int p = 0; p < count; p++)
+        time->passes[p] = share_of(cpu, wall, 2.0 * repeats * (p + 1) / (count * (count + 1)));
+    if (index >= 0)
+        s->runs[index]++;
+    assert_true(s->count < SCRIPT_RUNS_MAX);
+    s->repeats[s->count] = repeats;
+    s->order[s->count++] = index;
     return true;
 }
 
-static int64_t now_ns(void *user)
+static struct aob_causes causes(void *user)
 {
-    return ((struct script *)user)->now;
+    return ((struct script *)user)->causes;
 }
 
-static int64_t preemptions(void *user)
+/* The passes only have to be there: they are not run. */
+static struct aob_frame *create_frame(int passes)
 {
-    return ((struct script *)user)->preemptions;
+    struct aob_frame *frame = AOB_NEW(struct aob_frame);
+    frame->graph.pass_count = passes;
+    for (int p = 0; p < passes; p++)
+        frame->passes[p] = (struct aob_gpu_pass *)(void *)frame;
+    return frame;
 }
 
 struct script *script_create(void)
 {
     struct script *s = AOB_NEW(struct script);
-    s->fixed = AOB_NEW(struct aob_frame);
-    s->fixed->graph.pass_count = 1;
-    for (int i = 0; i < SCRIPT_CASES; i++) {
-        s->frames[i] = AOB_NEW(struct aob_frame);
-        s->frames[i]->graph.pass_count = 1 + i;
-    }
+    s->fixed = create_frame(1);
+    for (int i = 0; i < SCRIPT_CASES; i++)
+        s->frames[i] = create_frame(1 + i);
     return s;
 }
 
@@ -82,7 +88,41 @@ void script_destroy(struct script *s)
     free(s);
 }
 
-struct aob_timing_clock script_clock(struct script *s)
+struct aob_timing_source script_source(struct script *s)
 {
-    return (struct aob_timing_clock){run, now_ns, preemptions, s};
+    return (struct aob_timing_source){run, causes, s};
+}
+
+bool script_process(void *user, const struct aob_process_desc *process, struct aob_round_list *rounds,
+                    struct aob_error *error)
+{
+    struct script_processes *processes = user;
+    struct script *s = script_create();
+    struct aob_timing_source source = script_source(s);
+    size_t count = processes->case_count ? processes->case_count : SCRIPT_CASES;
+    bool known = processes->fate && process->index < (int)strlen(processes->fate);
+    char fate = known ? processes->fate[process->index] : '.';
+    s->process = process->index;
+    s->cpu_ms = processes->cpu_ms;
+    s->cause = processes->cause;
+    processes->asked[processes->count++] = *process;
+    const struct aob_timing_desc desc = {.fixed = s->fixed,
+                                         .frames = s->frames,
+                                         .frame_count = fate == '?' ? count - 1 : count,
+                                         .seconds = process->seconds,
+                                         .precision = processes->precision,
+                                         .process = process->index,
+                                         .seed = process->seed,
+                                         .source = &source};
+    if (fate != '0')
+        assert_true(aob_timing_run(&desc, rounds, NULL));
+    script_destroy(s);
+    return fate != 'x' || aob_fail(error, "it crashed");
+}
+
+void script_lost(void *user, int index, const char *reason)
+{
+    struct script_processes *processes = user;
+    size_t used = strlen(processes->told);
+    snprintf(processes->told + used, sizeof processes->told - used, "%d: %s; ", index, reason);
 }

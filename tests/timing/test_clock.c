@@ -3,111 +3,116 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "script.h"
+#include "timing/summary.h"
 
-/* Every rule of timing.h is held to figures written out here, on a scripted clock. */
+/* Every rule of timing.h is held to figures written out here, on a scripted clock. A frame of a case takes 4 ms of processor
+ * time, one of the fixed pass 2 ms, and twice as much of wall time, unless a test says otherwise. */
 
-static struct aob_block_timing measure(struct script *s, struct aob_timing_desc desc)
+static const double endless_s = 1e9;
+
+static struct aob_round_list measure(struct script *s, struct aob_timing_desc desc)
 {
-    const struct aob_timing_clock clock = script_clock(s);
-    struct aob_block_timing timing;
+    const struct aob_timing_source source = script_source(s);
+    struct aob_round_list rounds = {0};
     desc.fixed = s->fixed;
     desc.frames = s->frames;
     desc.frame_count = desc.frame_count ? desc.frame_count : SCRIPT_CASES;
-    desc.clock = &clock;
-    assert_true(aob_timing_run(&desc, &timing, NULL));
-    return timing;
+    desc.precision = desc.precision > 0 ? desc.precision : 0.03;
+    desc.source = &source;
+    assert_true(aob_timing_run(&desc, &rounds, NULL));
+    return rounds;
+}
+
+static size_t count_rounds(struct script *s, struct aob_timing_desc desc)
+{
+    struct aob_round_list rounds = measure(s, desc);
+    size_t count = rounds.count;
+    aob_rounds_finish(&rounds);
+    return count;
 }
 
 /* Alternates by 10 % about 4 ms: no interval is narrow. */
-static double noisy(int index, int round)
+static double noisy(const struct script *s, int index, int round)
 {
+    (void)s;
     (void)index;
     return round % 2 ? 3.6 : 4.4;
 }
 
-/* The first frame behind the warm-up: two whole rounds, then the fixed pass alone. */
-static int first_of(const struct script *s)
+/* The slots of a round in the order in which they ran. */
+static void order_of(const struct aob_round *round, int order[SCRIPT_SLOTS])
 {
-    int at = SCRIPT_WARM_UP * SCRIPT_SLOTS;
-    while (s->order[at] < 0 && s->order[at + 1] < 0 && s->order[at + 2] < 0)
-        at++;
-    return at;
+    for (int i = 0; i < SCRIPT_SLOTS; i++)
+        order[i] = -1;
+    for (int slot = 0; slot < SCRIPT_SLOTS; slot++)
+        order[round->slots[slot].place] = slot;
 }
 
-/* Where the rounds begin: the last slots x rounds frames of all. */
-static const int *rounds_of(const struct script *s, size_t rounds)
-{
-    return s->order + s->count - (int)rounds * SCRIPT_SLOTS;
-}
+/* Made by hand from the generator x -> 6364136223846793005 x + 1442695040888963407 and Fisher and Yates. */
+static const struct {
+    uint32_t seed;
+    int first[2][SCRIPT_SLOTS]; /* rows of the first two squares */
+} squares[] = {{7, {{2, 1, 0, 4, 3}, {2, 4, 1, 3, 0}}}, {11, {{4, 0, 2, 3, 1}, {2, 0, 1, 3, 4}}}};
 
 static void test_order_is_cyclic(void **state)
 {
     (void)state;
-    int first[2][SCRIPT_SLOTS], squares = 0, shuffled = 0;
-    for (uint32_t seed = 0; seed < 2; seed++) {
+    for (size_t i = 0; i < AOB_COUNT(squares); i++) {
         struct script *s = script_create();
         s->cpu_ms = noisy;
-        size_t rounds = measure(s, (struct aob_timing_desc){.seconds = 1e9, .seed = seed}).cases[0].rounds;
-        assert_int_equal(rounds, AOB_ROUNDS_MAX);
-        const int *order = rounds_of(s, rounds);
-        memcpy(first[seed], order, sizeof first[seed]);
-        for (size_t r = 0; r < rounds; r++) {
-            const int *row = order + r * SCRIPT_SLOTS, *before = row - SCRIPT_SLOTS;
-            int seen[SCRIPT_CASES] = {0}, fixed = 0;
-            for (int i = 0; i < SCRIPT_SLOTS; i++)
-                row[i] < 0 ? fixed++ : seen[row[i]]++;
-            assert_int_equal(fixed, 2);
-            for (int i = 0; i < SCRIPT_CASES; i++)
-                assert_int_equal(seen[i], 1);
-            if (r % SCRIPT_SLOTS == 0) {
-                squares++;
-                shuffled += r > 0 && memcmp(row, order, sizeof first[0]) != 0;
-                continue;
-            }
-            for (int i = 0; i < SCRIPT_SLOTS;
-                 i++) /* turned by one: so each slot takes each place once a square */
-                assert_int_equal(row[i], before[(i + 1) % SCRIPT_SLOTS]);
+        struct aob_round_list rounds =
+            measure(s, (struct aob_timing_desc){.seconds = 0.5, .seed = squares[i].seed, .process = 4});
+        assert_true(rounds.count > 2 * SCRIPT_SLOTS);
+        int before[SCRIPT_SLOTS] = {0}, now[SCRIPT_SLOTS];
+        for (size_t r = 0; r < rounds.count; r++) {
+            order_of(&rounds.items[r], now);
+            assert_int_equal(rounds.items[r].number, r);
+            assert_int_equal(rounds.items[r].process, 4);
+            assert_int_equal(rounds.items[r].seed, squares[i].seed);
+            if (r % SCRIPT_SLOTS == 0 && r / SCRIPT_SLOTS < 2)
+                assert_memory_equal(now, squares[i].first[r / SCRIPT_SLOTS], sizeof now);
+            for (int k = 0; k < SCRIPT_SLOTS && r % SCRIPT_SLOTS; k++) /* turned by one */
+                assert_int_equal(now[k], before[(k + 1) % SCRIPT_SLOTS]);
+            memcpy(before, now, sizeof now);
         }
+        aob_rounds_finish(&rounds);
         script_destroy(s);
     }
-    assert_true(memcmp(first[0], first[1], sizeof first[0]) != 0);
-    /* The fixed pass stands for two slots, so 60 orders are told apart: chance repeats hardly any of the 46 squares. */
-    assert_true(squares == 2 * AOB_ROUNDS_MAX / SCRIPT_SLOTS && shuffled > squares - 12);
 }
 
-static void test_same_seed_same_order(void **state)
+/* That the places are those at which the frames really ran. */
+static void test_places_are_what_ran(void **state)
 {
     (void)state;
-    struct script *a = script_create(), *b = script_create();
-    measure(a, (struct aob_timing_desc){.seconds = 1e9, .seed = 11});
-    measure(b, (struct aob_timing_desc){.seconds = 1e9, .seed = 11});
-    assert_int_equal(a->count, b->count);
-    assert_memory_equal(a->order, b->order, sizeof a->order);
-    script_destroy(a);
-    script_destroy(b);
+    struct script *s = script_create();
+    struct aob_round_list rounds = measure(s, (struct aob_timing_desc){.seconds = endless_s, .seed = 3});
+    const int *ran = s->order + s->count - (int)rounds.count * SCRIPT_SLOTS;
+    for (size_t r = 0; r < rounds.count; r++)
+        for (int slot = 0; slot < SCRIPT_SLOTS; slot++) {
+            int expected = slot < AOB_SLOT_CASES ? -1 : slot - AOB_SLOT_CASES;
+            assert_int_equal(ran[(int)r * SCRIPT_SLOTS + rounds.items[r].slots[slot].place], expected);
+        }
+    aob_rounds_finish(&rounds);
+    script_destroy(s);
 }
 
 static int outliers; /* how many of the even rounds, from the first on, are too long */
 static double excess;
-static double outlying(int index, int round)
+static double outlying(const struct script *s, int index, int round)
 {
+    (void)s;
     return index == 1 && round >= 0 && round % 2 == 0 && round < 2 * outliers ? 4 * excess : 4;
 }
 
-static size_t rounds_for(int count, double factor, double narrow)
+static size_t rounds_for(int count, double factor, double precision)
 {
     struct script *s = script_create();
     s->cpu_ms = outlying;
     outliers = count;
     excess = factor;
-    size_t rounds = measure(s, (struct aob_timing_desc){.seconds = 1e9, .narrow = narrow}).cases[0].rounds;
+    size_t rounds = count_rounds(s, (struct aob_timing_desc){.seconds = endless_s, .precision = precision});
     script_destroy(s);
     return rounds;
-}
-
-static size_t rounds_with(int count, double factor)
-{
-    return rounds_for(count, factor, 0);
 }
 
 /* The interval of n = 20 goes from the 6th to the 15th value, of 30 from the 10th to the 21st, of 45 from the 16th to
@@ -116,26 +121,35 @@ static size_t rounds_with(int count, double factor)
 static void test_stops_when_narrow(void **state)
 {
     (void)state;
-    assert_int_equal(rounds_with(0, 1), 20);
-    assert_int_equal(rounds_with(5, 1.2), 20);
-    assert_int_equal(rounds_with(6, 1.2), 30);
-    assert_int_equal(rounds_with(9, 1.2), 30);
-    assert_int_equal(rounds_with(10, 1.2), 45);
-    assert_int_equal(rounds_with(15, 1.2), 45);
-    assert_int_equal(rounds_with(16, 1.2), 67);
-    /* what is too long by 3 % or less does not widen it, on either side */
-    assert_int_equal(rounds_with(6, 1.0299), 20);
-    assert_int_equal(rounds_with(6, 1.0301), 30);
-    assert_int_equal(rounds_with(6, 1 / 1.0299), 20);
-    assert_int_equal(rounds_with(6, 1 / 1.0301), 30);
-    assert_int_equal(rounds_for(6, 1.0099, 0.01), 20);
-    assert_int_equal(rounds_for(6, 1.0101, 0.01), 30);
-    assert_int_equal(rounds_for(6, 1.0599, 0.06), 20);
-    assert_int_equal(rounds_for(6, 1 / 1.0601, 0.06), 30);
+    static const struct {
+        int count;
+        double factor, precision;
+        size_t rounds;
+    } rows[] = {
+        {0, 1, 0.03, 20},
+        {5, 1.2, 0.03, 20},
+        {6, 1.2, 0.03, 30},
+        {9, 1.2, 0.03, 30},
+        {10, 1.2, 0.03, 45},
+        {15, 1.2, 0.03, 45},
+        {16, 1.2, 0.03, 67},
+        /* what is too long by 3 % or less does not widen it, on either side */
+        {6, 1.0299, 0.03, 20},
+        {6, 1.0301, 0.03, 30},
+        {6, 1 / 1.0299, 0.03, 20},
+        {6, 1 / 1.0301, 0.03, 30},
+        {6, 1.0099, 0.01, 20},
+        {6, 1.0101, 0.01, 30},
+        {6, 1.0599, 0.06, 20},
+        {6, 1 / 1.0601, 0.06, 30},
+    };
+    for (size_t i = 0; i < AOB_COUNT(rows); i++)
+        assert_int_equal(rounds_for(rows[i].count, rows[i].factor, rows[i].precision), rows[i].rounds);
 }
 
-/* Seconds are of wall time and for each case: a round of three cases at 8 ms of wall time and two fixed passes of 4
- * takes 32 ms, one with a single case 16; each odd number of rounds takes .8 ms a case more. */
+/* Seconds are of wall time and for each case. The last frames before the rounds take 3.6 ms, so a slot has 3.6 ms: one
+ * frame of a case (8.8 and 7.2 ms of wall time in turn), two of the fixed pass (2 x 4 ms, in each of its two slots). A
+ * round of three cases takes 42.4 or 37.6 ms, one with a single case 24.8 or 23.2 ms. */
 static void test_stops_in_time(void **state)
 {
     (void)state;
@@ -144,42 +158,35 @@ static void test_stops_in_time(void **state)
         double seconds; /* a case */
         size_t rounds;
     } rows[] = {
-        {3, 0, 6},    {3, 0.05, 6},   {3, 0.063, 6},
-        {3, 0.07, 7}, {3, 0.0967, 9}, {3, 0.0969, 10},
-        {1, 0.1, 7},  {1, 0.2, 13},   {1, 1e9, AOB_ROUNDS_MAX},
+        {3, 0, 2},      {3, 0.0266, 2}, {3, 0.0267, 3}, {3, 0.0407, 3}, {3, 0.0409, 4}, {3, 0.0532, 4},
+        {3, 0.0534, 5}, {1, 0.0479, 2}, {1, 0.0481, 3}, {1, 0.0727, 3}, {1, 0.0729, 4},
     };
     for (size_t i = 0; i < AOB_COUNT(rows); i++) {
         struct script *s = script_create();
         s->cpu_ms = noisy;
-        struct aob_block_timing t =
-            measure(s, (struct aob_timing_desc){.frame_count = rows[i].cases, .seconds = rows[i].seconds});
-        if (t.cases[0].rounds != rows[i].rounds)
-            fail_msg("%zu cases, %g s: %zu rounds, not %zu", rows[i].cases, rows[i].seconds,
-                     t.cases[0].rounds, rows[i].rounds);
+        size_t count = count_rounds(
+            s, (struct aob_timing_desc){.frame_count = rows[i].cases, .seconds = rows[i].seconds});
+        if (count != rows[i].rounds)
+            fail_msg("%zu cases, %g s: %zu rounds, not %zu", rows[i].cases, rows[i].seconds, count,
+                     rows[i].rounds);
         script_destroy(s);
     }
 }
 
-static double rising(int index, int round) /* 4 ms and .001 more a round */
+static double rising(const struct script *s, int index, int round) /* 4 ms and .001 more a round */
 {
+    (void)s;
     (void)index;
     return 4 + 0.001 * round;
 }
 
-static bool every_third(int index, int round)
+/* Case 1 is interrupted in every third round, case 2 is robbed in each, case 0 has faults, which are no matter. */
+static struct aob_causes disturbed(const struct script *s, int index, int round)
 {
-    return index == 1 && round % 3 == 0;
-}
-
-static bool always(int index, int round)
-{
-    (void)round;
-    return index == 2;
-}
-
-static bool dirty(int index, int round)
-{
-    return every_third(index, round) || always(index, round);
+    (void)s;
+    return (struct aob_causes){.involuntary = index == 1 && round % 3 == 0,
+                               .minor_faults = index == 0 ? 7 : 0,
+                               .steal_ticks = index == 2 ? 2 : 0};
 }
 
 /* Wall time is the median over clean rounds, processor time over all. Of rounds 0..19 case 1 is interrupted in 0, 3 ..
@@ -189,26 +196,62 @@ static void test_clean_rounds(void **state)
     (void)state;
     struct script *s = script_create();
     s->cpu_ms = rising;
-    s->preempted = dirty;
-    struct aob_block_timing t = measure(s, (struct aob_timing_desc){.seconds = 1e9});
+    s->cause = disturbed;
+    struct aob_round_list rounds = measure(s, (struct aob_timing_desc){.seconds = endless_s});
     static const size_t clean[SCRIPT_CASES] = {20, 13, 0};
     static const double wall[SCRIPT_CASES] = {2 * 4.0095, 2 * 4.010, NAN};
-    for (int i = 0; i < SCRIPT_CASES; i++) {
-        assert_int_equal(t.cases[i].rounds, 20);
-        assert_int_equal(t.cases[i].clean_rounds, clean[i]);
-        assert_near(t.cases[i].cpu_ms, 4.0095, 1e-5);
+    for (size_t i = 0; i < SCRIPT_CASES; i++) {
+        struct aob_summary t;
+        aob_summarise(&rounds, AOB_SLOT_CASES + i, &t);
+        assert_int_equal(t.rounds, 20);
+        assert_int_equal(t.clean_rounds, clean[i]);
+        assert_near(t.whole.ms[AOB_CLOCK_CPU], 4.0095, 1e-5);
         if (isnan(wall[i]))
-            assert_true(isnan(t.cases[i].wall_ms));
+            assert_true(isnan(t.whole.ms[AOB_CLOCK_WALL]));
         else
-            assert_near(t.cases[i].wall_ms, wall[i], 1e-5);
+            assert_near(t.whole.ms[AOB_CLOCK_WALL], wall[i], 1e-5);
     }
+    const struct aob_slot *slots = rounds.items[3].slots + AOB_SLOT_CASES;
+    assert_int_equal(slots[0].causes.minor_faults, 7);
+    assert_int_equal(slots[1].causes.involuntary, 1);
+    assert_int_equal(slots[2].causes.steal_ticks, 2);
+    assert_int_equal(slots[0].causes.involuntary, 0);
+    aob_rounds_finish(&rounds);
     script_destroy(s);
 }
 
-static double dear_wall(int index, int round)
+/* What is not known excludes nothing. */
+static void test_unknown_steal_is_clean(void **state)
 {
+    (void)state;
+    struct aob_slot slot = {.causes = {.steal_ticks = AOB_CAUSE_UNKNOWN}};
+    assert_true(aob_slot_is_clean(&slot));
+    slot.causes.steal_ticks = 1;
+    assert_false(aob_slot_is_clean(&slot));
+}
+
+static double dear_wall(const struct script *s, int index, int round)
+{
+    (void)s;
     (void)round;
     return 10.0 * (index + 1);
+}
+
+static void check_choice(const struct aob_round_list *rounds, int i, bool wall)
+{
+    struct aob_summary t;
+    aob_summarise(rounds, AOB_SLOT_CASES + (size_t)i, &t);
+    assert_near(t.to_fixed.ratio, wall ? 2.5 * (i + 1) : 2, 1e-9);
+    assert_near(t.whole.ms[AOB_CLOCK_CPU], 4, 1e-5);
+    assert_near(t.whole.ms[AOB_CLOCK_WALL], 10 * (i + 1), 1e-5);
+    assert_true(isnan(t.whole.ms[AOB_CLOCK_DEVICE]));
+    assert_int_equal(t.pass_count, i + 1);
+    for (int p = 0; p <= i; p++) {
+        double share = 2.0 * (p + 1) / ((i + 1) * (i + 2));
+        assert_near(t.passes[p].ms[AOB_CLOCK_CPU], 4 * share, 1e-5);
+        assert_near(t.passes[p].ms[AOB_CLOCK_WALL], 10 * (i + 1) * share, 1e-5);
+        assert_near(t.pass_to_fixed[p].ratio, (wall ? 2.5 * (i + 1) : 2) * share, 1e-6);
+    }
 }
 
 /* Cases of 4 ms of processor time against 2; 10, 20, 30 ms of wall time against 4. */
@@ -218,28 +261,23 @@ static void test_clock_choice(void **state)
     for (int wall = 0; wall < 2; wall++) {
         struct script *s = script_create();
         s->wall_ms = dear_wall;
-        struct aob_block_timing t = measure(s, (struct aob_timing_desc){.seconds = 1e9, .wall = wall});
-        for (int i = 0; i < SCRIPT_CASES; i++) {
-            assert_near(t.cases[i].to_fixed.ratio, wall ? 2.5 * (i + 1) : 2, 1e-9);
-            assert_near(t.cases[i].cpu_ms, 4, 1e-5);
-            assert_near(t.cases[i].wall_ms, 10 * (i + 1), 1e-5);
-            assert_near(t.cases[i].measured_s, 20 * 0.01 * (i + 1), 1e-6);
-            for (int p = 0; p <= i; p++) {
-                double share = 2.0 * (p + 1) / ((i + 1) * (i + 2));
-                assert_near(t.cases[i].pass_cpu_ms[p], 4 * share, 1e-5);
-                assert_near(t.cases[i].pass_to_fixed[p].ratio, 2 * share, 1e-6);
-            }
-        }
-        assert_near(t.fixed_cpu_ms, 2, 1e-9);
-        assert_near(t.fixed_s, 2 * 20 * 0.004, 1e-9);
+        struct aob_round_list rounds =
+            measure(s, (struct aob_timing_desc){.seconds = endless_s,
+                                                .clock = wall ? AOB_CLOCK_WALL : AOB_CLOCK_CPU});
+        for (int i = 0; i < SCRIPT_CASES; i++)
+            check_choice(&rounds, i, wall);
+        /* a slot has 4 ms by the one clock, 30 by the other: 1, 1, 1 and 2 frames, or 3, 2 (1.5), 1 and 8 (7.5) */
+        assert_near(aob_round_seconds(&rounds.items[0]),
+                    wall ? 0.030 + 0.040 + 0.030 + 2 * 0.032 : 0.010 + 0.020 + 0.030 + 2 * 0.008, 1e-6);
+        aob_rounds_finish(&rounds);
         script_destroy(s);
     }
 }
 
 /* Wall times that are noisy stop a block that is judged by them later, and one that is judged by processor time not. */
-static double noisy_wall(int index, int round)
+static double noisy_wall(const struct script *s, int index, int round)
 {
-    return 2 * noisy(index, round);
+    return 2 * noisy(s, index, round);
 }
 
 static void test_width_is_of_the_chosen_clock(void **state)
@@ -248,78 +286,106 @@ static void test_width_is_of_the_chosen_clock(void **state)
     for (int wall = 0; wall < 2; wall++) {
         struct script *s = script_create();
         s->wall_ms = noisy_wall;
-        struct aob_block_timing t = measure(s, (struct aob_timing_desc){.seconds = 1e9, .wall = wall});
-        assert_int_equal(t.cases[0].rounds, wall ? AOB_ROUNDS_MAX : 20);
+        size_t count = count_rounds(
+            s, (struct aob_timing_desc){.seconds = 0.5, .clock = wall ? AOB_CLOCK_WALL : AOB_CLOCK_CPU});
+        /* 1.5 s of three cases, at 40 ms a round */
+        assert_int_equal(count, wall ? 38 : 20);
         script_destroy(s);
     }
 }
 
-/* Frames of the fixed pass behind the two rounds: it is steady when three successive ones are within 10 %. */
+/* Slots of the fixed pass alone, behind the two turns of all slots: it is steady when three successive ones are within 10
+ * %. Where clocks rise (it is judged by wall time, 4 ms a slot), not before 200 ms of load, and for 2 s at most. */
 static void test_warm_up(void **state)
 {
     (void)state;
     static const struct {
-        double fixed_ms[12]; /* behind the four of the two rounds; 0: 2 */
-        int frames;          /* until it is steady */
+        double fixed_ms[12]; /* behind the four of the two turns; 0: 2 */
+        enum aob_clock clock;
+        int slots; /* until it is steady */
     } rows[] = {
-        {{2, 2, 2}, 3},
-        {{9, 5, 2, 2, 2}, 5},
-        {{2, 2.19, 2}, 3},
-        {{2, 2.3, 2, 2, 2}, 5},
-        {{2, 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, 2}, 10},
+        {{2, 2, 2}, AOB_CLOCK_CPU, 3},
+        {{9, 5, 2, 2, 2}, AOB_CLOCK_CPU, 5},
+        {{2, 2.19, 2}, AOB_CLOCK_CPU, 3},
+        {{2, 2.3, 2, 2, 2}, AOB_CLOCK_CPU, 5},
+        {{2, 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, 2}, AOB_CLOCK_CPU, 10},
+        {{2}, AOB_CLOCK_WALL, 50},
+        {{10, 10, 10, 10, 10}, AOB_CLOCK_WALL, 30}, /* five of 20 ms, 25 of 4 ms */
     };
     for (size_t i = 0; i < AOB_COUNT(rows); i++) {
         struct script *s = script_create();
-        memcpy(s->fixed_ms + 2 * SCRIPT_WARM_UP, rows[i].fixed_ms, sizeof rows[i].fixed_ms);
-        struct aob_block_timing t = measure(s, (struct aob_timing_desc){.seconds = 1e9});
-        int rounds = (int)t.cases[0].rounds;
-        assert_int_equal(s->count, (SCRIPT_WARM_UP + rounds) * SCRIPT_SLOTS + rows[i].frames);
-        assert_true(first_of(s) <= SCRIPT_WARM_UP * SCRIPT_SLOTS + rows[i].frames);
+        memcpy(s->settling_ms + 4, rows[i].fixed_ms, sizeof rows[i].fixed_ms);
+        int rounds =
+            (int)count_rounds(s, (struct aob_timing_desc){.seconds = endless_s, .clock = rows[i].clock});
+        assert_int_equal(s->count, (SCRIPT_WARM_UP + rounds) * SCRIPT_SLOTS + rows[i].slots);
         script_destroy(s);
     }
 }
 
-static double cheap_ms, dear_ms;
-static double cheap_and_dear(int index, int round)
+static void test_restless_device(void **state)
 {
-    (void)round;
-    return index == 0 ? cheap_ms : index == 1 ? dear_ms : fmax(cheap_ms, fmin(4, dear_ms));
+    (void)state;
+    struct script *s = script_create();
+    for (int i = 4; i < 2000; i++)
+        s->settling_ms[i] = i % 2 ? 2 : 3; /* 4 and 6 ms of wall time: 400 slots are 2 s */
+    count_rounds(s, (struct aob_timing_desc){.seconds = 0.01, .clock = AOB_CLOCK_WALL});
+    int settling = 0;
+    while (s->order[2 * SCRIPT_SLOTS + settling] < 0)
+        settling++;
+    assert_int_equal(settling, 400 + 2); /* the two that come next count frames */
+    script_destroy(s);
 }
 
-/* As many frames a slot as make the cheapest take 2 ms; the dearest stays within 100 ms; 16 at most. */
+static double cheap_ms, dear_ms;
+static double cheap_and_dear(const struct script *s, int index, int round)
+{
+    (void)s;
+    (void)round;
+    return index == 1 ? dear_ms : cheap_ms;
+}
+
+/* A slot takes as long as the dearest frame, 2 ms at least and 100 at most, and each case has as many frames as that. */
 static void test_frames_a_slot(void **state)
 {
     (void)state;
     static const struct {
-        double cheap, dear;
-        int frames;
+        double fixed, cheap, dear;
+        int frames[3]; /* of each */
     } rows[] = {
-        {4, 4, 1}, {1.9, 4, 2}, {0.3, 4, 7}, {0.3, 30, 3}, {0.3, 60, 1}, {0.3, 400, 1}, {0.01, 1, 16},
+        {2, 4, 4, {2, 1, 1}},         {2, 0.3, 4, {2, 13, 1}},     {2, 0.3, 30, {15, 100, 1}},
+        {2, 1.7, 4, {2, 2, 1}},       {2, 0.3, 60, {30, 200, 1}},  {2, 0.3, 400, {50, 333, 1}},
+        {2, 0.01, 1, {1, 200, 2}},    {0.5, 0.1, 0.4, {4, 20, 5}}, {2, 0.001, 0.5, {1, 2000, 4}},
+        {2, 1e-9, 2, {1, 100000, 1}}, {150, 120, 400, {1, 1, 1}},
     };
     for (size_t i = 0; i < AOB_COUNT(rows); i++) {
         struct script *s = script_create();
+        s->fixed_ms = rows[i].fixed;
         cheap_ms = rows[i].cheap;
         dear_ms = rows[i].dear;
         s->cpu_ms = cheap_and_dear;
-        struct aob_block_timing t = measure(s, (struct aob_timing_desc){.seconds = 1e9});
-        assert_int_equal(s->runs[0], SCRIPT_WARM_UP + (int)t.cases[0].rounds * rows[i].frames);
-        assert_near(t.cases[0].cpu_ms, cheap_ms, 1e-5); /* of a frame */
-        assert_near(t.cases[1].wall_ms, 2 * dear_ms, 1e-5);
-        assert_near(t.cases[1].measured_s, 2e-3 * dear_ms * rows[i].frames * (double)t.cases[1].rounds, 1e-5);
+        struct aob_round_list rounds = measure(s, (struct aob_timing_desc){.seconds = endless_s});
+        static const size_t slots[3] = {AOB_SLOT_FIXED, AOB_SLOT_CASES, AOB_SLOT_CASES + 1};
+        for (int k = 0; k < 3; k++)
+            assert_int_equal(rounds.items[rounds.count - 1].slots[slots[k]].frames, rows[i].frames[k]);
+        assert_int_equal(s->repeats[s->count - 1],
+                         rounds.items[rounds.count - 1]
+                             .slots[s->order[s->count - 1] + 2 - (s->order[s->count - 1] < 0)]
+                             .frames);
+        assert_near(aob_slot_ms(&rounds.items[0].slots[AOB_SLOT_CASES + 1], AOB_CLOCK_CPU), dear_ms,
+                    1e-5); /* of a frame */
+        aob_rounds_finish(&rounds);
         script_destroy(s);
     }
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_order_is_cyclic),
-                                       cmocka_unit_test(test_same_seed_same_order),
-                                       cmocka_unit_test(test_stops_when_narrow),
-                                       cmocka_unit_test(test_stops_in_time),
-                                       cmocka_unit_test(test_clean_rounds),
-                                       cmocka_unit_test(test_clock_choice),
-                                       cmocka_unit_test(test_width_is_of_the_chosen_clock),
-                                       cmocka_unit_test(test_warm_up),
-                                       cmocka_unit_test(test_frames_a_slot)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_order_is_cyclic),   cmocka_unit_test(test_places_are_what_ran),
+        cmocka_unit_test(test_stops_when_narrow), cmocka_unit_test(test_stops_in_time),
+        cmocka_unit_test(test_clean_rounds),      cmocka_unit_test(test_unknown_steal_is_clean),
+        cmocka_unit_test(test_clock_choice),      cmocka_unit_test(test_width_is_of_the_chosen_clock),
+        cmocka_unit_test(test_warm_up),           cmocka_unit_test(test_restless_device),
+        cmocka_unit_test(test_frames_a_slot)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "timing/fixed_pass.h"
+#include "timing/summary.h"
 #include "timing/timing.h"
 #include "rig.h"
 #include "technique/param.h"
@@ -33,20 +34,21 @@ static void init(struct aob_frame *frame, const struct aob_screen *screen,
         fail_msg("%s", error.text);
 }
 
-static void check_case(const struct aob_timing *t, const struct aob_frame *frame, double passes,
-                       double pass_ms)
+static void check_case(const struct aob_round_list *rounds, size_t slot, size_t passes, double pass_ms)
 {
-    assert_near(t->cpu_ms, passes * pass_ms, 1e-9);
-    assert_near(t->to_fixed.ratio, passes, 1e-9);
-    assert_true(t->to_fixed.bounded);
-    assert_near(t->to_fixed.low, passes, 1e-9);
-    assert_near(t->to_fixed.high, passes, 1e-9);
-    assert_int_equal(t->rounds, 20); /* narrow enough at the first check point */
-    for (int p = 0; p < frame->graph.pass_count; p++) {
-        assert_near(t->pass_cpu_ms[p], pass_ms, 1e-9);
-        assert_true(t->pass_to_fixed[p].bounded);
-        assert_near(t->pass_to_fixed[p].low, 1, 1e-9);
-        assert_near(t->pass_to_fixed[p].high, 1, 1e-9);
+    struct aob_summary t;
+    aob_summarise(rounds, slot, &t);
+    assert_int_equal(t.rounds, 20); /* narrow enough at the first check point */
+    assert_near(t.whole.ms[AOB_CLOCK_CPU], (double)passes * pass_ms, 1e-9);
+    struct aob_ratio own = aob_rounds_own_ratio(rounds, 0, slot);
+    assert_near(own.ratio, (double)passes, 1e-9);
+    assert_true(own.bounded);
+    assert_near(own.low, (double)passes, 1e-9);
+    assert_near(own.high, (double)passes, 1e-9);
+    assert_int_equal(t.pass_count, passes);
+    for (size_t p = 0; p < passes; p++) {
+        assert_near(t.passes[p].ms[AOB_CLOCK_CPU], pass_ms, 1e-9);
+        assert_near(t.pass_to_fixed[p].ratio, 1, 1e-9);
     }
 }
 
@@ -57,23 +59,26 @@ static void test_exact_clock(void **state)
     struct aob_rig rig;
     struct aob_screen screen;
     struct aob_frame *frames = AOB_NEW_ARRAY(struct aob_frame, 3);
-    struct aob_block_timing timing;
+    struct aob_round_list rounds = {0};
     aob_rig_scene(&rig, "corner", NULL, W, H, 0);
     assert_true(aob_screen_init(&screen, gpu, &rig.gbuffer, &(struct aob_options){0}, NULL));
     init(&frames[0], &screen, &aob_technique_fixed_pass);
     init(&frames[1], &screen, builtin("none"));
     init(&frames[2], &screen, builtin("gtao")); /* horizon, and two passes of the blur */
     struct aob_frame *const cases[] = {&frames[1], &frames[2]};
-    assert_true(aob_timing_run(
-        &(struct aob_timing_desc){
-            .fixed = &frames[0], .frames = cases, .frame_count = 2, .seconds = 30, .seed = 7},
-        &timing, NULL));
+    assert_true(aob_timing_run(&(struct aob_timing_desc){.fixed = &frames[0],
+                                                         .frames = cases,
+                                                         .frame_count = 2,
+                                                         .seconds = 30,
+                                                         .precision = 0.03,
+                                                         .seed = 7},
+                               &rounds, NULL));
     const double pass_ms = W * H * 100e-6;
-    const double passes[] = {1, 3};
-    for (int i = 0; i < 2; i++)
-        check_case(&timing.cases[i], &frames[i + 1], passes[i], pass_ms);
-    assert_near(timing.control.ratio, 1, 1e-9);
-    assert_near(timing.fixed_cpu_ms, pass_ms, 1e-9);
+    check_case(&rounds, AOB_SLOT_FIXED, 1, pass_ms);
+    check_case(&rounds, AOB_SLOT_CONTROL, 1, pass_ms);
+    check_case(&rounds, AOB_SLOT_CASES, 1, pass_ms);
+    check_case(&rounds, AOB_SLOT_CASES + 1, 3, pass_ms);
+    aob_rounds_finish(&rounds);
     assert_int_equal(frames[1].memory_bytes, W * H);         /* r8 */
     assert_int_equal(frames[2].memory_bytes, W * H * 2 * 3); /* three r16f */
     for (int i = 0; i < 3; i++)

@@ -1,0 +1,118 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/memory.h"
+#include "block.h"
+#include "gpu/gpu.h"
+
+/* Where the worker is to write the case's image; NULL: nowhere. free() it. */
+static char *image_path(const struct aob_run_block *block, size_t i)
+{
+    char name[AOB_KEY_SIZE + 16];
+    if (block->m->image)
+        return aob_strdup(block->m->image);
+    if (!block->m->folder || !block->m->plan->config->images)
+        return NULL;
+    aob_run_block_image(aob_run_block_case(block, i), name);
+    return aob_path_join(block->m->folder, name);
+}
+
+static struct aob_block_case describe_case(const struct aob_run_block *block, size_t i, const char *image)
+{
+    const struct aob_case *c = aob_run_block_case(block, i);
+    struct aob_block_case described = {.technique = aob_technique_address(c->technique),
+                                       .param_count = c->technique->param_count,
+                                       .target = aob_case_own_target(c),
+                                       .definition = block->files->definition[i],
+                                       .screen = block->files->screen[i],
+                                       .image = image};
+    memcpy(described.params, c->params, c->technique->param_count * sizeof *c->params);
+    memcpy(described.options, c->options, sizeof described.options);
+    return described;
+}
+
+static json_t *make_job(const struct aob_run_block *block, const struct aob_run_block_job *sent)
+{
+    const struct aob_view_files *files = block->files;
+    const struct aob_case *c = aob_run_block_case(block, 0);
+    const struct aob_config *config = block->m->plan->config;
+    struct aob_block_case cases[AOB_BLOCK_MAX];
+    struct aob_block_target targets[AOB_CONFIG_MAX_TARGETS];
+    char *images[AOB_BLOCK_MAX] = {NULL};
+    struct aob_block_job job = {.view = aob_job_view_of(c, files),
+                                .backend = c->backend,
+                                .validate = block->m->dispatch->validate,
+                                .raster = aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER,
+                                .score = sent->score,
+                                .error = sent->score && config->measure_error,
+                                .time = config->measure_time,
+                                .process = sent->process->index,
+                                .seed = sent->process->seed,
+                                .seconds = sent->process->seconds,
+                                .precision = config->precision,
+                                .clock = sent->clock,
+                                .targets = targets,
+                                .target_count = files->target_count,
+                                .cases = cases,
+                                .case_count = sent->count};
+    for (size_t t = 0; t < files->target_count; t++)
+        targets[t] = (struct aob_block_target){c->scene->targets[t].radius, c->scene->targets[t].uniform,
+                                               files->truth[t], files->bent};
+    for (size_t i = 0; i < sent->count; i++) {
+        size_t place = sent->places[i];
+        images[i] = sent->score ? image_path(block, place) : NULL;
+        cases[i] = describe_case(block, place, images[i]);
+        job.triangles = job.triangles || block->m->states[block->indices[place]].triangles;
+    }
+    json_t *object = aob_block_job_to_json(&job);
+    for (size_t i = 0; i < sent->count; i++)
+        free(images[i]);
+    return object;
+}
+
+/* Ten times what timing may take, and about six times what a pixel's score against a target takes (0.3 us). */
+static double time_limit(const struct aob_run_block *block, const struct aob_run_block_job *job)
+{
+    const struct aob_case *c = aob_run_block_case(block, 0);
+    double scores = job->score ? (double)c->width * c->height * (double)block->files->target_count : 0;
+    return 120 + (double)job->count * (10 * job->process->seconds + 2e-6 * scores);
+}
+
+static bool run_worker(const struct aob_run_block *block, const struct aob_run_block_job *job,
+                       struct aob_run_block_reply *reply, struct aob_error *error)
+{
+    enum { ROOM = 32 };
+    const struct aob_case *c = aob_run_block_case(block, 0);
+    const char *env[ROOM] = {0};
+    char threads[40];
+    size_t used = 0;
+    for (const char *const *e = aob_gpu_find(c->backend)->environment; *e && used < ROOM - 2; e++)
+        env[used++] = *e;
+    snprintf(threads, sizeof threads, "LP_NUM_THREADS=%d", (int)aob_case_options(c).threads);
+    if (aob_case_options(c).threads)
+        env[used++] = threads;
+    struct aob_job_desc desc = {.job = make_job(block, job),
+                                .env = env,
+                                .timeout_s = time_limit(block, job),
+                                .output_limit = (size_t)(64 * (1 + job->process->seconds)) << 20,
+                                .on_answer = aob_run_block_take,
+                                .user = reply};
+    if (!aob_dispatch_job(block->m->dispatch, &desc, error) && !reply->complete)
+        return false;
+    return !*reply->garbled.text || aob_fail(error, "%s", reply->garbled.text);
+}
+
+bool aob_run_block_send(struct aob_run_block *block, const struct aob_run_block_job *job,
+                        struct aob_run_block_reply *reply, struct aob_error *error)
+{
+    struct aob_measurement *m = block->m;
+    reply->block = block;
+    if (m->on_work)
+        m->on_work(m->user, block->indices[job->places[0]], "compiling and measuring");
+    if (m->plan->config->measure_time && !aob_measure_lock_take(&m->lock, error))
+        return false;
+    bool ok = run_worker(block, job, reply, error);
+    aob_measure_lock_release(&m->lock);
+    return ok;
+}

@@ -1,0 +1,22 @@
+/* One measuring process a machine: two that measure at a time would measure each other. The lock is held while a worker
+ * times, and not while views are traced or pages drawn. It is a file that is locked and never removed:
+ * /run/lock/aobudget-measure.lock, or in /tmp where there is no such folder; AOBUDGET_LOCK names another. Whoever ends
+ * without giving it back, by a crash or a signal, has given it back. Threads: one. */
+#ifndef AOB_RUN_MEASURE_LOCK_H
+#define AOB_RUN_MEASURE_LOCK_H
+#include <stdbool.h>
+#include "base/error.h"
+
+struct aob_measure_lock { /* zeroed: not held */
+    int file;
+    bool held, told; /* told: that it is waited for, once */
+};
+
+/* Whether a lock can be had at all, so that a run fails at its start. */
+bool aob_measure_lock_check(struct aob_error *error);
+
+/* Waits for as long as it takes. The first time that it has to, one line on standard error says for whom. False with a
+ * line if the file cannot be opened. */
+bool aob_measure_lock_take(struct aob_measure_lock *lock, struct aob_error *error);
+void aob_measure_lock_release(struct aob_measure_lock *lock);
+#endif
