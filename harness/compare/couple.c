@@ -1,4 +1,5 @@
 #include "couple.h"
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
@@ -6,24 +7,50 @@
 
 void aob_row_describe(const struct aob_row *row, struct aob_text *text)
 {
-    aob_text_add(text, "%s/%s %s%s%s %s %dx%d", row->scene, row->view, row->technique,
+    aob_text_add(text, "%s/%s %s%s%s %s %dx%d", row->scene, row->view, row->name,
                  row->label && *row->label ? " " : "", row->label ? row->label : "", row->backend, row->width,
                  row->height);
 }
 
+/* A number is the same whether or not it is written with a fraction. Of a value that is no object or array itself. */
+static json_t *as_real(const json_t *value)
+{
+    return json_is_number(value) ? json_real(json_number_value(value)) : json_deep_copy(value);
+}
+
+/* Values of an object, and those of its arrays (a camera's eye). */
+static json_t *with_reals(const json_t *object)
+{
+    json_t *copy = json_object(), *value, *element;
+    const char *name;
+    size_t at;
+    json_object_foreach((json_t *)(uintptr_t)object, name, value)
+    {
+        json_t *array = json_is_array(value) ? json_array() : NULL;
+        json_array_foreach(value, at, element)
+        {
+            json_array_append_new(array, as_real(element));
+        }
+        json_object_set_new(copy, name, array ? array : as_real(value));
+    }
+    return copy;
+}
+
 static void add_member(struct aob_text *text, const json_t *record, const char *name)
 {
-    char *member = json_dumps(json_object_get(record, name), JSON_SORT_KEYS | JSON_COMPACT | JSON_ENCODE_ANY);
+    json_t *values = with_reals(json_object_get(record, name));
+    char *member = json_dumps(values, JSON_SORT_KEYS | JSON_COMPACT);
     aob_text_add(text, "\n%s", member ? member : "");
     free(member);
+    json_decref(values);
 }
 
 /* What the case is, without the build of its technique and without what it was compared with. free() it. */
 static char *identity(const struct aob_row *row)
 {
     struct aob_text text = {0};
-    aob_text_add(&text, "%s\n%s\n%s\n%s %dx%d", row->scene, row->view, row->technique, row->backend,
-                 row->width, row->height);
+    aob_text_add(&text, "%s\n%s\n%s\n%s %dx%d", row->scene, row->view, row->name, row->backend, row->width,
+                 row->height);
     add_member(&text, row->json, "camera");
     add_member(&text, row->json, "params");
     add_member(&text, row->json, "options");

@@ -105,6 +105,7 @@ struct aob_config {
     size_t technique_count, technique_capacity;
     bool measure_time, measure_error, images;
     double seconds;   /* of timing, a case */
+    int processes;    /* to time in, at least; 0: as timing/processes.h says. No key of a file */
     double precision; /* share of a cost that its interval may reach to either side: timing ends there */
     int spp;          /* rays a pixel of the reference, even */
     double thickness; /* of what the depth shows, in the screen-space bound, scene units: 0 thin, INFINITY;

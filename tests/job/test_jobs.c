@@ -411,11 +411,11 @@ static void a_check_job(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_view_job),        cmocka_unit_test(a_check_job),
-        cmocka_unit_test(a_block_job),       cmocka_unit_test(what_a_block_times),
-        cmocka_unit_test(shares_of_a_block), cmocka_unit_test(a_capture_job),
-        cmocka_unit_test(a_capture_answer),  cmocka_unit_test(a_layout_job),
-        cmocka_unit_test(a_mesh_job),        cmocka_unit_test(a_layout_answer),
+        cmocka_unit_test(a_view_job),         cmocka_unit_test(a_check_job),
+        cmocka_unit_test(a_block_job),        cmocka_unit_test(what_a_block_times),
+        cmocka_unit_test(shares_of_a_block),  cmocka_unit_test(a_capture_job),
+        cmocka_unit_test(a_capture_answer),   cmocka_unit_test(a_layout_job),
+        cmocka_unit_test(a_mesh_job),         cmocka_unit_test(a_layout_answer),
         cmocka_unit_test(modules_to_describe)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
