@@ -301,8 +301,7 @@ bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *r
     return true;
 }
 
-/* Bytes of address space that a child has; 0: no limit. */
-static size_t allowed_memory(size_t limit)
+size_t aob_child_memory(size_t limit)
 {
     struct rlimit own;
     if (getrlimit(RLIMIT_AS, &own) == 0 && own.rlim_cur != RLIM_INFINITY && (!limit || own.rlim_cur < limit))
@@ -314,7 +313,7 @@ static void explain_signal(const struct aob_child_desc *desc, const struct aob_c
                            char *text, size_t size)
 {
     const char *colon = result->complaint[0] ? ": " : "", *known = sigdescr_np(result->signal);
-    size_t allowed = allowed_memory(desc->memory_limit);
+    size_t allowed = aob_child_memory(desc->memory_limit);
     char name[64];
     if (strstr(result->complaint, "bad_alloc")) { /* what C++ says before it aborts */
         snprintf(name, sizeof name, allowed ? " (its limit is %zu MiB)" : "", allowed >> 20);

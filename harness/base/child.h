@@ -38,6 +38,9 @@ struct aob_child_result {
 bool aob_child_run(const struct aob_child_desc *desc, struct aob_child_result *result,
                    struct aob_error *error);
 
+/* Bytes of address space that a child of this limit has, or 0 that this process has. 0: no limit. */
+size_t aob_child_memory(size_t limit);
+
 /* "crashed (signal 11, segmentation fault): COMPLAINT", "not enough memory (its limit is 293 MiB): std::bad_alloc",
  * LIMIT, "wrote EXCESS, and was stopped", "exit code 2: COMPLAINT". */
 void aob_child_explain(const struct aob_child_desc *desc, const struct aob_child_result *result, char *text,

@@ -132,6 +132,14 @@ bool aob_file_write(const char *path, const void *bytes, size_t size, struct aob
     return aob_file_write_pieces(path, &(struct aob_piece){bytes, size}, 1, error);
 }
 
+bool aob_file_fail(const char *path, const char *words, struct aob_error *error)
+{
+    return aob_fail(error,
+                    "%s: cannot load: the file is damaged, or of a form or size that is not read: save it "
+                    "again, or in another format (%s)",
+                    path, words);
+}
+
 bool aob_file_exists(const char *path)
 {
     struct stat info;

@@ -30,6 +30,10 @@ bool aob_file_check(const char *path, struct aob_error *error);
  * if that is no regular file. */
 char *aob_file_target(const char *path, struct aob_error *error);
 
+/* Writes the line of a file that its reader could not make sense of, or died of: what to do, and in brackets the
+ * reader's own words, which may be those of a library. Always false. */
+bool aob_file_fail(const char *path, const char *words, struct aob_error *error);
+
 bool aob_file_exists(const char *path);
 
 /* Whether a path names something that is no regular file: a folder, a pipe, a device. */

@@ -202,6 +202,8 @@ static bool read_size(struct aob_yaml *yaml, yaml_node_t *node, void *user)
     struct aob_config *config = user;
     struct aob_size *size = AOB_PUSH(config->sizes, config->size_count, config->size_capacity);
     const char *text;
+    size->line = (int)node->start_mark.line + 1;
+    size->column = (int)node->start_mark.column + 1;
     if (!aob_yaml_text(yaml, node, &text))
         return false;
     return aob_parse_size(text, &size->width, &size->height) ||

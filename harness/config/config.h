@@ -1,6 +1,7 @@
 /* The config of a run, as text with positions: what the file says, in shape checked, in values not yet
  * (values of parameters are judged by the plan, which knows the tables). Lengths in the scene's units. Paths are seen from
- * the config's folder, so that a run is the same wherever it is started.
+ * the config's folder, so that a run is the same wherever it is started; of a link that is the link's folder, as with the
+ * includes of C.
  *
  *   name: demo                       # letters, digits, - and _
  *   scenes:                          # a listed scene, with views (default: its first), or a mesh file
@@ -96,6 +97,7 @@ struct aob_config {
     size_t scene_count, scene_capacity;
     struct aob_size {
         int width, height;
+        int line, column; /* as in a value */
     } * sizes;
     size_t size_count, size_capacity;
     struct aob_backend_choice backends; /* of the techniques without their own */

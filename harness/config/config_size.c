@@ -28,12 +28,52 @@ static double count_cases(const struct aob_config *config)
     return places * points * product(config->options, config->option_count);
 }
 
-static const struct aob_axis *longer(const struct aob_axis *longest, const struct aob_axis *axes,
-                                     size_t count)
+/* A list of the config that the product is made of. */
+struct factor {
+    const char *name;
+    size_t count;
+    int line, column;
+};
+
+/* Of two of one length the first: an axis, where there is one. */
+static void take_longer(struct factor *longest, struct factor factor)
+{
+    if (factor.count > longest->count)
+        *longest = factor;
+}
+
+static void take_axes(struct factor *longest, const struct aob_axis *axes, size_t count)
 {
     for (size_t i = 0; i < count; i++)
-        if (!longest || axes[i].count > longest->count)
-            longest = &axes[i];
+        take_longer(longest, (struct factor){axes[i].name, axes[i].count, axes[i].line, axes[i].column});
+}
+
+static void take_backends(struct factor *longest, const struct aob_backend_choice *choice)
+{
+    if (choice->count)
+        take_longer(longest, (struct factor){"backends", choice->count, choice->names[0].line,
+                                             choice->names[0].column});
+}
+
+static struct factor find_longest(const struct aob_config *config)
+{
+    struct factor longest = {0};
+    const struct aob_scene_choice *scenes = config->scenes;
+    const struct aob_size *sizes = config->sizes;
+    const struct aob_technique_choice *techniques = config->techniques;
+    take_axes(&longest, config->options, config->option_count);
+    for (size_t t = 0; t < config->technique_count; t++)
+        take_axes(&longest, techniques[t].axes, techniques[t].axis_count);
+    if (config->scene_count)
+        take_longer(&longest, (struct factor){"scenes", config->scene_count, scenes->line, scenes->column});
+    if (config->size_count)
+        take_longer(&longest, (struct factor){"resolutions", config->size_count, sizes->line, sizes->column});
+    take_backends(&longest, &config->backends);
+    for (size_t t = 0; t < config->technique_count; t++)
+        take_backends(&longest, &techniques[t].backends);
+    if (config->technique_count)
+        take_longer(&longest, (struct factor){"techniques", config->technique_count, techniques->name.line,
+                                              techniques->name.column});
     return longest;
 }
 
@@ -42,10 +82,9 @@ bool aob_config_judge_size(const struct aob_config *config, struct aob_error *er
     double cases = count_cases(config);
     if (cases <= AOB_CONFIG_MAX_CASES)
         return true;
-    const struct aob_axis *longest = longer(NULL, config->options, config->option_count);
-    for (size_t t = 0; t < config->technique_count; t++)
-        longest = longer(longest, config->techniques[t].axes, config->techniques[t].axis_count);
-    aob_fail(error, "the sweep has more than %d cases, namely %.6g: take values out of its axes",
-             AOB_CONFIG_MAX_CASES, cases);
-    return aob_config_fail_at(config, longest ? longest->line : 0, longest ? longest->column : 0, error);
+    struct factor longest = find_longest(config);
+    aob_fail(error,
+             "the sweep has more than %d cases, namely %.6g: make a list shorter, such as '%s' with its %zu",
+             AOB_CONFIG_MAX_CASES, cases, longest.name, longest.count);
+    return aob_config_fail_at(config, longest.line, longest.column, error);
 }

@@ -4,6 +4,6 @@
 #include "config.h"
 
 /* False with a line if the product of scenes, sizes, backends, axes and options exceeds AOB_CONFIG_MAX_CASES, counted
- * before equal points become one. */
+ * before equal points become one. The line names the longest list that the product is made of, and where it stands. */
 bool aob_config_judge_size(const struct aob_config *config, struct aob_error *error);
 #endif

@@ -7,10 +7,26 @@
 #include "base/table.h"
 #include "base/text.h"
 
+/* Of a byte that libyaml's reader refuses it tells the offset alone. A column is a character, as in its own marks. */
+static yaml_mark_t find_mark(const unsigned char *text, size_t offset)
+{
+    yaml_mark_t mark = {.index = offset};
+    for (size_t i = 0; i < offset; i++)
+        if (text[i] == '\n') {
+            mark.line++;
+            mark.column = 0;
+        } else
+            mark.column += (text[i] & 0xc0) != 0x80; /* it begins a character */
+    return mark;
+}
+
 static bool fail_parser(const struct aob_yaml *yaml, const yaml_parser_t *parser)
 {
-    return aob_fail(yaml->error, "%s:%zu:%zu: not YAML: %s", yaml->path, parser->problem_mark.line + 1,
-                    parser->problem_mark.column + 1, parser->problem ? parser->problem : "unreadable");
+    yaml_mark_t mark = parser->error == YAML_READER_ERROR
+                           ? find_mark(parser->input.string.start, parser->problem_offset)
+                           : parser->problem_mark;
+    return aob_fail(yaml->error, "%s:%zu:%zu: not YAML: %s", yaml->path, mark.line + 1, mark.column + 1,
+                    parser->problem ? parser->problem : "unreadable");
 }
 
 /* libyaml compares every %TAG line with those before it, and a config has no use for one. */

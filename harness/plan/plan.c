@@ -111,7 +111,7 @@ static bool expand(struct aob_plan *plan, struct aob_error *error)
 {
     const struct aob_config *config = plan->config;
     for (size_t s = 0; s < plan->scene_count; s++) {
-        const struct aob_size own = {plan->scenes[s].width, plan->scenes[s].height};
+        const struct aob_size own = {.width = plan->scenes[s].width, .height = plan->scenes[s].height};
         const struct aob_size *sizes = plan->scenes[s].gbuffer ? &own : config->sizes;
         for (size_t r = 0; r < (sizes == &own ? 1 : config->size_count); r++) {
             struct aob_case base = {

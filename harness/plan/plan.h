@@ -89,6 +89,10 @@ double aob_case_radius(const struct aob_case *c);
 /* Which of its scene's targets is the case's own: the first of its radius; 0, the first, where there is none. */
 size_t aob_case_own_target(const struct aob_case *c);
 
+/* Whether a case looks as far as its technique's default says, which is a length in metres, and is compared with a target
+ * that the config states, in units of the scene that are none, of another length. Then a line that says both. */
+bool aob_case_mixes_units(const struct aob_case *c, const struct aob_config *config, struct aob_error *line);
+
 /* What options, size and scene cannot be together; one line then. */
 bool aob_case_judge(const struct aob_case *c, struct aob_error *error);
 

@@ -81,3 +81,39 @@ size_t aob_case_own_target(const struct aob_case *c)
             return i;
     return 0;
 }
+
+/* Whether its radius is what the table says, which is a length in metres. */
+static bool has_default_radius(const struct aob_case *c)
+{
+    double values[AOB_MAX_PARAM];
+    const struct aob_param *radius =
+        aob_param_find(c->technique->params, c->technique->param_count, "radius");
+    if (!radius || radius->unit != AOB_UNIT_LENGTH)
+        return false;
+    aob_param_defaults(c->technique->params, c->technique->param_count, c->scene->metre, values);
+    return c->params[radius - c->technique->params] == values[radius - c->technique->params];
+}
+
+/* Within a twentieth the two units are one to whoever looks at a picture. */
+static bool is_metric(const struct aob_plan_scene *scene)
+{
+    return fabs(scene->metre - 1) <= 0.05;
+}
+
+bool aob_case_mixes_units(const struct aob_case *c, const struct aob_config *config, struct aob_error *line)
+{
+    /* Infinity is as far in every unit. */
+    if (!config->target_count || !config->measure_error || is_metric(c->scene) || !has_default_radius(c))
+        return false;
+    for (size_t i = 0; i < config->target_count; i++)
+        if (config->targets[i].radius == aob_case_radius(c) || isinf(config->targets[i].radius))
+            return false;
+    double radius = aob_case_radius(c), target = config->targets[0].radius;
+    aob_fail(
+        line,
+        "%s: %s looks %.3g scene units far, since its default radius is %.3g m, and is compared with the "
+        "target of %.3g scene units, which is %.3g m: state both in scene units (a metre is %.3g)",
+        c->scene->name, c->technique->name, radius, radius / c->scene->metre, target,
+        target / c->scene->metre, c->scene->metre);
+    return true;
+}

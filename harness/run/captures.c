@@ -67,10 +67,10 @@ static bool load(struct aob_scene_choice *choice, const struct aob_cache *cache,
                                 .timeout_s = 60 + 2e-6 * (double)aob_file_size(choice->capture),
                                 .memory_limit = (size_t)4 << 30,
                                 .on_answer = take_answer,
-                                .user = choice};
-    bool ok = aob_dispatch_job(dispatch, &desc, error) &&
-              (choice->width > 0 || aob_fail(error, "the worker gave no answer"));
-    return ok || aob_dispatch_fail_in(error, choice->capture, "the reader of captures");
+                                .user = choice,
+                                .file = choice->capture};
+    return aob_dispatch_job(dispatch, &desc, error) &&
+           (choice->width > 0 || aob_fail(error, "%s: the worker gave no answer", choice->capture));
 }
 
 static bool load_in(struct aob_config *config, struct aob_scene_choice *choice,

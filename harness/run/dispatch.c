@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/child.h"
+#include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
 #include "gpu/gpu.h"
@@ -20,6 +21,15 @@ static void pass_on(void *user, const char *line)
     else if (answers->desc->on_answer)
         answers->desc->on_answer(answers->desc->user, answer);
     json_decref(answer);
+}
+
+/* A line that names the file already needs no more. */
+static bool fail_in_file(const struct aob_job_desc *desc, struct aob_error *error)
+{
+    const char *slash = desc->file ? strrchr(desc->file, '/') : NULL; /* a long path is cut in its middle */
+    if (!desc->file || strstr(error->text, slash ? slash : desc->file))
+        return false;
+    return aob_fail_in(error, "%s", desc->file);
 }
 
 bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_desc *desc,
@@ -41,20 +51,16 @@ bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_
     free(input);
     json_decref(desc->job);
     if (!ok)
-        return false;
+        return fail_in_file(desc, error);
     if (result.exit_code == 0 && !result.timed_out && !*result.excess)
         return !answers.garbled || aob_fail(error, "the worker's answer is garbled");
     const char *said = strstr(result.complaint, "aobudget: error: ");
-    if (result.exit_code == AOB_EXIT_USAGE && said)
-        return aob_fail(error, "%s", said + strlen("aobudget: error: "));
+    if (result.exit_code == AOB_EXIT_USAGE && said) {
+        aob_fail(error, "%s", said + strlen("aobudget: error: "));
+        return fail_in_file(desc, error);
+    }
     aob_child_explain(&child, &result, text, sizeof text);
-    return aob_fail(error, "%s", text);
-}
-
-bool aob_dispatch_fail_in(struct aob_error *error, const char *file, const char *reader)
-{
-    const char *slash = strrchr(file, '/'); /* a long path is cut in its middle */
-    return strstr(error->text, slash ? slash : file) ? false : aob_fail_in(error, "%s: %s", file, reader);
+    return desc->file ? aob_file_fail(desc->file, text, error) : aob_fail(error, "%s", text);
 }
 
 static void add_technique(void *user, const json_t *answer)

@@ -20,14 +20,12 @@ struct aob_job_desc {
     size_t memory_limit, output_limit;                   /* bytes (base/child.h); 0: none, 64 MiB */
     void (*on_answer)(void *user, const json_t *answer); /* borrowed */
     void *user;
+    const char *file; /* of the user, that it reads, and that its line names; NULL: none */
 };
 /* False: the worker could not start, crashed, took too long or said that the job cannot be done; one line
  * says which. Answers given before that have been passed on. */
 bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_desc *desc,
                       struct aob_error *error);
-
-/* "FILE: READER: " before the line of a job that read a file, unless the line names the file already. Always false. */
-bool aob_dispatch_fail_in(struct aob_error *error, const char *file, const char *reader);
 
 /* What techniques there are: built in and in the modules, which may be others than the dispatch's. */
 bool aob_dispatch_describe(const struct aob_dispatch *dispatch, const struct aob_modules *modules,

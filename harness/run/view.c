@@ -60,9 +60,10 @@ static bool import_mesh(struct aob_measurement *m, struct aob_plan_scene *scene,
                                 .timeout_s = 10 + 2e-6 * (double)size,
                                 .memory_limit = ((size_t)1 << 30) + 64 * size,
                                 .on_answer = take_box,
-                                .user = &box};
+                                .user = &box,
+                                .file = scene->file};
     if (!aob_dispatch_job(m->dispatch, &desc, error))
-        return aob_dispatch_fail_in(error, scene->file, "the mesh loader");
+        return false;
     warn_of_unit(scene, &box);
     if (scene->framed)
         scene->camera = aob_scene_framing(box.low, box.high);

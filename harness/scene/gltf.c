@@ -70,14 +70,6 @@ bool aob_gltf_whole(const struct aob_gltf *gltf, const json_t *object, const cha
     return true;
 }
 
-bool aob_gltf_is_list(const struct aob_gltf *gltf, const json_t *object, const char *label, const char *key,
-                      struct aob_error *error)
-{
-    const json_t *member = json_object_get(object, key);
-    return !member || json_is_array(member) ||
-           aob_fail(error, "%s: %s: its %s is no array: the file is damaged", gltf->file->path, label, key);
-}
-
 bool aob_gltf_vector(const struct aob_gltf *gltf, const json_t *object, const char *label, const char *key,
                      double *values, size_t count, struct aob_error *error)
 {

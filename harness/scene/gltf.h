@@ -41,10 +41,6 @@ extern const size_t aob_gltf_none;     /* a fallback that no index is */
 bool aob_gltf_vector(const struct aob_gltf *gltf, const json_t *object, const char *label, const char *key,
                      double *values, size_t count, struct aob_error *error);
 
-/* Whether a member of an object is missing or an array. False after a line if it is something else. */
-bool aob_gltf_is_list(const struct aob_gltf *gltf, const json_t *object, const char *label, const char *key,
-                      struct aob_error *error);
-
 /* The extension of an object; NULL: none. */
 const json_t *aob_gltf_extension(const json_t *object, const char *name);
 

@@ -36,6 +36,9 @@ bool aob_gltf_morph(const struct aob_gltf_primitive *primitive, const json_t *no
     size_t at;
     if (!weights)
         weights = json_object_get(mesh, "weights");
+    if (weights && json_array_size(targets) && json_array_size(weights) != json_array_size(targets))
+        return aob_fail(error, "%s: a mesh has %zu weights for %zu morph targets: the file is damaged",
+                        primitive->gltf->file->path, json_array_size(weights), json_array_size(targets));
     json_array_foreach(targets, at, target)
     {
         double weight = json_number_value(json_array_get(weights, at));

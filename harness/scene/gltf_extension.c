@@ -27,15 +27,9 @@ bool aob_gltf_check_required(const struct aob_gltf_file *file, struct aob_error 
 {
     const json_t *entry;
     size_t at;
-    const json_t *list = json_object_get(file->root, "extensionsRequired");
-    if (list && !json_is_array(list))
-        return aob_fail(error, "%s: its extensionsRequired is no array: the file is damaged", file->path);
-    json_array_foreach(list, at, entry)
+    json_array_foreach(json_object_get(file->root, "extensionsRequired"), at, entry)
     {
         const char *name = json_string_value(entry);
-        if (!name)
-            return aob_fail(error, "%s: its extensionsRequired holds what is no name: the file is damaged",
-                            file->path);
         if (!is_known(name))
             return aob_fail(error, "%s: it requires the extension %s, which is not read: export it without",
                             file->path, name);

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "gltf_deform.h"
 #include "gltf_extension.h"
+#include "gltf_form.h"
 #include "gltf_material.h"
 #include "mesh_part.h"
 
@@ -196,7 +197,7 @@ static bool add_node(struct import *import, size_t node, struct aob_error *error
 bool aob_gltf_import(struct aob_mesh *mesh, const struct aob_gltf_file *file, struct aob_error *error)
 {
     struct import import = {.mesh = mesh};
-    if (!aob_gltf_check_required(file, error))
+    if (!aob_gltf_form_check(file, error) || !aob_gltf_check_required(file, error))
         return false;
     aob_gltf_init(&import.gltf, file);
     bool ok = aob_gltf_nodes_init(&import.nodes, &import.gltf, error);

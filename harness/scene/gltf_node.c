@@ -94,22 +94,13 @@ static bool read_index(struct aob_gltf *gltf, const json_t *list, size_t at, siz
     return aob_gltf_element(gltf, "nodes", *node, error);
 }
 
-/* What the walk takes for granted. */
-static bool check_node(const struct walk *walk, size_t node, struct aob_error *error)
-{
-    const json_t *element = aob_gltf_element(walk->gltf, "nodes", node, error);
-    struct aob_gltf_label label = aob_gltf_label("node", node);
-    struct aob_affine map;
-    return own_map(walk->gltf, node, &map, error) &&
-           aob_gltf_is_list(walk->gltf, element, label.text, "children", error);
-}
-
 static bool read_parents(struct walk *walk, size_t node_count, struct aob_error *error)
 {
     for (size_t i = 0; i < node_count; i++)
         walk->parent[i] = aob_gltf_none;
     for (size_t i = 0; i < node_count; i++) {
-        if (!check_node(walk, i, error))
+        struct aob_affine map;
+        if (!own_map(walk->gltf, i, &map, error))
             return false;
         const json_t *element = aob_gltf_element(walk->gltf, "nodes", i, error);
         const json_t *children = json_object_get(element, "children");
@@ -188,8 +179,7 @@ static bool choose_nodes(struct walk *walk, struct aob_gltf_nodes *nodes, struct
     size_t scene, root;
     for (size_t i = 0; i < nodes->node_count; i++)
         walk->seen[i] = false;
-    if (!aob_gltf_is_list(gltf, gltf->file->root, "the document", "scenes", error) ||
-        !aob_gltf_whole(gltf, gltf->file->root, "the document", "scene", 0, &scene, error))
+    if (!aob_gltf_whole(gltf, gltf->file->root, "the document", "scene", 0, &scene, error))
         return false;
     if (!aob_gltf_count(gltf, "scenes")) {
         for (size_t i = 0; i < nodes->node_count; i++)
@@ -198,10 +188,7 @@ static bool choose_nodes(struct walk *walk, struct aob_gltf_nodes *nodes, struct
         return true;
     }
     const json_t *element = aob_gltf_element(gltf, "scenes", scene, error);
-    struct aob_gltf_label label = aob_gltf_label("scene", scene);
     const json_t *roots = json_object_get(element, "nodes");
-    if (!aob_gltf_is_list(gltf, element, label.text, "nodes", error))
-        return false;
     for (size_t k = 0; k < json_array_size(roots); k++) {
         if (!read_index(gltf, roots, k, &root, error) || !check_root(walk, root, error))
             return false;

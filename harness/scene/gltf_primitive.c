@@ -1,6 +1,7 @@
 #include "gltf_primitive.h"
 #include <stdlib.h>
 #include "base/memory.h"
+#include "gltf_type.h"
 
 /* Modes of triangles (glTF 2.0, 5.24.4). */
 enum { MODE_TRIANGLES = 4, MODE_STRIP = 5, MODE_FAN = 6 };
@@ -12,7 +13,8 @@ bool aob_gltf_attribute_of(struct aob_gltf *gltf, const json_t *attributes, cons
     *numbers = (struct aob_numbers){0};
     if (!aob_gltf_whole(gltf, attributes, "a set of attributes", name, aob_gltf_none, &accessor, error))
         return false;
-    return accessor == aob_gltf_none || aob_gltf_numbers(gltf, accessor, components, numbers, error);
+    return accessor == aob_gltf_none || (aob_gltf_type_check(gltf, accessor, name, error) &&
+                                         aob_gltf_numbers(gltf, accessor, components, numbers, error));
 }
 
 static bool read_compressed(const struct aob_gltf_primitive *primitive, size_t id, const char *name,
@@ -79,10 +81,27 @@ static void corners_of(size_t mode, size_t i, size_t corners[3])
     corners[2] = first + 2 - odd;
 }
 
+/* The format allows no other number (glTF 2.0, 3.7.2.1): what makes no whole triangle is left of a list that was cut. A
+ * list of none draws nothing and loses nothing. */
+static bool check_count(const struct aob_gltf *gltf, size_t mode, size_t count, struct aob_error *error)
+{
+    if (mode == MODE_TRIANGLES)
+        return count % 3 == 0 ||
+               aob_fail(error,
+                        "%s: a primitive of triangles has %zu corners, which is no multiple of 3: the "
+                        "file is damaged",
+                        gltf->file->path, count);
+    return count == 0 || count >= 3 ||
+           aob_fail(error, "%s: a strip or fan of triangles has %zu corners: the file is damaged",
+                    gltf->file->path, count);
+}
+
 static bool fill_triangles(struct aob_gltf_primitive *primitive, size_t mode,
                            const struct aob_numbers *indices, struct aob_error *error)
 {
     size_t count = indices->values ? indices->count : primitive->vertex_count, corners[3];
+    if (!check_count(primitive->gltf, mode, count, error))
+        return false;
     primitive->triangle_count = mode == MODE_TRIANGLES ? count / 3 : count < 3 ? 0 : count - 2;
     primitive->triangles = aob_alloc(primitive->triangle_count + 1, sizeof *primitive->triangles);
     for (size_t i = 0; i < primitive->triangle_count; i++) {
@@ -98,29 +117,11 @@ static bool fill_triangles(struct aob_gltf_primitive *primitive, size_t mode,
     return true;
 }
 
-/* Indices are unsigned whole numbers (glTF 2.0, 3.7.2.1); floats would be cut to such. */
-static bool check_index_type(struct aob_gltf *gltf, size_t accessor, struct aob_error *error)
-{
-    const json_t *element = aob_gltf_element(gltf, "accessors", accessor, error);
-    struct aob_gltf_label label = aob_gltf_label("accessor", accessor);
-    size_t type;
-    if (!element || !aob_gltf_whole(gltf, element, label.text, "componentType", 0, &type, error))
-        return false;
-    return type == 5121 || type == 5123 || type == 5125 ||
-           aob_fail(error, "%s: %s: indices are of componentType %zu: the file is damaged", gltf->file->path,
-                    label.text, type);
-}
-
 static bool read_plain(struct aob_gltf_primitive *primitive, size_t mode, struct aob_error *error)
 {
     struct aob_gltf *gltf = primitive->gltf;
     struct aob_numbers indices = {0};
-    size_t accessor;
-    if (!aob_gltf_whole(gltf, primitive->element, "a primitive", "indices", aob_gltf_none, &accessor,
-                        error) ||
-        (accessor != aob_gltf_none && !aob_gltf_numbers(gltf, accessor, 1, &indices, error)))
-        return false;
-    bool ok = (!indices.values || check_index_type(gltf, accessor, error)) &&
+    bool ok = aob_gltf_attribute_of(gltf, primitive->element, "indices", 1, &indices, error) &&
               fill_triangles(primitive, mode, &indices, error);
     free(indices.values);
     return ok;

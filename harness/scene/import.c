@@ -6,7 +6,7 @@
 #include "import_assimp.h"
 #include "mesh_part.h"
 
-const char aob_mesh_importer_version[] = "3";
+const char aob_mesh_importer_version[] = "4";
 
 /* If assimp does not understand a triangle strip, it silently keeps one triangle. So we compare the triangle count
  * with the file size. Formats that carry pictures or animations along say nothing by their size. */

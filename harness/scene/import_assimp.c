@@ -3,9 +3,11 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include "base/child.h"
 #include "base/file.h"
 #include "base/memory.h"
 #include "import_material.h"
@@ -22,8 +24,22 @@ static const int dropped = aiComponent_TEXCOORDS | aiComponent_TANGENTS_AND_BITA
 static const unsigned steps = aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
                               aiProcess_ValidateDataStructure;
 
-static const struct aiScene *import_scene(const char *path)
+enum { SAID = 100 };
+
+/* Where a face is wrong assimp drops it, or puts a vertex of its own choice into it, and says so in its log alone. The
+ * first line of that kind; most of what it calls errors is of materials and animations. */
+static void take_log(const char *line, char *said)
 {
+    static const char *const of_shape[] = {"face", "ertex", "olygon", "riangulat"};
+    const char *text = strncmp(line, "Error", 5) == 0 ? strstr(line, ": ") : NULL;
+    for (size_t i = 0; text && !*said && i < AOB_COUNT(of_shape); i++)
+        if (strstr(text, of_shape[i]))
+            snprintf(said, SAID, "%.*s", (int)strcspn(text + 2, "\n"), text + 2);
+}
+
+static const struct aiScene *import_scene(const char *path, char said[SAID])
+{
+    const struct aiLogStream log = {take_log, said};
     struct aiPropertyStore *options = aiCreatePropertyStore();
     aiSetImportPropertyInteger(options, AI_CONFIG_PP_SBP_REMOVE,
                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
@@ -32,9 +48,11 @@ static const struct aiScene *import_scene(const char *path)
                                1); /* made up where there are none */
     size_t size;
     char *padded = aob_ply_pad(path, &size);
+    aiAttachLogStream(&log);
     const struct aiScene *scene =
         padded ? aiImportFileFromMemoryWithProperties(padded, (unsigned)size, steps, "ply", options)
                : aiImportFileExWithProperties(path, steps, NULL, options);
+    aiDetachLogStream(&log);
     free(padded);
     aiReleasePropertyStore(options);
     return scene;
@@ -167,16 +185,32 @@ static bool add_node(const struct aiScene *scene, const struct aiNode *node, con
     return ok;
 }
 
+/* assimp catches what memory lacks, and says it in C++'s words. */
+static bool fail_to_load(const char *path, const char *said, struct aob_error *error)
+{
+    char cause[300], limit[64] = "";
+    if (strstr(said, "contains no faces")) /* a cloud of points is a right file, and no mesh */
+        return aob_fail(error, "%s: it has no triangles: there is nothing to render", path);
+    size_t memory = aob_child_memory(0);
+    if (memory)
+        snprintf(limit, sizeof limit, " (its limit is %zu MiB)", memory >> 20);
+    snprintf(cause, sizeof cause, "not enough memory%s: %s", limit, said);
+    return aob_file_fail(path, strstr(said, "bad_alloc") ? cause : said, error);
+}
+
 bool aob_assimp_import(struct aob_mesh *mesh, const char *path, struct aob_error *error)
 {
     if (!aob_ply_check(path, error))
         return false;
     const struct aob_affine identity = aob_affine_identity();
-    const struct aiScene *scene = import_scene(path);
+    char said[SAID] = "";
+    const struct aiScene *scene = import_scene(path, said);
     if (!scene)
-        return aob_fail(error, "%s: cannot load: %s", path, aiGetErrorString());
+        return fail_to_load(path, aiGetErrorString(), error);
     bool ok = add_node(scene, scene->mRootNode, &identity, mesh, path, error);
     note_subdivision(path, mesh);
+    if (*said)
+        aob_mesh_note(mesh, "its shape lacks something, or is wrong: %s", said);
     aiReleaseImport(scene);
     return ok;
 }

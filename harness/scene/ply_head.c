@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "ply_body.h"
 
 enum { HEAD = 1 << 20, PLY_LIMIT_BITS = 32 };
 static const char header_end[] = "\nend_header\n";
@@ -20,13 +21,16 @@ static size_t find_data(const char *bytes, size_t size)
     return memmem(bytes, head, "\nformat binary_", 15) && data < size && bytes[data] == '\n' ? data : 0;
 }
 
-static bool is_ply(const char *path)
+/* By its ending or, as assimp does, by its first line. */
+static bool is_ply(const char *path, const char *head)
 {
     const char *ending = strrchr(path, '.');
-    return ending && strcasecmp(ending, ".ply") == 0;
+    return (ending && strcasecmp(ending, ".ply") == 0) ||
+           (strncasecmp(head, "ply", 3) == 0 && head[3] && strchr("\r\n", head[3]));
 }
 
-/* The start of the file, NUL-ended; free() it. NULL if it cannot be read, which the importer complains of. */
+/* The start of a PLY file, NUL-ended; free() it. NULL if it is none, or cannot be read, which the importer complains
+ * of. */
 static char *read_head(const char *path, size_t *size)
 {
     FILE *in = fopen(path, "rb");
@@ -35,7 +39,10 @@ static char *read_head(const char *path, size_t *size)
     char *head = aob_alloc(HEAD + 1, 1);
     *size = fread(head, 1, HEAD, in);
     fclose(in);
-    return head;
+    if (is_ply(path, head))
+        return head;
+    free(head);
+    return NULL;
 }
 
 /* Lines may end in carriage returns alone. */
@@ -99,8 +106,8 @@ static bool check_head(const char *path, const char *head, size_t size, struct a
 bool aob_ply_check(const char *path, struct aob_error *error)
 {
     size_t size;
-    char *head = is_ply(path) ? read_head(path, &size) : NULL;
-    bool ok = !head || check_head(path, head, size, error);
+    char *head = read_head(path, &size);
+    bool ok = !head || (check_head(path, head, size, error) && aob_ply_body_check(path, error));
     free(head);
     return ok;
 }
@@ -109,7 +116,7 @@ char *aob_ply_pad(const char *path, size_t *size)
 {
     size_t whole;
     struct aob_text text = {0};
-    char *head = is_ply(path) ? read_head(path, &whole) : NULL;
+    char *head = read_head(path, &whole);
     bool needed = head && find_data(head, whole) > 0; /* so that only a file at fault is read into memory */
     free(head);
     char *bytes = needed ? aob_file_read(path, ((size_t)1 << PLY_LIMIT_BITS) - 2, &whole, NULL) : NULL;

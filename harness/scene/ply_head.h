@@ -5,8 +5,9 @@
 #include <stddef.h>
 #include "base/error.h"
 
-/* False after one line if the file is PLY by its ending, and its header has no end, where assimp reads on for ever, or
- * gives its vertices no x, y or z, which assimp takes for 0. */
+/* False after one line if the file is PLY, by its ending or its first line, and its header has no end, where assimp
+ * reads on for ever, or gives its vertices no x, y or z, which assimp takes for 0, or if its data are not what its header
+ * says (ply_body.h). */
 bool aob_ply_check(const char *path, struct aob_error *error);
 
 /* assimp drops a line end that follows the header of a binary file, though it may be the first byte of the data (the

@@ -31,6 +31,20 @@ check "a scene is called as it is written" jq -e '.[0].scene == "meshes/one.obj"
 for other in from-beside from-elsewhere by-root; do check "$other: the same plan" cmp from-above $other; done
 check "a path of the root and one of the folder are one mesh: its views differ only" \
   test "$(jq -c '[.[1].view, .[2].view]' from-above)" = '["framed","camera"]'
+
+# A link to a config stands for a config of its own place; a link to its folder leads to the same files.
+sed '/^scenes/,/^ /c scenes: [{file: meshes/one.obj}]' "set up/config.yaml" >"set up/alone.yaml"
+ln -s "../set up/alone.yaml" elsewhere/link.yaml
+cp "set up/alone.yaml" elsewhere/copy.yaml
+ln -s "set up" shortcut
+for config in "set up/alone" elsewhere/link elsewhere/copy shortcut/alone; do
+  plan "$config.yaml" >"plan-$(basename "$(dirname "$config")")-$(basename "$config")"
+done
+check "one case" jq -e 'length == 1' "plan-elsewhere-link"
+check "a link's paths are seen from the link's folder" cmp plan-elsewhere-link plan-elsewhere-copy
+check "which has another mesh" test "$(cat plan-elsewhere-link)" != "$(cat "plan-set up-alone")"
+check "through a folder's link they are the folder's" cmp plan-shortcut-alone "plan-set up-alone"
+
 code=0
 "$program" run "set up/config.yaml" --out out --quiet --filter one.obj || code=$?
 check "begun in one folder" test $code -eq 0

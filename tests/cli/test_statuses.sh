@@ -54,6 +54,17 @@ cp untimed/run.json out/run.json
 "$program" run untimed.yaml --out out --quiet >/dev/null 2>&1
 check "a record without a time stands there" test "$(slices '.marked | not')" = "3 4 6"
 
+# What failed or had no driver is no verdict, though no figure that is wanted is missing.
+sed 's/seconds: 0.01/time: false, error: false/' config.yaml >neither.yaml
+write
+check "a plan without figures" "$program" run neither.yaml --out neither --quiet
+jq -s 'map(.key)' neither/journal.jsonl >keys.json
+jq -c --slurpfile keys keys.json '.key = $keys[0][.params.slices - 1]' out/journal.jsonl >renamed.jsonl
+mv renamed.jsonl out/journal.jsonl
+cp neither/run.json out/run.json
+"$program" run neither.yaml --out out --quiet >/dev/null 2>&1
+check "failures are tried again there" test "$(slices '.marked | not')" = "3 4"
+
 # Another build, another config, no description: nothing is touched.
 for spoil in '.build = "0"' 'del(.build)' '.config_hash = "0"' 'del(.config_hash)'; do
   write

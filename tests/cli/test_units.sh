@@ -64,6 +64,10 @@ for pair in engine:68.5 cornell_box:139 bunny:0.5 horse:0.31 corner:0.5; do
   printf 'name: x\nscenes: [{name: %s}]\nresolutions: [8x8]\nbackends: ["null"]\ntechniques: [{name: gtao}]\n' "${pair%:*}" >x.yaml
   check "$pair" below "$(awk -v a="$(radius x)" -v b="${pair#*:}" 'BEGIN { print (a > b ? a - b : b - a) / b }')" 1e-6
 done
+printf 'name: x\nscenes: [{name: engine, views: [front, fins]}, {name: corner}]\nresolutions: [8x8]\nbackends: ["null"]\ntechniques: [{name: gtao}, {name: hbao}]\ntarget: {radius: 0.5}\n' >x.yaml
+"$program" plan x.yaml >/dev/null 2>x.err
+check "a target of another unit than the radius is told" grep -q 'warning: engine: gtao looks 68.5 scene units far' x.err
+check "once a scene" test "$(wc -l <x.err)" -eq 1
 shot=("$program" shot --technique gtao --backend null --size 16x9 --reference-spp 0 --quiet)
 check "by flag" "${shot[@]}" --scene millimetres.obj --metres-per-unit 0.001 --json s.json
 check "it counts" test "$(jq .params.radius s.json)" = 500

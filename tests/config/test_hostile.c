@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 #include "base/file.h"
+#include "base/memory.h"
 #include "base/text.h"
 #include "check.h"
 #include "config/config.h"
@@ -116,6 +117,75 @@ static void test_long_values(void **state)
     refuse(&text, ":2:10", "20000 views");
 }
 
+/* What libyaml's reader refuses is told where it stands. */
+static void test_bytes_that_are_no_text(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {
+        {"name: t\nscenes: [{name: cor\033[31mner}]\n", ":2:20: not YAML: control characters"},
+        {"name: t\n\n# \303\251\303\251\a\n", ":3:5: not YAML: control characters"},
+        {"\001name: t\n", ":1:1: not YAML: control characters"},
+        {"name: t\nscenes: [\377]\n", ":2:10: not YAML: invalid leading UTF-8"},
+    };
+    for (size_t i = 0; i < AOB_COUNT(cases); i++) {
+        struct aob_text text = {0};
+        aob_text_add(&text, "%s", cases[i][0]);
+        refuse(&text, cases[i][1], "not YAML");
+    }
+}
+
+/* Whatever list is the longest is named where it stands, though every axis has one value. */
+static void test_the_longest_list_is_named(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *repeated, *end, *place, *says;
+        int count;
+    } cases[] = {
+        {"name: t\nscenes: [{name: corner}]\nbackends: [null]\ntechniques: [{name: gtao, params: {radius: "
+         "1}}]\n"
+         "options: {near: 0}\nresolutions: [",
+         "8x8, ", "8x8]\n", ":6:15: ", "20002: make a list shorter, such as 'resolutions' with its 20002",
+         20001},
+        {"name: t\nresolutions: [8x8, 9x9, 7x7]\nbackends: [null]\noptions: {near: [0, 1]}\n"
+         "techniques: [{name: gtao, params: {radius: [1, 2], blur: 0}}]\nscenes: [{name: corner, views: [",
+         "far, ", "far]}]\n", ":6:10: ", "'scenes' with its 5001", 5000},
+        {"name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\nbackends: [null]\n"
+         "options: {near: 0, far: 0}\ntechniques: [{name: gtao, params: {steps: 1}}, ",
+         "{name: none}, ", "{name: none}]\n", ":6:21: ", "'techniques' with its 20002", 20000},
+        {"name: t\nscenes: [{name: corner}]\nresolutions: [8x8]\n"
+         "techniques: [{name: gtao, params: {radius: 1, blur: 0}, backends: [",
+         "null, ", "null]}]\n", ":4:68: ", "'backends' with its 20002", 20001},
+    };
+    for (size_t i = 0; i < AOB_COUNT(cases); i++) {
+        struct aob_text text = {0};
+        aob_text_add(&text, "%s", cases[i].text);
+        for (int k = 0; k < cases[i].count; k++)
+            aob_text_add(&text, "%s", cases[i].repeated);
+        aob_text_add(&text, "%s", cases[i].end);
+        refuse(&text, cases[i].place, cases[i].says);
+    }
+}
+
+/* As many cases as are allowed. */
+static void test_the_bound_is_read(void **state)
+{
+    (void)state;
+    struct aob_text text = {0};
+    struct aob_config config;
+    struct aob_error error = {{0}};
+    aob_text_add(&text, "name: t\nscenes: [{name: corner}]\nbackends: [null]\ntechniques: [{name: gtao}]\n"
+                        "options: {near: [0, 1], far: [2, 3]}\nresolutions: [");
+    for (int i = 0; i < AOB_CONFIG_MAX_CASES / 4; i++)
+        aob_text_add(&text, "8x8, ");
+    aob_text_add(&text, "]\n");
+    assert_true(aob_file_write(path, text.data, text.size, &error));
+    assert_true(aob_config_read(&config, path, &error));
+    assert_int_equal(config.size_count, 5000);
+    aob_config_finish(&config);
+    aob_text_finish(&text);
+}
+
 /* One anchor, used as people do, is no hostility. */
 static void test_an_alias_is_read(void **state)
 {
@@ -151,6 +221,9 @@ int main(void)
                                        cmocka_unit_test(test_aliases),
                                        cmocka_unit_test(test_many_keys),
                                        cmocka_unit_test(test_long_values),
+                                       cmocka_unit_test(test_bytes_that_are_no_text),
+                                       cmocka_unit_test(test_the_longest_list_is_named),
+                                       cmocka_unit_test(test_the_bound_is_read),
                                        cmocka_unit_test(test_an_alias_is_read),
                                        cmocka_unit_test(test_products_that_overflow)};
     return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -1,5 +1,6 @@
 /* What cases are compared with: the config's targets, or each radius of the sweep. */
 #include <math.h>
+#include "base/memory.h"
 #include "made.h"
 
 static struct aob_config config;
@@ -64,6 +65,62 @@ static void test_a_metre(void **state)
     assert_true(plan.scenes[1].targets[0].radius == 278);
     assert_true(plan.cases[1].reference_radius == 278);
     finish();
+}
+
+/* A capture states its unit as a mesh file does. What loads it is not part of the plan. */
+static void test_metre_of_a_capture(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "name: t\nscenes: [{capture: frame.exr, fov_deg: 50, metres_per_unit: 0.001}]\n"
+        "backends: [null]\ntechniques: [{name: gtao}]\n";
+    struct aob_error error = {""};
+    assert_true(aob_file_write(path, text, strlen(text), &error));
+    assert_true(aob_config_read(&config, path, &error));
+    config.scenes[0].gbuffer = aob_strdup("gbuffer.exr");
+    config.scenes[0].width = config.scenes[0].height = 8;
+    if (!aob_plan_create(&plan, &config, &techniques, &error))
+        fail_msg("%s", error.text);
+    assert_true(plan.scenes[0].metre == 1000);
+    assert_true(aob_case_radius(&plan.cases[0]) == 500);
+    finish();
+}
+
+/* A radius by default is metres, a stated target scene units: where a metre is not one unit, a line says both. */
+static void test_mixed_units(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *scene, *radius, *target;
+        bool mixed;
+    } cases[] = {
+        {"cornell_box", "", "target: {radius: 0.5}", true},
+        {"corner", "", "target: {radius: 2}", false},
+        {"cornell_box", "", "", false},
+        {"cornell_box", "", "target: {radius: 139}", false},
+        {"cornell_box", "", "target: {radius: inf}", false},
+        {"cornell_box", "radius: 3", "target: {radius: 0.5}", false},
+        {"cornell_box", "", "target: [{radius: 0.5}, {radius: 139}]", false},
+        {"cornell_box", "", "target: {radius: 0.5}\nmeasure: {error: false}", false},
+    };
+    for (size_t i = 0; i < AOB_COUNT(cases); i++) {
+        char text[400];
+        struct aob_error line = {""};
+        snprintf(text, sizeof text,
+                 "name: t\nscenes: [{name: %s}]\nresolutions: [8x8]\nbackends: [null]\n"
+                 "techniques: [{name: none}, {name: gtao, params: {%s}}]\n%s\n",
+                 cases[i].scene, cases[i].radius, cases[i].target);
+        plan_of(text);
+        assert_false(aob_case_mixes_units(&plan.cases[0], &config, &line)); /* it has no radius */
+        assert_int_equal(aob_case_mixes_units(&plan.cases[1], &config, &line), cases[i].mixed);
+        if (cases[i].mixed)
+            assert_string_equal(
+                line.text,
+                "cornell_box: gtao looks 139 scene units far, since its default radius is 0.5 m, and "
+                "is compared with the target of 0.5 scene units, which is 0.0018 m: state both in "
+                "scene units (a metre is 278)");
+        finish();
+    }
 }
 
 /* The config's own, in its order, whatever the sweep has. Whose radius is none of them is compared with the first; the
@@ -162,6 +219,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_radii_of_the_sweep),
                                        cmocka_unit_test(test_a_metre),
+                                       cmocka_unit_test(test_metre_of_a_capture),
+                                       cmocka_unit_test(test_mixed_units),
                                        cmocka_unit_test(test_named_targets),
                                        cmocka_unit_test(test_none_without_an_error),
                                        cmocka_unit_test(test_too_many),

@@ -52,7 +52,8 @@ static void broken_documents_are_refused(void **state)
     } cases[] = {
         {"", "'attributes': {'POSITION': 7}, 'indices': 1", "", "number 7 of its 2 accessors"},
         {"", "'attributes': {'POSITION': 0.5}, 'indices': 1", "", "no whole number"},
-        {"", "'attributes': {'POSITION': 1}, 'indices': 0", "", "numbers an element"},
+        {", 'extensions': {'EXT_mesh_gpu_instancing': {'attributes': {'ROTATION': 0}}}", BOX, "",
+         "accessor 0 has 3 numbers an element in place of 4"},
         {"", BOX ", 'mode': 9", "", "mode 9"},
         {", 'children': [0]", BOX, "", "below itself"},
         {", 'skin': 3", BOX, "", "3 of its 0 skins"},

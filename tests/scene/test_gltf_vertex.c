@@ -66,7 +66,8 @@ static void normals_of_bytes_are_read(void **state)
     struct aob_mesh mesh;
     document_put(&d, corners, 12, 3, F32, "VEC3", "");
     document_put(&d, normals, 4, 3, I8, "VEC3", ", 'normalized': true");
-    add_scene(&d, "", "'attributes': {'POSITION': 0, 'NORMAL': 1}", "");
+    add_scene(&d, "", "'attributes': {'POSITION': 0, 'NORMAL': 1}",
+              ", 'extensionsUsed': ['KHR_mesh_quantization']");
     document_load(&d, &mesh);
     assert_int_equal(mesh.triangle_count, 1);
     for (int k = 0; k < 3; k++)
@@ -83,13 +84,14 @@ static void strips_and_fans_are_triangles(void **state)
         size_t triangles;
     } cases[] = {{"'attributes': {'POSITION': 0}, 'mode': 5", 2},
                  {"'attributes': {'POSITION': 0}, 'indices': 1, 'mode': 6", 2},
-                 {"'attributes': {'POSITION': 0}", 1}};
+                 {"'attributes': {'POSITION': 0}, 'indices': 2", 1}};
     (void)state;
     for (size_t i = 0; i < AOB_COUNT(cases); i++) {
         struct document d = {0};
         struct aob_mesh mesh;
         document_put(&d, corners, 12, 4, F32, "VEC3", "");
         document_put(&d, fan, 1, 4, U8, "SCALAR", "");
+        document_put(&d, fan, 1, 3, U8, "SCALAR", "");
         add_scene(&d, "", cases[i].primitive, "");
         document_load(&d, &mesh);
         assert_int_equal(mesh.triangle_count, cases[i].triangles);

@@ -88,6 +88,22 @@ static void ply_is_read(void **state)
     aob_mesh_finish(&mesh);
 }
 
+/* What assimp makes of a wrong face is not what the file says, so one line tells it; a material that is missing is none. */
+static void wrong_faces_are_told(void **state)
+{
+    struct aob_error lines[AOB_MESH_WARNINGS];
+    struct aob_mesh mesh;
+    (void)state;
+    load_text(&mesh, "off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 9\n");
+    assert_int_equal(aob_mesh_suspect(&mesh, "box", lines), 1);
+    assert_string_equal(lines[0].text,
+                        "box: its shape lacks something, or is wrong: OFF: Vertex index is out of range");
+    aob_mesh_finish(&mesh);
+    load_text(&mesh, "obj", "mtllib gone.mtl\nusemtl gone\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    assert_int_equal(aob_mesh_suspect(&mesh, "box", lines), 0);
+    aob_mesh_finish(&mesh);
+}
+
 /* A PLY whose vertices lack an axis would be flat; the same names below another element do not help, nor does w. */
 static void a_ply_has_three_axes(void **state)
 {
@@ -318,6 +334,7 @@ int main(void)
         cmocka_unit_test(packaged_meshes_have_the_triangles_of_their_titles),
         cmocka_unit_test(obj_polygons_become_triangles),
         cmocka_unit_test(ply_is_read),
+        cmocka_unit_test(wrong_faces_are_told),
         cmocka_unit_test(a_ply_has_three_axes),
         cmocka_unit_test(bad_files_are_refused_with_one_line),
         cmocka_unit_test(truncated_files_are_sound_or_refused),
