@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "store/journal.h"
+#include "timing/estimate.h"
 #include "timing/summary.h"
 
 static int differences;
@@ -40,7 +41,7 @@ static void compare_record(const json_t *time, const struct aob_round_list *roun
     for (size_t r = 0; r < rounds->count; r++)
         measured += aob_round_seconds(&rounds->items[r]);
     compare_times(time, &again.whole, &again.to_fixed);
-    compare(time, "precision", again.to_fixed.bounded ? aob_ratio_width(&again.to_fixed) : NAN);
+    compare(time, "precision", again.to_fixed.bounded ? aob_estimate_half_width(&again.to_fixed) : NAN);
     compare(time, "seconds", measured / (double)(rounds->items[0].slot_count - AOB_SLOT_CASES));
     compare(time, "rounds", (double)again.rounds);
     compare(time, "clean_rounds", (double)again.clean_rounds);

@@ -55,13 +55,6 @@ bool aob_median_interval(const double *x, size_t n, double *low, double *high)
     return k > 0;
 }
 
-double aob_ratio_width(const struct aob_ratio *ratio)
-{
-    if (!ratio->bounded)
-        return INFINITY;
-    return fmax(ratio->high / ratio->ratio, ratio->ratio / ratio->low) - 1;
-}
-
 struct aob_ratio aob_paired_ratio(const double *a, const double *b, size_t n)
 {
     struct aob_ratio result;

@@ -19,9 +19,5 @@ struct aob_ratio {
     double ratio, low, high;
     bool bounded; /* low and high are a 95 % interval */
 };
-/* The share of the ratio that its interval reaches to the wider side: .03 of [1.94, 2.06] about 2. INFINITY where there is
- * no interval. */
-double aob_ratio_width(const struct aob_ratio *ratio);
-
 struct aob_ratio aob_paired_ratio(const double *a, const double *b, size_t n);
 #endif

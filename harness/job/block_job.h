@@ -7,8 +7,8 @@
 #define AOB_JOB_BLOCK_JOB_H
 #include <jansson.h>
 #include <stdbool.h>
-#include "address.h"
 #include <stdint.h>
+#include "address.h"
 #include "base/clock.h"
 #include "base/error.h"
 #include "plan/plan.h"

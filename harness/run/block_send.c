@@ -1,8 +1,8 @@
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "block.h"
 #include "gpu/gpu.h"
 
@@ -79,28 +79,46 @@ static double time_limit(const struct aob_run_block *block, const struct aob_run
     return 120 + (double)job->count * (10 * job->process->seconds + 2e-6 * scores);
 }
 
+/* Texts of an environment; free them. Mesa compiles a block's shaders anew in each process, which takes longer than its
+ * timing (docs/measuring.md); so the processes of a run share what it has compiled, in a folder that no other run has. */
+static void add_environment(const struct aob_run_block *block, char *env[], size_t room)
+{
+    const struct aob_case *c = aob_run_block_case(block, 0);
+    int threads = (int)aob_case_options(c).threads;
+    struct aob_text text = {0};
+    size_t used = 0;
+    for (const char *const *e = aob_gpu_find(c->backend)->environment; *e && used < room - 3; e++)
+        if (!block->m->shaders || strcmp(*e, "MESA_SHADER_CACHE_DISABLE=true") != 0)
+            env[used++] = aob_strdup(*e);
+    if (threads) {
+        aob_text_add(&text, "LP_NUM_THREADS=%d", threads);
+        env[used++] = text.data;
+    }
+    if (!block->m->shaders)
+        return;
+    char *folder = aob_path_absolute(block->m->shaders);
+    text = (struct aob_text){0};
+    aob_text_add(&text, "MESA_SHADER_CACHE_DIR=%s", folder);
+    env[used++] = text.data;
+    free(folder);
+}
+
 static bool run_worker(const struct aob_run_block *block, const struct aob_run_block_job *job,
                        struct aob_run_block_reply *reply, struct aob_error *error)
 {
     enum { ROOM = 32 };
-    const struct aob_case *c = aob_run_block_case(block, 0);
-    const char *env[ROOM] = {0};
-    char threads[40];
-    size_t used = 0;
-    for (const char *const *e = aob_gpu_find(c->backend)->environment; *e && used < ROOM - 2; e++)
-        env[used++] = *e;
-    snprintf(threads, sizeof threads, "LP_NUM_THREADS=%d", (int)aob_case_options(c).threads);
-    if (aob_case_options(c).threads)
-        env[used++] = threads;
+    char *env[ROOM] = {0};
+    add_environment(block, env, ROOM);
     struct aob_job_desc desc = {.job = make_job(block, job),
-                                .env = env,
+                                .env = (const char *const *)env,
                                 .timeout_s = time_limit(block, job),
                                 .output_limit = (size_t)(64 * (1 + job->process->seconds)) << 20,
                                 .on_answer = aob_run_block_take,
                                 .user = reply};
-    if (!aob_dispatch_job(block->m->dispatch, &desc, error) && !reply->complete)
-        return false;
-    return !*reply->garbled.text || aob_fail(error, "%s", reply->garbled.text);
+    bool ok = aob_dispatch_job(block->m->dispatch, &desc, error) || reply->complete;
+    for (char **e = env; *e; e++)
+        free(*e);
+    return ok && (!*reply->garbled.text || aob_fail(error, "%s", reply->garbled.text));
 }
 
 bool aob_run_block_send(struct aob_run_block *block, const struct aob_run_block_job *job,

@@ -24,7 +24,9 @@ struct aob_measurement {
     json_t *failed_views; /* what could not be cast or traced: its first place in by_view -> why */
     struct aob_cache cache;
     const char *folder; /* of the run: images go to its images/; NULL: none are kept */
-    const char *image;  /* in place of that: the file for the image of a plan's only case */
+    const char *
+        shaders; /* folder that drivers may keep compiled shaders in, of this run alone; NULL: they keep none */
+    const char *image; /* in place of that: the file for the image of a plan's only case */
     struct aob_shares shares;
     struct aob_measure_lock lock;
     uint32_t seed; /* of the orders of its timing, drawn anew for each measurement; records tell it */

@@ -242,6 +242,7 @@ static bool measure(struct run *run, struct aob_error *error)
         !skip_finished(run, error))
         return false;
     run->measurement.folder = run->folder.path;
+    run->measurement.shaders = run->folder.shaders;
     run->measurement.on_work = say_work;
     run->measurement.on_record = store_record;
     run->measurement.user = run;

@@ -1,6 +1,7 @@
 #include "time_record.h"
 #include <math.h>
 #include "base/json.h"
+#include "timing/estimate.h"
 #include "timing/summary.h"
 
 /* The interval is null where there are too few rounds for one. */
@@ -41,7 +42,7 @@ static void add_precision(json_t *time, const struct aob_time_record_desc *desc,
                           const struct aob_ratio *ratio)
 {
     double seconds = desc->measured->measured_s / (double)desc->asked->case_count;
-    double width = aob_ratio_width(ratio);
+    double width = aob_estimate_half_width(ratio);
     json_object_set_new(time, "precision", aob_json_number(isinf(width) ? NAN : width));
     json_object_set_new(time, "precision_wanted", json_real(desc->asked->precision));
     json_object_set_new(time, "seconds", json_real(seconds));

@@ -1,8 +1,11 @@
 #include "run_folder.h"
 #include <dirent.h>
+#include <ftw.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include "base/file.h"
 #include "base/memory.h"
@@ -104,6 +107,21 @@ static void discard_files(const char *path, const char *name, const char *ending
     free(folder);
 }
 
+static int discard_one(const char *path, const struct stat *info, int kind, struct FTW *at)
+{
+    (void)info;
+    (void)kind;
+    (void)at;
+    remove(path);
+    return 0;
+}
+
+/* What a driver keeps there is of this run alone. A killed run leaves it for the next to remove. */
+static void discard_shaders(const struct aob_run_folder *folder)
+{
+    nftw(folder->shaders, discard_one, 16, FTW_DEPTH | FTW_PHYS);
+}
+
 static bool discard_earlier_run(struct aob_run_folder *folder, struct aob_error *error)
 {
     discard_files(folder->path, "images", ".exr");
@@ -140,14 +158,18 @@ bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t
 {
     *folder = (struct aob_run_folder){.path = aob_strdup(path),
                                       .info = aob_path_join(path, "run.json"),
+                                      .shaders = aob_path_join(path, "shaders"),
                                       .journal_path = aob_path_join(path, "journal.jsonl")};
     bool ok = aob_folder_create(path, error) && create_folders(path, error) &&
               (fresh || judge_earlier_run(folder, info, error)) &&
               aob_journal_open(&folder->journal, folder->journal_path, error) &&
               (!fresh || discard_earlier_run(folder, error)) && aob_run_folder_describe(folder, info, error);
-    if (ok)
-        clean_parts(path);
-    return ok;
+    if (!ok)
+        return false;
+    clean_parts(path);
+    discard_shaders(folder);
+    folder->open = true;
+    return aob_folder_create(folder->shaders, error);
 }
 
 bool aob_run_folder_describe(const struct aob_run_folder *folder, const json_t *info, struct aob_error *error)
@@ -160,9 +182,12 @@ bool aob_run_folder_describe(const struct aob_run_folder *folder, const json_t *
 
 void aob_run_folder_close(struct aob_run_folder *folder)
 {
+    if (folder->open)
+        discard_shaders(folder);
     aob_journal_close(&folder->journal);
     free(folder->path);
     free(folder->info);
     free(folder->journal_path);
+    free(folder->shaders);
     *folder = (struct aob_run_folder){0};
 }

@@ -9,7 +9,10 @@
 
 struct aob_run_folder {
     char *path, *info, *journal_path; /* info: path of run.json */
-    struct aob_journal journal;       /* open for appending; one run a folder */
+    char *
+        shaders; /* empty when the run begins, removed when it ends: for what a driver keeps between processes */
+    bool open;                  /* this program has it, and no other */
+    struct aob_journal journal; /* open for appending; one run a folder */
 };
 
 /* Creates or reopens. What an earlier run left is kept if its run.json names the same config_hash, build and devices as

@@ -1,6 +1,6 @@
 #include "processes.h"
 #include <math.h>
-#include "base/statistics.h"
+#include "estimate.h"
 #include "summary.h"
 
 /* The finaliser of SplitMix64, by which neighbouring numbers have nothing in common. */
@@ -38,7 +38,7 @@ static bool is_precise(const struct aob_processes_desc *desc, const struct aob_r
 {
     for (size_t i = 0; i < desc->case_count; i++) {
         struct aob_ratio ratio = aob_rounds_ratio(rounds, AOB_SLOT_CASES + i);
-        if (aob_ratio_width(&ratio) > desc->precision)
+        if (aob_estimate_half_width(&ratio) > desc->precision)
             return false;
     }
     return true;

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
-#include "base/statistics.h"
+#include "estimate.h"
 #include "summary.h"
 
 /* One block while one process measures it. */
@@ -62,7 +62,8 @@ static bool run_slot(const struct run *run, size_t slot, int frames, struct aob_
     for (int p = 0; p < frame->graph.pass_count; p++)
         if (frame->passes[p])
             into->passes[into->pass_count++] = spent(&time.passes[p]);
-    return true;
+    return into->whole.ns[run->desc->clock] != AOB_NO_TIME ||
+           aob_fail(error, "the device told no time by the %s clock", aob_clock_name(run->desc->clock));
 }
 
 /* Takes the slot's cost from so many of its frames. */
@@ -183,7 +184,7 @@ static bool narrow_enough(const struct run *run)
 {
     for (size_t s = AOB_SLOT_CASES; s < run->slots; s++) {
         struct aob_ratio ratio = aob_rounds_own_ratio(run->rounds, run->first, s);
-        if (aob_ratio_width(&ratio) > run->desc->precision)
+        if (aob_estimate_half_width(&ratio) > run->desc->precision)
             return false;
     }
     return true;

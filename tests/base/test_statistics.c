@@ -57,19 +57,10 @@ static void test_ratio_covers_the_truth(void **state)
     assert_true(worst < 0.15);
 }
 
-static void test_width_is_of_the_wider_side(void **state)
-{
-    (void)state;
-    const struct aob_ratio up = {2, 1.98, 2.06, true}, down = {2, 1.6, 2.06, true}, none = {2, 2, 2, false};
-    assert_near(aob_ratio_width(&up), 0.03, 1e-12);
-    assert_near(aob_ratio_width(&down), 0.25, 1e-12);
-    assert_true(isinf(aob_ratio_width(&none)));
-}
-
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_median_and_quantile), cmocka_unit_test(test_width_is_of_the_wider_side),
-        cmocka_unit_test(test_interval_against_table), cmocka_unit_test(test_ratio_covers_the_truth)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_median_and_quantile),
+                                       cmocka_unit_test(test_interval_against_table),
+                                       cmocka_unit_test(test_ratio_covers_the_truth)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

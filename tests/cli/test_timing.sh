@@ -46,6 +46,22 @@ check "damage is told" grep -q "$file: it is damaged" <("$AOBUDGET_BUILD/check_r
 check "--fresh discards them" "$program" run config.yaml --out out --fresh --quiet
 check "and keeps the new ones" test "$(ls out/rounds)" = "$(basename "$(jq -r .time.rounds_file out/journal.jsonl | sort -u)")"
 
+# What Mesa compiles is shared by the processes of one run, and by nobody else.
+mkdir home
+(
+  unset MESA_SHADER_CACHE_DISABLE XDG_CACHE_HOME
+  export HOME=$folder/home
+  "$program" run config.yaml --out shared --quiet &
+  for _ in $(seq 600); do [ -n "$(find shared/shaders -type f 2>/dev/null)" ] && touch was_there && break; sleep 0.05; done
+  wait
+)
+check "Mesa keeps them in the run's folder" test -e was_there
+check "which are gone with the run" test ! -e shared/shaders
+check "and nowhere else" test -z "$(find home -name '*mesa*')"
+mkdir -p shared/shaders/ab && echo stale >shared/shaders/ab/stale
+check "what a killed run left" "$program" run config.yaml --out shared --quiet
+check "is removed" test ! -e shared/shaders
+
 # The summary says in its one line what is less precise, and what would do.
 sed 's/seconds: 0.1/seconds: 0.01, precision: 0.1%/' config.yaml >coarse.yaml
 expect 0 " less precise than 0.1 %, for which seconds: " "$program" run coarse.yaml --out coarse

@@ -198,19 +198,6 @@ static void a_block_job(void **state)
     json_decref(message);
 }
 
-static void modules_to_describe(void **state)
-{
-    (void)state;
-    static const char *const paths[] = {"one.so", "two.so"};
-    struct aob_modules back;
-    json_t *message = send(aob_modules_to_json(&(struct aob_modules){paths, paths, 2, 2}));
-    aob_modules_from_json(message, &back);
-    assert_int_equal(back.count, 2);
-    assert_path(back.paths[1], "two.so");
-    aob_modules_finish(&back);
-    json_decref(message);
-}
-
 static void what_a_block_times(void **state)
 {
     (void)state;
@@ -229,6 +216,19 @@ static void what_a_block_times(void **state)
     json_object_set_new(json_object_get(message, "timed"), "clock", json_string("sun"));
     assert_false(aob_block_timed_from_json(message, 5, &back));
     aob_block_timed_finish(&timed);
+    json_decref(message);
+}
+
+static void modules_to_describe(void **state)
+{
+    (void)state;
+    static const char *const paths[] = {"one.so", "two.so"};
+    struct aob_modules back;
+    json_t *message = send(aob_modules_to_json(&(struct aob_modules){paths, paths, 2, 2}));
+    aob_modules_from_json(message, &back);
+    assert_int_equal(back.count, 2);
+    assert_path(back.paths[1], "two.so");
+    aob_modules_finish(&back);
     json_decref(message);
 }
 
@@ -411,11 +411,11 @@ static void a_check_job(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_view_job),         cmocka_unit_test(a_check_job),
-        cmocka_unit_test(a_block_job),        cmocka_unit_test(what_a_block_times),
-        cmocka_unit_test(shares_of_a_block),  cmocka_unit_test(a_capture_job),
-        cmocka_unit_test(a_capture_answer),   cmocka_unit_test(a_layout_job),
-        cmocka_unit_test(a_mesh_job),         cmocka_unit_test(a_layout_answer),
-        cmocka_unit_test(modules_to_describe)};
+        cmocka_unit_test(a_view_job),        cmocka_unit_test(a_check_job),
+        cmocka_unit_test(a_block_job),       cmocka_unit_test(shares_of_a_block),
+        cmocka_unit_test(a_capture_job),     cmocka_unit_test(a_capture_answer),
+        cmocka_unit_test(a_layout_job),      cmocka_unit_test(a_mesh_job),
+        cmocka_unit_test(a_layout_answer),   cmocka_unit_test(modules_to_describe),
+        cmocka_unit_test(what_a_block_times)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -336,6 +336,23 @@ static void test_restless_device(void **state)
     script_destroy(s);
 }
 
+static void test_no_such_clock(void **state)
+{
+    (void)state;
+    struct script *s = script_create();
+    const struct aob_timing_source source = script_source(s);
+    struct aob_round_list rounds = {0};
+    struct aob_error error = {{0}};
+    const struct aob_timing_desc desc = {.fixed = s->fixed,
+                                         .frames = s->frames,
+                                         .frame_count = 1,
+                                         .clock = AOB_CLOCK_DEVICE,
+                                         .source = &source};
+    assert_false(aob_timing_run(&desc, &rounds, &error));
+    assert_string_equal(error.text, "the device told no time by the device clock");
+    script_destroy(s);
+}
+
 static double cheap_ms, dear_ms;
 static double cheap_and_dear(const struct script *s, int index, int round)
 {
@@ -386,6 +403,6 @@ int main(void)
         cmocka_unit_test(test_clean_rounds),      cmocka_unit_test(test_unknown_steal_is_clean),
         cmocka_unit_test(test_clock_choice),      cmocka_unit_test(test_width_is_of_the_chosen_clock),
         cmocka_unit_test(test_warm_up),           cmocka_unit_test(test_restless_device),
-        cmocka_unit_test(test_frames_a_slot)};
+        cmocka_unit_test(test_no_such_clock),     cmocka_unit_test(test_frames_a_slot)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
