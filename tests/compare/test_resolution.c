@@ -2,6 +2,7 @@
 #include <math.h>
 #include "base/memory.h"
 #include "compare/resolution.h"
+#include "timing/summary.h"
 
 enum { PROCESSES = 5, ROUNDS = 8, FRAMES = 2 };
 
@@ -62,6 +63,25 @@ static void test_figures(void **state)
     aob_rounds_finish(&rounds);
 }
 
+/* Of two slots of the same rounds, without the fixed pass: the levels lie evenly about 3, and Student's interval of five
+ * of them reaches 2.7764 x .0158 / sqrt(5) to each side. */
+static void test_quotient_of_slots(void **state)
+{
+    (void)state;
+    struct aob_round_list rounds = {0};
+    make(&rounds);
+    struct aob_ratio up = aob_rounds_quotient(&rounds, AOB_SLOT_CASES, AOB_SLOT_CONTROL);
+    struct aob_ratio down = aob_rounds_quotient(&rounds, AOB_SLOT_CONTROL, AOB_SLOT_CASES);
+    assert_near(up.ratio, 3, 1e-6);
+    assert_near(log(up.high / up.ratio), 2.7764 * 0.01 * sqrt(2.5) / sqrt(5), 1e-5);
+    assert_near(down.ratio, 1 / up.ratio, 1e-9);
+    assert_near(down.low, 1 / up.high, 1e-9);
+    for (size_t r = 0; r < rounds.count; r++) /* the fixed pass is not asked */
+        rounds.items[r].slots[AOB_SLOT_FIXED].whole.ns[AOB_CLOCK_CPU] *= (int64_t)(1 + r);
+    assert_near(aob_rounds_quotient(&rounds, AOB_SLOT_CASES, AOB_SLOT_CONTROL).ratio, up.ratio, 1e-12);
+    aob_rounds_finish(&rounds);
+}
+
 static void test_words(void **state)
 {
     (void)state;
@@ -88,6 +108,6 @@ static void test_words(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_figures), cmocka_unit_test(test_words)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_figures), cmocka_unit_test(test_quotient_of_slots), cmocka_unit_test(test_words)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
