@@ -93,6 +93,27 @@ struct aob_timing_source script_source(struct script *s)
     return (struct aob_timing_source){run, causes, s};
 }
 
+struct aob_round_list script_measure(struct script *s, struct aob_timing_desc desc)
+{
+    const struct aob_timing_source source = script_source(s);
+    struct aob_round_list rounds = {0};
+    desc.fixed = s->fixed;
+    desc.frames = s->frames;
+    desc.frame_count = desc.frame_count ? desc.frame_count : SCRIPT_CASES;
+    desc.precision = desc.precision > 0 ? desc.precision : 0.03;
+    desc.source = &source;
+    assert_true(aob_timing_run(&desc, &rounds, NULL));
+    return rounds;
+}
+
+size_t script_count_rounds(struct script *s, struct aob_timing_desc desc)
+{
+    struct aob_round_list rounds = script_measure(s, desc);
+    size_t count = rounds.count;
+    aob_rounds_finish(&rounds);
+    return count;
+}
+
 bool script_process(void *user, const struct aob_process_desc *process, struct aob_round_list *rounds,
                     struct aob_error *error)
 {

@@ -34,6 +34,12 @@ struct script *script_create(void); /* of frames with 1, 2, 3 passes; the fixed 
 void script_destroy(struct script *script);
 struct aob_timing_source script_source(struct script *script);
 
+/* Times the script's cases (all, if the desc names no number) to 3 % (if it names none); aob_rounds_finish frees. The
+ * second only counts the rounds. */
+struct aob_round_list script_measure(struct script *script, struct aob_timing_desc desc);
+size_t script_count_rounds(struct script *script, struct aob_timing_desc desc);
+#define SCRIPT_ENDLESS 1e9 /* seconds */
+
 /* The block's first `case_count` cases (0: all), in every process that `run` of struct aob_processes_desc asks for. */
 struct script_processes {
     double (*cpu_ms)(const struct script *script, int index, int round);

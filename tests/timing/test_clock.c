@@ -8,29 +8,6 @@
 /* Every rule of timing.h is held to figures written out here, on a scripted clock. A frame of a case takes 4 ms of processor
  * time, one of the fixed pass 2 ms, and twice as much of wall time, unless a test says otherwise. */
 
-static const double endless_s = 1e9;
-
-static struct aob_round_list measure(struct script *s, struct aob_timing_desc desc)
-{
-    const struct aob_timing_source source = script_source(s);
-    struct aob_round_list rounds = {0};
-    desc.fixed = s->fixed;
-    desc.frames = s->frames;
-    desc.frame_count = desc.frame_count ? desc.frame_count : SCRIPT_CASES;
-    desc.precision = desc.precision > 0 ? desc.precision : 0.03;
-    desc.source = &source;
-    assert_true(aob_timing_run(&desc, &rounds, NULL));
-    return rounds;
-}
-
-static size_t count_rounds(struct script *s, struct aob_timing_desc desc)
-{
-    struct aob_round_list rounds = measure(s, desc);
-    size_t count = rounds.count;
-    aob_rounds_finish(&rounds);
-    return count;
-}
-
 /* Alternates by 10 % about 4 ms: no interval is narrow. */
 static double noisy(const struct script *s, int index, int round)
 {
@@ -60,8 +37,8 @@ static void test_order_is_cyclic(void **state)
     for (size_t i = 0; i < AOB_COUNT(squares); i++) {
         struct script *s = script_create();
         s->cpu_ms = noisy;
-        struct aob_round_list rounds =
-            measure(s, (struct aob_timing_desc){.seconds = 0.5, .seed = squares[i].seed, .process = 4});
+        struct aob_round_list rounds = script_measure(
+            s, (struct aob_timing_desc){.seconds = 0.5, .seed = squares[i].seed, .process = 4});
         assert_true(rounds.count > 2 * SCRIPT_SLOTS);
         int before[SCRIPT_SLOTS] = {0}, now[SCRIPT_SLOTS];
         for (size_t r = 0; r < rounds.count; r++) {
@@ -85,7 +62,8 @@ static void test_places_are_what_ran(void **state)
 {
     (void)state;
     struct script *s = script_create();
-    struct aob_round_list rounds = measure(s, (struct aob_timing_desc){.seconds = endless_s, .seed = 3});
+    struct aob_round_list rounds =
+        script_measure(s, (struct aob_timing_desc){.seconds = SCRIPT_ENDLESS, .seed = 3});
     const int *ran = s->order + s->count - (int)rounds.count * SCRIPT_SLOTS;
     for (size_t r = 0; r < rounds.count; r++)
         for (int slot = 0; slot < SCRIPT_SLOTS; slot++) {
@@ -110,7 +88,8 @@ static size_t rounds_for(int count, double factor, double precision)
     s->cpu_ms = outlying;
     outliers = count;
     excess = factor;
-    size_t rounds = count_rounds(s, (struct aob_timing_desc){.seconds = endless_s, .precision = precision});
+    size_t rounds =
+        script_count_rounds(s, (struct aob_timing_desc){.seconds = SCRIPT_ENDLESS, .precision = precision});
     script_destroy(s);
     return rounds;
 }
@@ -164,7 +143,7 @@ static void test_stops_in_time(void **state)
     for (size_t i = 0; i < AOB_COUNT(rows); i++) {
         struct script *s = script_create();
         s->cpu_ms = noisy;
-        size_t count = count_rounds(
+        size_t count = script_count_rounds(
             s, (struct aob_timing_desc){.frame_count = rows[i].cases, .seconds = rows[i].seconds});
         if (count != rows[i].rounds)
             fail_msg("%zu cases, %g s: %zu rounds, not %zu", rows[i].cases, rows[i].seconds, count,
@@ -197,7 +176,7 @@ static void test_clean_rounds(void **state)
     struct script *s = script_create();
     s->cpu_ms = rising;
     s->cause = disturbed;
-    struct aob_round_list rounds = measure(s, (struct aob_timing_desc){.seconds = endless_s});
+    struct aob_round_list rounds = script_measure(s, (struct aob_timing_desc){.seconds = SCRIPT_ENDLESS});
     static const size_t clean[SCRIPT_CASES] = {20, 13, 0};
     static const double wall[SCRIPT_CASES] = {2 * 4.0095, 2 * 4.010, NAN};
     for (size_t i = 0; i < SCRIPT_CASES; i++) {
@@ -262,8 +241,8 @@ static void test_clock_choice(void **state)
         struct script *s = script_create();
         s->wall_ms = dear_wall;
         struct aob_round_list rounds =
-            measure(s, (struct aob_timing_desc){.seconds = endless_s,
-                                                .clock = wall ? AOB_CLOCK_WALL : AOB_CLOCK_CPU});
+            script_measure(s, (struct aob_timing_desc){.seconds = SCRIPT_ENDLESS,
+                                                       .clock = wall ? AOB_CLOCK_WALL : AOB_CLOCK_CPU});
         for (int i = 0; i < SCRIPT_CASES; i++)
             check_choice(&rounds, i, wall);
         /* a slot has 4 ms by the one clock, 30 by the other: 1, 1, 1 and 2 frames, or 3, 2 (1.5), 1 and 8 (7.5) */
@@ -286,54 +265,12 @@ static void test_width_is_of_the_chosen_clock(void **state)
     for (int wall = 0; wall < 2; wall++) {
         struct script *s = script_create();
         s->wall_ms = noisy_wall;
-        size_t count = count_rounds(
+        size_t count = script_count_rounds(
             s, (struct aob_timing_desc){.seconds = 0.5, .clock = wall ? AOB_CLOCK_WALL : AOB_CLOCK_CPU});
         /* 1.5 s of three cases, at 40 ms a round */
         assert_int_equal(count, wall ? 38 : 20);
         script_destroy(s);
     }
-}
-
-/* Slots of the fixed pass alone, behind the two turns of all slots: it is steady when three successive ones are within 10
- * %. Where clocks rise (it is judged by wall time, 4 ms a slot), not before 200 ms of load, and for 2 s at most. */
-static void test_warm_up(void **state)
-{
-    (void)state;
-    static const struct {
-        double fixed_ms[12]; /* behind the four of the two turns; 0: 2 */
-        enum aob_clock clock;
-        int slots; /* until it is steady */
-    } rows[] = {
-        {{2, 2, 2}, AOB_CLOCK_CPU, 3},
-        {{9, 5, 2, 2, 2}, AOB_CLOCK_CPU, 5},
-        {{2, 2.19, 2}, AOB_CLOCK_CPU, 3},
-        {{2, 2.3, 2, 2, 2}, AOB_CLOCK_CPU, 5},
-        {{2, 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, 2}, AOB_CLOCK_CPU, 10},
-        {{2}, AOB_CLOCK_WALL, 50},
-        {{10, 10, 10, 10, 10}, AOB_CLOCK_WALL, 30}, /* five of 20 ms, 25 of 4 ms */
-    };
-    for (size_t i = 0; i < AOB_COUNT(rows); i++) {
-        struct script *s = script_create();
-        memcpy(s->settling_ms + 4, rows[i].fixed_ms, sizeof rows[i].fixed_ms);
-        int rounds =
-            (int)count_rounds(s, (struct aob_timing_desc){.seconds = endless_s, .clock = rows[i].clock});
-        assert_int_equal(s->count, (SCRIPT_WARM_UP + rounds) * SCRIPT_SLOTS + rows[i].slots);
-        script_destroy(s);
-    }
-}
-
-static void test_restless_device(void **state)
-{
-    (void)state;
-    struct script *s = script_create();
-    for (int i = 4; i < 2000; i++)
-        s->settling_ms[i] = i % 2 ? 2 : 3; /* 4 and 6 ms of wall time: 400 slots are 2 s */
-    count_rounds(s, (struct aob_timing_desc){.seconds = 0.01, .clock = AOB_CLOCK_WALL});
-    int settling = 0;
-    while (s->order[2 * SCRIPT_SLOTS + settling] < 0)
-        settling++;
-    assert_int_equal(settling, 400 + 2); /* the two that come next count frames */
-    script_destroy(s);
 }
 
 static void test_no_such_clock(void **state)
@@ -353,48 +290,6 @@ static void test_no_such_clock(void **state)
     script_destroy(s);
 }
 
-static double cheap_ms, dear_ms;
-static double cheap_and_dear(const struct script *s, int index, int round)
-{
-    (void)s;
-    (void)round;
-    return index == 1 ? dear_ms : cheap_ms;
-}
-
-/* A slot takes as long as the dearest frame, 2 ms at least and 100 at most, and each case has as many frames as that. */
-static void test_frames_a_slot(void **state)
-{
-    (void)state;
-    static const struct {
-        double fixed, cheap, dear;
-        int frames[3]; /* of each */
-    } rows[] = {
-        {2, 4, 4, {2, 1, 1}},         {2, 0.3, 4, {2, 13, 1}},     {2, 0.3, 30, {15, 100, 1}},
-        {2, 1.7, 4, {2, 2, 1}},       {2, 0.3, 60, {30, 200, 1}},  {2, 0.3, 400, {50, 333, 1}},
-        {2, 0.01, 1, {1, 200, 2}},    {0.5, 0.1, 0.4, {4, 20, 5}}, {2, 0.001, 0.5, {1, 2000, 4}},
-        {2, 1e-9, 2, {1, 100000, 1}}, {150, 120, 400, {1, 1, 1}},
-    };
-    for (size_t i = 0; i < AOB_COUNT(rows); i++) {
-        struct script *s = script_create();
-        s->fixed_ms = rows[i].fixed;
-        cheap_ms = rows[i].cheap;
-        dear_ms = rows[i].dear;
-        s->cpu_ms = cheap_and_dear;
-        struct aob_round_list rounds = measure(s, (struct aob_timing_desc){.seconds = endless_s});
-        static const size_t slots[3] = {AOB_SLOT_FIXED, AOB_SLOT_CASES, AOB_SLOT_CASES + 1};
-        for (int k = 0; k < 3; k++)
-            assert_int_equal(rounds.items[rounds.count - 1].slots[slots[k]].frames, rows[i].frames[k]);
-        assert_int_equal(s->repeats[s->count - 1],
-                         rounds.items[rounds.count - 1]
-                             .slots[s->order[s->count - 1] + 2 - (s->order[s->count - 1] < 0)]
-                             .frames);
-        assert_near(aob_slot_ms(&rounds.items[0].slots[AOB_SLOT_CASES + 1], AOB_CLOCK_CPU), dear_ms,
-                    1e-5); /* of a frame */
-        aob_rounds_finish(&rounds);
-        script_destroy(s);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -402,7 +297,6 @@ int main(void)
         cmocka_unit_test(test_stops_when_narrow), cmocka_unit_test(test_stops_in_time),
         cmocka_unit_test(test_clean_rounds),      cmocka_unit_test(test_unknown_steal_is_clean),
         cmocka_unit_test(test_clock_choice),      cmocka_unit_test(test_width_is_of_the_chosen_clock),
-        cmocka_unit_test(test_warm_up),           cmocka_unit_test(test_restless_device),
-        cmocka_unit_test(test_no_such_clock),     cmocka_unit_test(test_frames_a_slot)};
+        cmocka_unit_test(test_no_such_clock)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
