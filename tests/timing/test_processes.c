@@ -227,7 +227,8 @@ static void test_seconds_needed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_seeds),
-                                       cmocka_unit_test(test_three_are_enough), cmocka_unit_test(test_at_least),
+                                       cmocka_unit_test(test_three_are_enough),
+                                       cmocka_unit_test(test_at_least),
                                        cmocka_unit_test(test_slices),
                                        cmocka_unit_test(test_seconds_buy_processes),
                                        cmocka_unit_test(test_seconds_bound),
