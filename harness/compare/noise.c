@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "quotient.h"
-#include "verdict.h"
 
 enum { ROUNDS_LEAST = 2, PROCESSES_LEAST = 2, LAG_LEAST = 8 };
 
@@ -90,27 +89,11 @@ struct aob_noise aob_noise_of(const struct aob_rounds *processes, size_t count)
     return noise;
 }
 
-double aob_noise_width(const struct aob_noise *noise, size_t processes)
+double aob_noise_width(const struct aob_noise *noise, size_t processes, double rounds)
 {
     const double z = 1.959964;
-    double rounds = (double)noise->rounds / (double)noise->processes;
     double own = noise->between * noise->between,
            s2 = own + M_PI / 2 * noise->within * noise->within / rounds;
     double t = s2 > 0 ? (aob_student(0.05, processes - 1) - z) * sqrt(own / s2) : 0;
     return sqrt(s2 / (double)processes) * (z + t);
-}
-
-size_t aob_noise_processes(const struct aob_noise *noise, double share)
-{
-    size_t low = AOB_COMPARE_PROCESSES, high = 1000000;
-    if (!(aob_noise_width(noise, high) <= log1p(share)))
-        return 0;
-    while (low < high) {
-        size_t middle = (low + high) / 2;
-        if (aob_noise_width(noise, middle) <= log1p(share))
-            high = middle;
-        else
-            low = middle + 1;
-    }
-    return low;
 }

@@ -19,10 +19,7 @@ struct aob_noise {
  * a correlation; NAN where there is none, or nothing varies. */
 struct aob_noise aob_noise_of(const struct aob_rounds *processes, size_t count);
 
-/* Half the width of an interval of 95 % over so many such processes, as a logarithm, by the formula of
- * timing/estimate.h: s^2 is what levels and rounds make of a process' median, w^2 what rounds alone do. */
-double aob_noise_width(const struct aob_noise *noise, size_t processes);
-
-/* Processes until that is `share` or less, at least AOB_COMPARE_PROCESSES; 0 if a million do not do. */
-size_t aob_noise_processes(const struct aob_noise *noise, double share);
+/* Half the width of an interval of 95 % over so many processes of so many rounds each, as a logarithm, by the formula of
+ * timing/estimate.h: s^2 is what levels and rounds make of a process' median, w^2 what rounds alone do. processes >= 2. */
+double aob_noise_width(const struct aob_noise *noise, size_t processes, double rounds);
 #endif

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include "base/json.h"
 #include "base/memory.h"
+#include "timing/processes.h"
+#include "timing/timing.h"
 
 const double aob_resolution_steps[AOB_RESOLUTION_STEPS] = {0.01, 0.02, 0.03, 0.05, 0.10};
 
@@ -61,16 +63,41 @@ static double seconds_of(const struct aob_round_list *rounds)
     return seconds;
 }
 
+/* What the interval would be after so many seconds. */
+static double width_after(const struct aob_resolution *r, double seconds)
+{
+    const struct aob_processes_desc desc = {.seconds = seconds};
+    double slice = aob_process_describe(&desc, 0).seconds;
+    size_t processes = (size_t)fmax(AOB_PROCESSES_LEAST, floor(seconds / slice * (1 + 1e-9)));
+    return aob_noise_width(&r->cost, processes, fmax(AOB_ROUNDS_LEAST, slice / r->round_s));
+}
+
+static double seconds_until(const struct aob_resolution *r, double share)
+{
+    double low = AOB_PROCESSES_LEAST * AOB_ROUNDS_LEAST * r->round_s, high = 1e6;
+    if (!(width_after(r, high) <= log1p(share)))
+        return NAN;
+    for (int i = 0; i < 100 && width_after(r, low) > log1p(share); i++) {
+        double middle = sqrt(low * high);
+        if (width_after(r, middle) <= log1p(share))
+            high = middle;
+        else
+            low = middle;
+        if (high / low < 1 + 1e-9)
+            low = high;
+    }
+    return low;
+}
+
 struct aob_resolution aob_resolution_of(const struct aob_round_list *rounds, double default_s)
 {
     struct aob_resolution r = {.control = noise_of(rounds, AOB_SLOT_CONTROL),
                                .cost = noise_of(rounds, AOB_SLOT_CASES),
                                .clean = clean_share(rounds),
+                               .round_s = seconds_of(rounds) / (double)rounds->count,
                                .recommended = NAN};
-    r.process_s = seconds_of(rounds) / (double)r.cost.processes;
     for (int i = 0; i < AOB_RESOLUTION_STEPS; i++) {
-        size_t processes = aob_noise_processes(&r.cost, aob_resolution_steps[i]);
-        r.seconds[i] = processes ? (double)processes * r.process_s : NAN;
+        r.seconds[i] = seconds_until(&r, aob_resolution_steps[i]);
         if (isnan(r.recommended) && r.seconds[i] <= default_s)
             r.recommended = aob_resolution_steps[i];
     }
@@ -85,8 +112,8 @@ static void print_noise(const char *what, const struct aob_noise *noise, struct 
 
 void aob_resolution_print(const struct aob_resolution *r, struct aob_text *out)
 {
-    aob_text_add_line(out, "%zu rounds in %zu processes, %.2f s each; %.0f %% of the slots were undisturbed",
-                      r->cost.rounds, r->cost.processes, r->process_s, 100 * r->clean);
+    aob_text_add_line(out, "%zu rounds of %.3f s in %zu processes; %.0f %% of the slots were undisturbed",
+                      r->cost.rounds, r->round_s, r->cost.processes, 100 * r->clean);
     aob_text_add_line(out, "%-26s %10s %12s %12s %12s", "sd of the log of a ratio", "in a round",
                       "of processes", "next round", "unpaired");
     print_noise("fixed pass to itself", &r->control, out);
@@ -96,7 +123,7 @@ void aob_resolution_print(const struct aob_resolution *r, struct aob_text *out)
                       "by compare");
     for (int i = 0; i < AOB_RESOLUTION_STEPS; i++)
         if (isnan(r->seconds[i]))
-            aob_text_add_line(out, "  %3g %%: not in a million processes", 100 * aob_resolution_steps[i]);
+            aob_text_add_line(out, "  %3g %%: not in 1e6 s", 100 * aob_resolution_steps[i]);
         else
             aob_text_add_line(out, "  %3g %%: %.3g s", 100 * aob_resolution_steps[i], r->seconds[i]);
     if (isnan(r->recommended))
@@ -120,6 +147,6 @@ json_t *aob_resolution_to_json(const struct aob_resolution *r)
                                                aob_json_number(r->seconds[i])));
     return json_pack("{s:o, s:o, s:i, s:i, s:f, s:f, s:o, s:o}", "control", noise_to_json(&r->control),
                      "cost", noise_to_json(&r->cost), "processes", (int)r->cost.processes, "rounds",
-                     (int)r->cost.rounds, "clean", r->clean, "process_seconds", r->process_s, "resolution",
-                     steps, "recommended", aob_json_number(r->recommended));
+                     (int)r->cost.rounds, "clean", r->clean, "round_seconds", r->round_s, "resolution", steps,
+                     "recommended", aob_json_number(r->recommended));
 }

@@ -14,9 +14,10 @@ struct aob_resolution {
     struct aob_noise control; /* the fixed pass against itself */
     struct aob_noise cost;    /* the case against the fixed pass */
     double clean;             /* share of slots without a context switch or stolen time */
-    double process_s;         /* wall time inside the rounds of a process, a case */
+    double round_s;           /* wall time of a round, a case */
     double seconds
-        [AOB_RESOLUTION_STEPS]; /* of timing a case until its interval reaches so far to each side; NAN: never */
+        [AOB_RESOLUTION_STEPS]; /* of timing a case, shared among processes as timing/processes.h does, until its
+                                              interval reaches so far to each side; NAN: not in 1e6 */
     double
         recommended; /* the smallest step that takes no more seconds than a case has by default; NAN: none */
 };

@@ -1,7 +1,7 @@
 # Sourced by bench.sh: how often `aobudget compare` says what is true. Rounds are recorded once for each pair of builds, in
-# 40 processes; the rule is applied to 400 choices of as many of them as a comparison of the default length measures.
+# 40 processes; the rule is applied to 400 choices of five of them, the least that a comparison measures.
 if wanted compare; then
-  builds=build/release/tests/modules processes=6 trials=400
+  builds=build/release/tests/modules processes=5 trials=400
   cat >"$folder/compare.yaml" <<EOY
 name: compare
 scenes: [{name: corner}]

@@ -51,15 +51,16 @@ static void test_figures(void **state)
     double all = 0;
     for (int p = 0; p < PROCESSES; p++)
         all += ROUNDS * FRAMES * 2 * (2 + level(p)) * 1e-3;
-    assert_near(r.process_s, all / PROCESSES, 1e-6);
-    /* t x .0158 / sqrt(P) <= ln(1 + share): 13 processes for 1 % (t 2.179), 5 for 2 % (2.776), 4 for 3 % (3.182), and the
-     * least, 3, for 5 % (4.303) and 10 %. */
-    static const int wanted[AOB_RESOLUTION_STEPS] = {13, 5, 4, 3, 3};
+    assert_near(r.round_s, all / PROCESSES / ROUNDS, 1e-6);
+    /* t x .0158 / sqrt(P) <= ln(1 + share): 13 processes for 1 % (t 2.179), 5 for 2 % (2.776), 4 for 3 % (3.182); each is
+     * given one second. Three (4.303) do for 5 and 10 %, of two rounds each. */
+    const double wanted[AOB_RESOLUTION_STEPS] = {13, 5, 4, 6 * r.round_s, 6 * r.round_s};
     for (int i = 0; i < AOB_RESOLUTION_STEPS; i++)
-        assert_near(r.seconds[i] / r.process_s, wanted[i], 1e-9);
-    assert_near(aob_resolution_of(&rounds, 4.5 * r.process_s).recommended, 0.03, 0);
-    assert_near(aob_resolution_of(&rounds, 100 * r.process_s).recommended, 0.01, 0);
-    assert_true(isnan(aob_resolution_of(&rounds, 2 * r.process_s).recommended));
+        assert_near(r.seconds[i], wanted[i], 1e-6);
+    assert_near(aob_resolution_of(&rounds, 4.5).recommended, 0.03, 0);
+    assert_near(aob_resolution_of(&rounds, 100).recommended, 0.01, 0);
+    assert_near(aob_resolution_of(&rounds, 1).recommended, 0.05, 0);
+    assert_true(isnan(aob_resolution_of(&rounds, 5 * r.round_s).recommended));
     aob_rounds_finish(&rounds);
 }
 
@@ -90,13 +91,13 @@ static void test_words(void **state)
     make(&rounds);
     struct aob_resolution r = aob_resolution_of(&rounds, 100);
     aob_resolution_print(&r, &text);
-    assert_contains(text.data, "40 rounds in 5 processes");
+    assert_contains(text.data, "40 rounds of 0.020 s in 5 processes");
     assert_contains(text.data, "1.58 %");
     assert_contains(text.data, "recommended: precision: 1%");
     aob_text_finish(&text);
     r.recommended = r.seconds[0] = NAN;
     aob_resolution_print(&r, &text);
-    assert_contains(text.data, "1 %: not in a million processes");
+    assert_contains(text.data, "1 %: not in 1e6 s");
     assert_contains(text.data, "recommended: none");
     json_t *json = aob_resolution_to_json(&r);
     assert_true(json_is_null(json_object_get(json, "recommended")));
