@@ -17,6 +17,10 @@ static const struct aob_flag module_flag = {"module", "FILE.so",
                                             "load the techniques of a module as well; may be repeated",
                                             AOB_FLAG_MANY, offsetof(struct aob_common, modules)};
 
+static const struct aob_flag device_flag = {"device", "NAME|N",
+                                            "of a backend, by name or number; see: aobudget list backends",
+                                            AOB_FLAG_TEXT, offsetof(struct aob_common, dispatch.device)};
+
 /* Its own first, then those of every command; ended by a NULL name. */
 static void gather_flags(const struct aob_command *command, struct aob_flag all[MAX_FLAGS])
 {
@@ -25,6 +29,8 @@ static void gather_flags(const struct aob_command *command, struct aob_flag all[
         all[count++] = *flag;
     if (command->modules)
         all[count++] = module_flag;
+    if (command->devices)
+        all[count++] = device_flag;
     for (size_t i = 0; i < AOB_COUNT(common_flags); i++)
         all[count++] = common_flags[i];
     all[count] = (struct aob_flag){0};

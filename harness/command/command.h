@@ -21,6 +21,7 @@ struct aob_command {
     const char *usage, *summary;  /* "CONFIG [--out DIR]"; one sentence */
     const struct aob_flag *flags; /* its own, ended by a NULL name; NULL: none */
     bool modules;                 /* it takes --module */
+    bool devices;                 /* it takes --device */
     size_t least, most;           /* words besides flags */
     size_t size;                  /* of its options, whose first member is a struct aob_common */
     enum aob_exit (*run)(void *options, struct aob_error *error);

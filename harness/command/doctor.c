@@ -130,8 +130,9 @@ static enum aob_exit doctor(void *options, struct aob_error *error)
 const struct aob_command aob_command_doctor = {
     .name = "doctor",
     .help = "drivers and meshes: what is missing, and its cure",
-    .usage = "",
+    .usage = "[--device NAME|N]",
     .summary = "Drivers, helpers and meshes: what is there, and how to install the rest.",
+    .devices = true,
     .size = sizeof(struct aob_common),
     .run = doctor,
 };

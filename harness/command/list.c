@@ -143,18 +143,49 @@ static bool list_scenes(struct aob_common *common, struct aob_error *error)
     return ok;
 }
 
-static json_t *backends_to_json(void)
+static json_t *backends_to_json(const struct aob_dispatch *dispatch)
 {
     json_t *array = json_array();
-    for (const struct aob_gpu_fns *const *b = aob_gpu_backends; *b; b++)
-        json_array_append_new(array, json_pack("{s:s, s:s}", "name", (*b)->name, "title", (*b)->title));
+    for (const struct aob_gpu_fns *const *b = aob_gpu_backends; *b; b++) {
+        struct aob_error error = {{0}};
+        json_t *devices = aob_dispatch_devices(dispatch, (*b)->name, &error);
+        json_array_append_new(array,
+                              json_pack("{s:s, s:s, s:o, s:s}", "name", (*b)->name, "title", (*b)->title,
+                                        "devices", devices ? devices : json_array(), "reason", error.text));
+    }
     return json_pack("{s:o}", "backends", array);
 }
 
-static void print_backends(struct aob_text *out)
+static const char *text_of(const json_t *object, const char *name)
 {
-    for (const struct aob_gpu_fns *const *b = aob_gpu_backends; *b; b++)
-        aob_text_add_line(out, "%-12s %s", (*b)->name, (*b)->title);
+    return json_string_value(json_object_get(object, name));
+}
+
+/* One a line; a star before the one that is used. */
+static void print_devices(const json_t *devices, struct aob_text *out)
+{
+    for (size_t i = 0; i < json_array_size(devices); i++) {
+        const json_t *d = json_array_get(devices, i);
+        bool software = json_is_true(json_object_get(d, "software"));
+        const char *lacks = text_of(d, "lacks");
+        aob_text_add_line(out, "  %c %zu  %s: %s%s; %s; %s%s%s",
+                          json_is_true(json_object_get(d, "chosen")) ? '*' : ' ', i, text_of(d, "name"),
+                          text_of(d, "class"), software ? ", software" : "", text_of(d, "driver"),
+                          json_is_true(json_object_get(d, "timer")) ? "timer" : "no timer",
+                          *lacks ? "; it lacks " : "", lacks);
+    }
+}
+
+static void print_backends(const json_t *document, struct aob_text *out)
+{
+    const json_t *array = json_object_get(document, "backends");
+    for (size_t i = 0; i < json_array_size(array); i++) {
+        const json_t *backend = json_array_get(array, i);
+        aob_text_add_line(out, "%-12s %s", text_of(backend, "name"), text_of(backend, "title"));
+        print_devices(json_object_get(backend, "devices"), out);
+        if (*text_of(backend, "reason"))
+            aob_text_add_line(out, "    %s", text_of(backend, "reason"));
+    }
 }
 
 static bool list_techniques(struct aob_common *common, struct aob_error *error)
@@ -171,9 +202,11 @@ static bool list_techniques(struct aob_common *common, struct aob_error *error)
 
 static bool list_backends(struct aob_common *common, struct aob_error *error)
 {
+    json_t *document = backends_to_json(&common->dispatch);
     if (common->json)
-        return write_document(backends_to_json(), common->json, error);
-    print_backends(&common->out);
+        return write_document(document, common->json, error);
+    print_backends(document, &common->out);
+    json_decref(document);
     return true;
 }
 
@@ -196,9 +229,10 @@ static enum aob_exit list(void *options, struct aob_error *error)
 const struct aob_command aob_command_list = {
     .name = "list",
     .help = "what there is: techniques, scenes, backends",
-    .usage = "techniques|scenes|backends [--json FILE]",
+    .usage = "techniques|scenes|backends [--device NAME|N] [--json FILE]",
     .summary = "What there is, with parameters, units, bounds and geometry.",
     .modules = true,
+    .devices = true,
     .least = 1,
     .most = 1,
     .size = sizeof(struct aob_common),

@@ -31,10 +31,11 @@ static enum aob_exit papers(void *from, struct aob_error *error)
 const struct aob_command aob_command_papers = {
     .name = "papers",
     .help = "the texts' figures beside those measured here",
-    .usage = "[--quick] [--filter TEXT] [--out DIR] [--module FILE.so]",
+    .usage = "[--quick] [--filter TEXT] [--out DIR] [--device NAME|N] [--module FILE.so]",
     .summary = "The figures of the techniques' texts beside those measured here.",
     .flags = flags,
     .modules = true,
+    .devices = true,
     .size = sizeof(struct options),
     .run = papers,
 };

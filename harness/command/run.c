@@ -46,10 +46,12 @@ static enum aob_exit run(void *from, struct aob_error *error)
 const struct aob_command aob_command_run_config = {
     .name = "run",
     .help = "a sweep: times, errors, images, report",
-    .usage = "CONFIG [--out DIR] [--resume|--fresh] [--filter TEXT] [--precision P%] [--module FILE.so]",
+    .usage = "CONFIG [--out DIR] [--resume|--fresh] [--filter TEXT] [--precision P%] [--device NAME|N] "
+             "[--module FILE.so]",
     .summary = "The sweep: journal, images, report.",
     .flags = flags,
     .modules = true,
+    .devices = true,
     .least = 1,
     .most = 1,
     .size = sizeof(struct options),

@@ -6,6 +6,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "command.h"
+#include "gpu/gpu.h"
 #include "run/measurement.h"
 #include "run/record.h"
 #include "run/sweep.h"
@@ -260,13 +261,26 @@ static bool measure(const struct options *o, struct aob_sweep *sweep, json_t **r
            aob_fail(error, "%s: %s", status, reason ? reason : "no reason given");
 }
 
+/* Before anything is traced for it. */
+static bool has_device(const struct options *o, struct aob_error *error)
+{
+    const struct aob_dispatch *dispatch = &o->common.dispatch;
+    const char *backend = o->backend ? o->backend : "vulkan";
+    if (!dispatch->device || !aob_gpu_find(backend))
+        return true;
+    json_t *device = aob_dispatch_probe(dispatch, backend, error);
+    json_decref(device);
+    return device;
+}
+
 static bool make_sweep(const struct options *o, struct aob_sweep *sweep, struct aob_error *error)
 {
     if (!o->technique || !o->scene)
         return aob_fail(error, "shot: --technique and --scene are needed");
     if (!make_config(o, &sweep->config, error) || !aob_sweep_expand(sweep, &o->common.dispatch, error))
         return false;
-    return sweep->plan.case_count == 1 || aob_fail(error, "shot takes one value a parameter");
+    return sweep->plan.case_count == 1 ? has_device(o, error)
+                                       : aob_fail(error, "shot takes one value a parameter");
 }
 
 static enum aob_exit shot(void *from, struct aob_error *error)
@@ -292,6 +306,7 @@ const struct aob_command aob_command_shot = {
     .summary = "One frame, timed and scored.",
     .flags = flags,
     .modules = true,
+    .devices = true,
     .size = sizeof(struct options),
     .run = shot,
 };

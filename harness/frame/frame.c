@@ -296,35 +296,24 @@ bool aob_frame_set(struct aob_frame *frame, int number, const void *values, stru
     return true;
 }
 
-static void add_time(struct aob_gpu_time *sum, const struct aob_gpu_time *time)
-{
-    sum->wall_ns += time->wall_ns;
-    sum->cpu_ns += time->cpu_ns;
-}
-
-static bool run_once(struct aob_frame *frame, struct aob_frame_time *sum, struct aob_error *error)
-{
-    for (int i = 0; i < frame->graph.pass_count; i++) {
-        struct aob_gpu_time time;
-        if (!frame->passes[i])
-            continue;
-        if (!aob_gpu_pass_run(frame->screen->gpu, frame->passes[i], &time, error))
-            return aob_fail_in(error, "%s: pass '%s'", frame->graph.technique->name,
-                               frame->graph.passes[i].name);
-        add_time(&sum->passes[i], &time);
-        add_time(&sum->whole, &time);
-    }
-    return true;
-}
-
 bool aob_frame_run(struct aob_frame *frame, int repeats, struct aob_frame_time *time, struct aob_error *error)
 {
-    struct aob_frame_time sum = {0};
-    for (int i = 0; i < repeats; i++)
-        if (!run_once(frame, &sum, error))
-            return false;
-    if (time)
-        *time = sum;
+    struct aob_gpu_pass *passes[AOB_MAX_PASS];
+    struct aob_gpu_time times[AOB_MAX_PASS], whole;
+    size_t count = 0;
+    for (int i = 0; i < frame->graph.pass_count; i++)
+        if (frame->passes[i])
+            passes[count++] = frame->passes[i];
+    const struct aob_gpu_run_desc desc = {passes, count, repeats};
+    if (!aob_gpu_run(frame->screen->gpu, &desc, times, &whole, error))
+        return aob_fail_in(error, "%s", frame->graph.technique->name);
+    if (!time)
+        return true;
+    *time = (struct aob_frame_time){.whole = whole};
+    count = 0;
+    for (int i = 0; i < frame->graph.pass_count; i++)
+        if (frame->passes[i])
+            time->passes[i] = times[count++];
     return true;
 }
 

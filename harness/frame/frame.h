@@ -48,7 +48,7 @@ void aob_frame_finish(struct aob_frame *frame);
  * false too if the device fails. */
 bool aob_frame_set(struct aob_frame *frame, int number, const void *values, struct aob_error *error);
 
-/* What running a frame took, summed over its repeats. */
+/* What running a frame took, summed over its repeats. Which clocks are there, and of what, is told at aob_gpu_run. */
 struct aob_frame_time {
     struct aob_gpu_time whole;
     struct aob_gpu_time passes[AOB_MAX_PASS]; /* graph.pass_count of them; zeros for one that was pruned */

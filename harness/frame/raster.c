@@ -114,7 +114,8 @@ static bool draw(struct raster *raster, const struct aob_projection *view, struc
                                      .vertex_count = (uint32_t)(3 * raster->mesh->triangle_count),
                                      .depth_test = true};
     raster->pass = aob_gpu_pass_create(raster->gpu, &desc, error);
-    return raster->pass && aob_gpu_pass_run(raster->gpu, raster->pass, NULL, error);
+    return raster->pass &&
+           aob_gpu_run(raster->gpu, &(struct aob_gpu_run_desc){&raster->pass, 1, 1}, NULL, NULL, error);
 }
 
 static bool read_back(struct raster *raster, struct aob_hits *hits, struct aob_error *error)

@@ -30,10 +30,14 @@ struct aob_gpu *aob_gpu_open(const char *backend, const struct aob_gpu_desc *des
 {
     static const struct aob_gpu_desc plain;
     const struct aob_gpu_fns *fns = aob_gpu_find(backend);
-    if (fns)
-        return fns->open(desc ? desc : &plain, error);
-    fail_unknown(backend, error);
-    return NULL;
+    if (!fns) {
+        fail_unknown(backend, error);
+        return NULL;
+    }
+    struct aob_gpu *gpu = fns->open(desc ? desc : &plain, error);
+    if (gpu)
+        gpu->lists = !gpu->info.software || (desc && desc->as_gpu);
+    return gpu;
 }
 
 void aob_gpu_close(struct aob_gpu *gpu)
@@ -294,11 +298,4 @@ bool aob_gpu_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, c
         return aob_fail(error, "%s: uniform block of %zu bytes for a pass that was made with %zu",
                         gpu->info.backend, size, pass->uniform_size);
     return gpu->fns->pass_set_uniforms(gpu, pass, block, error);
-}
-
-bool aob_gpu_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
-                      struct aob_error *error)
-{
-    struct aob_gpu_time unwanted;
-    return gpu->fns->pass_run(gpu, pass, time ? time : &unwanted, error);
 }

@@ -25,16 +25,36 @@ struct aob_gpu_info {    /* for the record's fingerprint; strings live as long a
         device_class; /* what a history may follow: "cpu", "integrated", "discrete", "virtual"; "gpu" where the
                                  API does not say which */
     bool software;    /* a processor does the work: costs are its CPU time */
+    bool timer;       /* it has a clock of its own; timing/timer.h finds out whether that tells the truth */
     bool draws_nothing; /* the null backend: images are zero and no fault of a technique */
 };
 
 struct aob_gpu_desc {
     bool validate; /* Vulkan validation layer (core, synchronization): its first message fails the call it
                       came from */
+    bool
+        as_gpu; /* a software device runs lists of passes as a GPU does (aob_gpu_run): for the test of its timer,
+                      and so that the ways of a GPU are tested where there is none */
+    const char *device; /* number or name, as aob_gpu_choose says; NULL: the backend's default */
 };
 
+struct aob_gpu_device {          /* one that a backend can see, opened or not */
+    char name[256], driver[640]; /* as in struct aob_gpu_info */
+    const char *device_class;    /* the same */
+    bool software, timer;        /* the same */
+    char lacks[128];             /* what it lacks to be opened, "Vulkan 1.3"; empty: nothing */
+    uint64_t node;               /* device number of its DRM render node; 0: none, or not known */
+};
+enum { AOB_GPU_MAX_DEVICES = 32 };
+struct aob_gpu_device_list { /* a device's number is its place */
+    struct aob_gpu_device items[AOB_GPU_MAX_DEVICES];
+    size_t count;
+};
+
+/* A time that nobody took is 0. */
 struct aob_gpu_time {
     int64_t wall_ns, cpu_ns; /* of submit to completion; cpu: all threads of this process */
+    int64_t device_ns;       /* by the device's own clock */
 };
 
 /* What a texture may be used for: a device keeps it in the form that is fastest for just that, so ask for no
@@ -94,11 +114,19 @@ struct aob_gpu_pass_desc {
     enum aob_gpu_blend blend;
 };
 
+enum { AOB_GPU_MAX_LIST = AOB_MAX_PASS };
+struct aob_gpu_run_desc {
+    struct aob_gpu_pass *const *passes; /* run in this order; a pass may stand in it more than once */
+    size_t count;                       /* 1..AOB_GPU_MAX_LIST */
+    int repeats;                        /* of the whole list, at least 1 */
+};
+
 /* One row per backend. All slots are required. */
 struct aob_gpu_fns {
     const char *name;               /* the word in configs */
     const char *title;              /* one line for `list backends` */
     const char *const *environment; /* NULL-ended "NAME=value" that a worker's process must start with */
+    bool (*devices)(struct aob_gpu_device_list *list, size_t *chosen, struct aob_error *error);
     struct aob_gpu *(*open)(const struct aob_gpu_desc *desc, struct aob_error *error);
     void (*close)(struct aob_gpu *gpu);
     bool (*texture_create)(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
@@ -114,12 +142,17 @@ struct aob_gpu_fns {
     void (*pass_destroy)(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
     bool (*pass_set_uniforms)(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
                               struct aob_error *error);
-    bool (*pass_run)(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
-                     struct aob_error *error);
+    /* The whole list in one submit, `repeats` times. The times are zeros when it is called, and what it takes is added:
+     * wall_ns and cpu_ns to `whole`; device_ns to `whole` and to each of `times` if the device runs lists and has a
+     * timer. */
+    bool (*run)(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, struct aob_gpu_time *times,
+                struct aob_gpu_time *whole, struct aob_error *error);
 };
 struct aob_gpu { /* first member of every backend's own struct */
     const struct aob_gpu_fns *fns;
     struct aob_gpu_info info;
+    bool
+        lists; /* aob_gpu_run puts many passes into a submit: it is no software device, or was opened as_gpu */
 };
 struct aob_gpu_texture { /* first member of each backend's own, as are the next two */
     enum aob_format format;
@@ -133,10 +166,23 @@ struct aob_gpu_program {
 };
 struct aob_gpu_pass {
     size_t uniform_size; /* 0: it has no block */
+    int64_t last_ns;     /* wall time of its last run, as its share of a list's; 0: it never ran */
 };
 
 extern const struct aob_gpu_fns *const aob_gpu_backends[]; /* NULL-ended, in the order of `list backends` */
 const struct aob_gpu_fns *aob_gpu_find(const char *name);  /* NULL if unknown */
+
+/* All devices that a backend sees, and the number of its default: the first discrete one that lacks nothing, else
+ * integrated, virtual, of a class that the API does not say, processor. gl-egl prefers the default of `vulkan`, and has none
+ * where that is a GPU and EGL offers processors only: figures of a processor must not pass for a GPU's. `chosen` is the
+ * count then. False after a line: no driver. */
+bool aob_gpu_devices(const struct aob_gpu_fns *fns, struct aob_gpu_device_list *list, size_t *chosen,
+                     struct aob_error *error);
+
+/* The number of the device that `wanted` means: its number, its whole name, or a part of it that no other device has, in
+ * capitals or not. False after a line that names the devices there are, or says what the meant one lacks. */
+bool aob_gpu_choose(const struct aob_gpu_device_list *list, const char *backend, const char *wanted,
+                    size_t *chosen, struct aob_error *error);
 
 /* NULL after one line that says what is missing (driver, loader, package). */
 struct aob_gpu *aob_gpu_open(const char *backend, const struct aob_gpu_desc *desc, struct aob_error *error);
@@ -163,7 +209,7 @@ struct aob_gpu_program *aob_gpu_program_create_geometry(struct aob_gpu *gpu, con
                                                         const char *fragment, struct aob_error *error);
 void aob_gpu_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program);
 
-/* A pass is recorded once and run many times. It may read other levels of a texture that it writes a level of,
+/* A pass is made once and run many times. It may read other levels of a texture that it writes a level of,
  * never the same one. Its program and textures must outlive it; binds, targets and uniforms are copied. */
 struct aob_gpu_pass *aob_gpu_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc,
                                          struct aob_error *error);
@@ -174,9 +220,20 @@ void aob_gpu_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
 bool aob_gpu_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block, size_t size,
                                struct aob_error *error);
 
-/* One submit and fence (or draw and glFinish): complete on return. `time` may be NULL. */
-bool aob_gpu_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
-                      struct aob_error *error);
+/* The list of passes, `repeats` times, complete on return; each pass sees what those before it wrote. The times are sums
+ * over the repeats. `times`: one for each place in the list, or NULL; `whole`: or NULL.
+ *
+ * On a software device each pass is one submit and fence (or one draw and glFinish) and is timed by the host's clocks; the
+ * whole is their sum. On any other device one submit holds the whole list, several times where that is short, because the
+ * way to a GPU and back takes longer than a short pass: the device's clock times each pass and the whole list from its
+ * begin to its end, and the host's clocks time the submits only. A submit is meant to take AOB_GPU_SUBMIT_NS at most, as
+ * drivers stop what takes seconds; a list that is longer is a submit of its own. */
+bool aob_gpu_run(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, struct aob_gpu_time *times,
+                 struct aob_gpu_time *whole, struct aob_error *error);
+enum {
+    AOB_GPU_SUBMIT_NS = 100000000,
+    AOB_GPU_SUBMIT_MAX = 512, /* passes in a submit */
+};
 
 /* A level's width or height in texels, from that of level 0: half of the one above, rounded down, at least 1. */
 int aob_gpu_level_side(int side, int level);

@@ -30,10 +30,11 @@ json_t *aob_block_job_to_json(const struct aob_block_job *job)
     json_t *cases = json_array();
     for (size_t i = 0; i < job->case_count; i++)
         json_array_append_new(cases, case_to_json(&job->cases[i]));
-    json_t *object = json_pack("{s:s, s:s, s:b, s:b, s:b, s:b, s:b, s:b, s:o, s:o}", "job", "block",
-                               "backend", job->backend, "validate", job->validate, "raster", job->raster,
-                               "triangles", job->triangles, "score", job->score, "time", job->time, "error",
-                               job->error, "targets", targets_to_json(job), "cases", cases);
+    json_t *object =
+        json_pack("{s:s, s:s, s:s?, s:b, s:b, s:b, s:b, s:b, s:b, s:o, s:o}", "job", "block", "backend",
+                  job->backend, "device", job->device, "validate", job->validate, "raster", job->raster,
+                  "triangles", job->triangles, "score", job->score, "time", job->time, "error", job->error,
+                  "targets", targets_to_json(job), "cases", cases);
     json_object_set_new(object, "timing",
                         json_pack("{s:i, s:I, s:f, s:f, s:s?}", "process", job->process, "seed",
                                   (json_int_t)job->seed, "seconds", job->seconds, "precision", job->precision,
@@ -97,6 +98,7 @@ static bool read_flags(const json_t *object, struct aob_block_job *job, struct a
                     &job->backend, "validate", &validate, "raster", &raster, "triangles", &triangles, "score",
                     &score, "time", &time, "error", &compare) != 0)
         return aob_fail(error, "a block job lacks a field");
+    job->device = json_string_value(json_object_get(object, "device"));
     job->validate = validate;
     job->raster = raster;
     job->triangles = triangles;

@@ -34,6 +34,7 @@ struct aob_block_case {
 struct aob_block_job {
     struct aob_job_view view;
     const char *backend;
+    const char *device;     /* of the backend (gpu/gpu.h); NULL: its default */
     bool validate;          /* Vulkan runs under its validation layer */
     bool raster, triangles; /* the device draws the G-buffer; a pass draws the scene's triangles */
     bool score;             /* images are drawn, judged and written; */

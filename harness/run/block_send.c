@@ -42,6 +42,7 @@ static json_t *make_job(const struct aob_run_block *block, const struct aob_run_
     char *images[AOB_BLOCK_MAX] = {NULL};
     struct aob_block_job job = {.view = aob_job_view_of(c, files),
                                 .backend = c->backend,
+                                .device = block->m->dispatch->device,
                                 .validate = block->m->dispatch->validate,
                                 .raster = aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER,
                                 .score = sent->score,

@@ -127,6 +127,27 @@ bool aob_dispatch_describe(const struct aob_dispatch *dispatch, const struct aob
     return false;
 }
 
+static void add_device(void *user, const json_t *answer)
+{
+    json_array_append_new(user, json_deep_copy(answer));
+}
+
+json_t *aob_dispatch_devices(const struct aob_dispatch *dispatch, const char *backend,
+                             struct aob_error *error)
+{
+    json_t *devices = json_array();
+    struct aob_job_desc desc = {.job = json_pack("{s:s, s:s, s:s?}", "job", "devices", "backend", backend,
+                                                 "device", dispatch->device),
+                                .env = aob_gpu_find(backend)->environment,
+                                .timeout_s = 30,
+                                .on_answer = add_device,
+                                .user = devices};
+    if (aob_dispatch_job(dispatch, &desc, error))
+        return devices;
+    json_decref(devices);
+    return NULL;
+}
+
 static void take_device(void *user, const json_t *answer)
 {
     json_t **device = user;
@@ -137,11 +158,12 @@ static void take_device(void *user, const json_t *answer)
 json_t *aob_dispatch_probe(const struct aob_dispatch *dispatch, const char *backend, struct aob_error *error)
 {
     json_t *device = NULL;
-    struct aob_job_desc desc = {.job = json_pack("{s:s, s:s}", "job", "probe", "backend", backend),
-                                .env = aob_gpu_find(backend)->environment,
-                                .timeout_s = 30,
-                                .on_answer = take_device,
-                                .user = &device};
+    struct aob_job_desc desc = {
+        .job = json_pack("{s:s, s:s, s:s?}", "job", "probe", "backend", backend, "device", dispatch->device),
+        .env = aob_gpu_find(backend)->environment,
+        .timeout_s = 30,
+        .on_answer = take_device,
+        .user = &device};
     bool ok = aob_dispatch_job(dispatch, &desc, error);
     if (ok && device)
         return device;

@@ -12,6 +12,7 @@ struct aob_dispatch {
     const char *program;        /* path of the executable that answers to `worker` */
     struct aob_modules modules; /* the --module files */
     bool validate;              /* Vulkan validation layer in workers */
+    const char *device;         /* of each backend (aob_gpu_choose); NULL: its default */
 };
 struct aob_job_desc {
     json_t *job;                                         /* taken */
@@ -30,6 +31,11 @@ bool aob_dispatch_job(const struct aob_dispatch *dispatch, const struct aob_job_
 /* What techniques there are: built in and in the modules, which may be others than the dispatch's. */
 bool aob_dispatch_describe(const struct aob_dispatch *dispatch, const struct aob_modules *modules,
                            struct aob_technique_list *list, struct aob_error *error);
+
+/* The devices of a backend, [{name, driver, class, software, timer, lacks, chosen}] in the order of their numbers; one is
+ * `chosen` at most, that of dispatch->device or the default. NULL after a line: no driver. Decref it. */
+json_t *aob_dispatch_devices(const struct aob_dispatch *dispatch, const char *backend,
+                             struct aob_error *error);
 
 /* What a backend's device says of itself, {device, driver, class}; NULL after a line if it cannot be opened. Decref
  * it. */

@@ -25,18 +25,24 @@ static json_t *keys_to_json(const struct aob_plan *plan)
     return keys;
 }
 
-/* The devices of the backends that the cases name. */
-static json_t *probe_devices(const struct aob_sweep *sweep, const struct aob_dispatch *dispatch)
+/* The devices of the backends that the cases name. NULL after a line if a device is asked for that none of them has. */
+static json_t *probe_devices(const struct aob_sweep *sweep, const struct aob_dispatch *dispatch,
+                             struct aob_error *error)
 {
     json_t *devices = json_object();
+    bool found = !dispatch->device;
     for (size_t i = 0; i < sweep->plan.case_count; i++) {
         const char *backend = sweep->plan.cases[i].backend;
         if (json_object_get(devices, backend))
             continue;
-        json_t *device = aob_dispatch_probe(dispatch, backend, NULL);
+        json_t *device = aob_dispatch_probe(dispatch, backend, found ? NULL : error);
+        found = found || device;
         json_object_set_new(devices, backend, device ? device : json_null());
     }
-    return devices;
+    if (found)
+        return devices;
+    json_decref(devices);
+    return NULL;
 }
 
 json_t *aob_run_info_create(const struct aob_sweep *sweep, const struct aob_dispatch *dispatch,
@@ -46,9 +52,12 @@ json_t *aob_run_info_create(const struct aob_sweep *sweep, const struct aob_disp
     time_t now = time(NULL);
     if (!aob_hash_file(dispatch->program, build, error))
         return NULL;
+    json_t *devices = probe_devices(sweep, dispatch, error);
+    if (!devices)
+        return NULL;
     strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
     return json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:o}", "name", sweep->config.name,
                      "config_hash", sweep->config.hash, "build", build, "program", AOBUDGET_VERSION, "date",
                      date, "cases", (int)sweep->plan.case_count, "keys", keys_to_json(&sweep->plan),
-                     "techniques", techniques_to_json(sweep), "devices", probe_devices(sweep, dispatch));
+                     "techniques", techniques_to_json(sweep), "devices", devices);
 }

@@ -6,7 +6,8 @@
 
 /* {name, config_hash, build, program, date, cases, keys, techniques, devices}, of the whole plan whatever the filter: a page
  * is complete when all of it is measured. Opens each backend of the plan once, in a worker; a backend that cannot be
- * opened stands in `devices` as null. NULL after a line if this program's own file cannot be read. Decref it. */
+ * opened stands in `devices` as null. NULL after a line if this program's own file cannot be read, or
+ * if no backend of the plan has the device that is asked for. Decref it. */
 json_t *aob_run_info_create(const struct aob_sweep *sweep, const struct aob_dispatch *dispatch,
                             struct aob_error *error);
 #endif

@@ -40,10 +40,12 @@ static struct aob_frame *slot_frame(const struct run *run, size_t slot)
     return slot < AOB_SLOT_CASES ? run->desc->fixed : run->desc->frames[slot - AOB_SLOT_CASES];
 }
 
+/* A time that nobody took is 0 (gpu/gpu.h). */
 static struct aob_spent spent(const struct aob_gpu_time *time)
 {
-    return (struct aob_spent){
-        {[AOB_CLOCK_CPU] = time->cpu_ns, [AOB_CLOCK_WALL] = time->wall_ns, [AOB_CLOCK_DEVICE] = AOB_NO_TIME}};
+    return (struct aob_spent){{[AOB_CLOCK_CPU] = time->cpu_ns,
+                               [AOB_CLOCK_WALL] = time->wall_ns,
+                               [AOB_CLOCK_DEVICE] = time->device_ns > 0 ? time->device_ns : AOB_NO_TIME}};
 }
 
 static bool run_slot(const struct run *run, size_t slot, int frames, struct aob_slot *into,

@@ -139,8 +139,8 @@ static bool load_scene(struct aob_block *block, struct aob_error *error)
 
 static bool open_device(struct aob_block *block, struct aob_error *error)
 {
-    block->gpu =
-        aob_gpu_open(block->job.backend, &(struct aob_gpu_desc){.validate = block->job.validate}, error);
+    const struct aob_gpu_desc desc = {.validate = block->job.validate, .device = block->job.device};
+    block->gpu = aob_gpu_open(block->job.backend, &desc, error);
     return block->gpu && load_scene(block, error) && aob_block_draw(block, error) &&
            use_screen(block, &(struct aob_options){0}, error);
 }

@@ -2,14 +2,26 @@
 #include "base/machine.h"
 #include "block.h"
 #include "timing/fixed_pass.h"
+#include "timing/timer.h"
 #include "timing/timing.h"
 
-/* Whose time this device's costs are. The processes after the first are told, so that they cannot differ. */
+/* Whose time this device's costs are: never the processor's where it only waits for another. The processes after the first
+ * are told, so that they cannot differ. */
 static bool choose_clock(const struct aob_block *block, enum aob_clock *clock, struct aob_error *error)
 {
-    *clock = block->gpu->info.software ? AOB_CLOCK_CPU : AOB_CLOCK_WALL;
-    return !block->job.clock || aob_clock_find(block->job.clock, clock) ||
-           aob_fail(error, "a block job has an unknown clock '%s'", block->job.clock);
+    struct aob_timer timer = {.trusted = false};
+    if (block->job.clock)
+        return aob_clock_find(block->job.clock, clock) ||
+               aob_fail(error, "a block job has an unknown clock '%s'", block->job.clock);
+    if (!block->gpu->info.software && !aob_timer_test(block->gpu, &timer, error))
+        return false;
+    *clock = block->gpu->info.software ? AOB_CLOCK_CPU : timer.trusted ? AOB_CLOCK_DEVICE : AOB_CLOCK_WALL;
+    return true;
+}
+
+static int64_t time_by(enum aob_clock clock, const struct aob_gpu_time *time)
+{
+    return clock == AOB_CLOCK_CPU ? time->cpu_ns : clock == AOB_CLOCK_WALL ? time->wall_ns : time->device_ns;
 }
 
 /* A frame that the driver has compiled. */
@@ -19,7 +31,7 @@ static bool probe_cost(struct aob_block *block, size_t f, enum aob_clock clock, 
     struct aob_frame_time time;
     if (!aob_frame_run(&block->frames[f], 1, &time, error))
         return false;
-    *ms = 1e-6 * (double)(clock == AOB_CLOCK_CPU ? time.whole.cpu_ns : time.whole.wall_ns);
+    *ms = 1e-6 * (double)time_by(clock, &time.whole);
     return true;
 }
 

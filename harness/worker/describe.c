@@ -1,5 +1,7 @@
+#include <stdlib.h>
 #include "base/json.h"
 #include "base/machine.h"
+#include "base/memory.h"
 #include "gpu/gpu.h"
 #include "job/modules.h"
 #include "worker.h"
@@ -23,7 +25,8 @@ static bool describe(struct aob_worker *worker, struct aob_error *error)
 static bool probe(struct aob_worker *worker, struct aob_error *error)
 {
     const char *backend = json_string_value(json_object_get(worker->job, "backend"));
-    struct aob_gpu *gpu = aob_gpu_open(backend ? backend : "", &(struct aob_gpu_desc){0}, error);
+    const struct aob_gpu_desc desc = {.device = json_string_value(json_object_get(worker->job, "device"))};
+    struct aob_gpu *gpu = aob_gpu_open(backend ? backend : "", &desc, error);
     if (!gpu)
         return false;
     json_t *answer = json_pack("{s:o, s:o, s:s}", "device", aob_json_text(gpu->info.device), "driver",
@@ -39,5 +42,33 @@ static bool probe(struct aob_worker *worker, struct aob_error *error)
     return true;
 }
 
+static void reply_devices(struct aob_worker *worker, const struct aob_gpu_device_list *list, size_t chosen)
+{
+    for (size_t i = 0; i < list->count; i++) {
+        const struct aob_gpu_device *d = &list->items[i];
+        aob_worker_reply(worker,
+                         json_pack("{s:o, s:o, s:s, s:b, s:b, s:s, s:b}", "name", aob_json_text(d->name),
+                                   "driver", aob_json_text(d->driver), "class", d->device_class, "software",
+                                   d->software, "timer", d->timer, "lacks", d->lacks, "chosen", i == chosen));
+    }
+}
+
+static bool devices(struct aob_worker *worker, struct aob_error *error)
+{
+    const char *backend = json_string_value(json_object_get(worker->job, "backend"));
+    const char *wanted = json_string_value(json_object_get(worker->job, "device"));
+    const struct aob_gpu_fns *fns = backend ? aob_gpu_find(backend) : NULL;
+    struct aob_gpu_device_list *list = AOB_NEW(struct aob_gpu_device_list);
+    size_t chosen;
+    bool ok = fns ? aob_gpu_devices(fns, list, &chosen, error) : aob_fail(error, "no such backend");
+    if (ok && wanted)
+        ok = aob_gpu_choose(list, backend, wanted, &chosen, error);
+    if (ok)
+        reply_devices(worker, list, chosen);
+    free(list);
+    return ok;
+}
+
 const struct aob_worker_job aob_worker_describe = {"describe", describe};
 const struct aob_worker_job aob_worker_probe = {"probe", probe};
+const struct aob_worker_job aob_worker_devices = {"devices", devices};

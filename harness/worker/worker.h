@@ -1,8 +1,9 @@
 /* `aobudget worker`: one job in a process of its own. It reads one JSON document on standard input and answers with JSON
  * lines on standard output. Only here are modules loaded, drivers opened and files of strangers parsed, so a crash costs
- * this job. The messages are in job/, writer and reader of each in one file; two jobs are too small for one:
+ * this job. The messages are in job/, writer and reader of each in one file; three jobs are too small for one:
  *   describe {modules}  -> a technique a line (aob_technique_to_json), built in or of the modules
- *   probe    {backend}  -> {device, driver, class}, and {cpu, cores} where a processor is the device
+ *   devices  {backend, device}  -> a device a line: {name, driver, class, software, timer, lacks, chosen}
+ *   probe    {backend, device}  -> {device, driver, class}, and {cpu, cores} where a processor is the device
  * A job that cannot be done says so in one line on standard error and exits with 2. */
 #ifndef AOB_WORKER_WORKER_H
 #define AOB_WORKER_WORKER_H
@@ -21,8 +22,9 @@ struct aob_worker_job {
     const char *name; /* the member "job" of its message */
     bool (*run)(struct aob_worker *worker, struct aob_error *error);
 };
-extern const struct aob_worker_job aob_worker_describe, aob_worker_probe, aob_worker_layout, aob_worker_mesh,
-    aob_worker_capture, aob_worker_check, aob_worker_view, aob_worker_block;
+extern const struct aob_worker_job aob_worker_describe, aob_worker_probe, aob_worker_devices,
+    aob_worker_layout, aob_worker_mesh, aob_worker_capture, aob_worker_check, aob_worker_view,
+    aob_worker_block;
 
 /* Reads a job and does it by the NULL-ended list; the exit code. */
 int aob_worker_main(const struct aob_worker_job *const *jobs);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, defaults, damaged, papers, compare, demo, mutants, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, defaults, damaged, papers, timer, compare, demo, mutants, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -31,6 +31,27 @@ if wanted reference; then
       *) row "$name" "$value" "$unit" ;;
     esac
   done < <(build/release/bench/bench_tracer)
+fi
+
+# A device's clock, beside the host's, of passes of 16 ms or more. On a busy machine the host waits for a processor, so
+# bars are judged on a quiet one only: where wall time is processor time / threads within 10 %.
+if wanted timer; then
+  build/release/bench/bench_timer >"$folder/timer"
+  while read -r name value unit; do
+    backend=${name%%_*}
+    case $name in
+      vulkan_trusted) row "timer: $name" "$value" "$unit" ">=" 1 ;;
+      gl-*_trusted) row "timer: $name" "$value" "$unit" ;;
+      *_quiet) ;;
+      vulkan_missing_*)
+        if grep -q "^${backend}_quiet 1" "$folder/timer"; then
+          row "timer: $name" "$value" "$unit" "<=" 3
+        else
+          row "timer: $name" "$value" "$unit, not judged: busy"
+        fi ;;
+      *) row "timer: $name" "$value" "$unit" ;;
+    esac
+  done <"$folder/timer"
 fi
 
 if wanted damaged; then

@@ -48,12 +48,18 @@ static inline void *read_back(struct aob_gpu *gpu, const struct aob_gpu_texture 
     return texels;
 }
 
+static inline bool run_once(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
+                            struct aob_error *error)
+{
+    return aob_gpu_run(gpu, &(struct aob_gpu_run_desc){&pass, 1, 1}, NULL, time, error);
+}
+
 static inline void run_pass(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc,
                             struct aob_gpu_time *time)
 {
     struct aob_error error = {""};
     struct aob_gpu_pass *pass = aob_gpu_pass_create(gpu, desc, &error);
-    if (!pass || !aob_gpu_pass_run(gpu, pass, time, &error))
+    if (!pass || !run_once(gpu, pass, time, &error))
         fail_msg("%s", error.text);
     aob_gpu_pass_destroy(gpu, pass);
 }

@@ -82,7 +82,8 @@ static float *draw(struct aob_gpu *gpu, const struct triangle *triangles, size_t
                                       &error)
                 : NULL;
     float *pixels = AOB_NEW_ARRAY(float, TEXELS);
-    if (!pass || !aob_gpu_pass_run(gpu, pass, NULL, &error) || !aob_gpu_pass_run(gpu, pass, NULL, &error) ||
+    const struct aob_gpu_run_desc twice = {&pass, 1, 2};
+    if (!pass || !aob_gpu_run(gpu, &twice, NULL, NULL, &error) ||
         !aob_gpu_texture_read(gpu, target, 0, pixels, &error))
         fail_msg("%s", error.text);
     aob_gpu_pass_destroy(gpu, pass);

@@ -25,7 +25,7 @@ static void reads_uniforms_as_they_were(void **state)
     struct aob_gpu_pass *pass = aob_gpu_pass_create(gpu, &desc, NULL);
     assert_non_null(pass);
     memset(&block, 0, sizeof block);
-    assert_true(aob_gpu_pass_run(gpu, pass, NULL, NULL));
+    assert_true(run_once(gpu, pass, NULL, NULL));
     float *got = read_back(gpu, target, 0);
     const float expected[] = {1.5f, -3, 0.25f, -4.5f};
     if (draws(gpu))
@@ -47,7 +47,7 @@ static struct aob_gpu_pass *run_with(struct aob_gpu *gpu, struct aob_gpu_program
             .program = drawer, .targets = &target, .target_count = 1, .uniforms = block, .uniform_size = 12},
         NULL);
     assert_non_null(pass);
-    assert_true(aob_gpu_pass_run(gpu, pass, NULL, NULL));
+    assert_true(run_once(gpu, pass, NULL, NULL));
     return pass;
 }
 
@@ -74,7 +74,7 @@ static void sets_uniforms_between_runs(void **state)
             float *before = read_back(gpu, made[i], 0); /* setting draws nothing */
             assert_memory_equal(before, draws(gpu) ? expected[run - 1][i] : zero, sizeof first);
             free(before);
-            assert_true(aob_gpu_pass_run(gpu, passes[i], NULL, NULL));
+            assert_true(run_once(gpu, passes[i], NULL, NULL));
         }
         for (int i = 0; i < 2; i++) {
             float *got = read_back(gpu, made[i], 0);

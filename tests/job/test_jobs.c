@@ -114,6 +114,7 @@ static struct aob_block_case cases[] = {{.technique = {"gtao", "one.so", "0123"}
                                         {.technique = {"none", NULL, "4567"}}};
 static const struct aob_block_job block = {.view = view,
                                            .backend = "gl-egl",
+                                           .device = "radeon",
                                            .validate = true,
                                            .triangles = true,
                                            .score = true,
@@ -131,6 +132,7 @@ static const struct aob_block_job block = {.view = view,
 static void check_block(const struct aob_block_job *job)
 {
     assert_string_equal(job->backend, "gl-egl");
+    assert_string_equal(job->device, "radeon");
     assert_true(job->validate && !job->raster && job->triangles && job->score && !job->time && job->error);
     assert_true(job->process == 2 && job->seed == 0xfedcba98 && job->seconds == 0.75 &&
                 job->precision == 0.015);

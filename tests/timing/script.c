@@ -28,10 +28,11 @@ static void next_cost(struct script *s, int index, double *cpu, double *wall)
     s->causes.steal_ticks += now.steal_ticks;
 }
 
-static struct aob_gpu_time share_of(double cpu, double wall, double share)
+static struct aob_gpu_time share_of(const struct script *s, double cpu, double wall, double share)
 {
     return (struct aob_gpu_time){.cpu_ns = (int64_t)llround(cpu * 1e6 * share),
-                                 .wall_ns = (int64_t)llround(wall * 1e6 * share)};
+                                 .wall_ns = (int64_t)llround(wall * 1e6 * share),
+                                 .device_ns = s->device ? (int64_t)llround(3 * cpu * 1e6 * share) : 0};
 }
 
 /* Passes are 1 : 2 : 3 ... of the whole. */
@@ -45,9 +46,9 @@ static bool run(void *user, struct aob_frame *frame, int repeats, struct aob_fra
     for (int i = 0; i < SCRIPT_CASES; i++)
         index = frame == s->frames[i] ? i : index;
     next_cost(s, index, &cpu, &wall);
-    *time = (struct aob_frame_time){.whole = share_of(cpu, wall, repeats)};
+    *time = (struct aob_frame_time){.whole = share_of(s, cpu, wall, repeats)};
     for (int p = 0; p < count; p++)
-        time->passes[p] = share_of(cpu, wall, 2.0 * repeats * (p + 1) / (count * (count + 1)));
+        time->passes[p] = share_of(s, cpu, wall, 2.0 * repeats * (p + 1) / (count * (count + 1)));
     if (index >= 0)
         s->runs[index]++;
     assert_true(s->count < SCRIPT_RUNS_MAX);

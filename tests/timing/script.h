@@ -22,7 +22,8 @@ struct script {
     double (*wall_ms)(const struct script *script, int index, int round); /* NULL: twice the processor time */
     /* What happens during a slot of the case; NULL: nothing. */
     struct aob_causes (*cause)(const struct script *script, int index, int round);
-    double fixed_ms;                     /* of a frame of the fixed pass; 0: 2 */
+    bool device;     /* it has a clock of its own, by which all takes three times the processor time */
+    double fixed_ms; /* of a frame of the fixed pass; 0: 2 */
     double settling_ms[SCRIPT_RUNS_MAX]; /* in place of that for each of its slots, in order; 0: that */
     int fixed_runs, runs[SCRIPT_CASES];  /* slots so far */
     int order[SCRIPT_RUNS_MAX], repeats[SCRIPT_RUNS_MAX],

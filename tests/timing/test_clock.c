@@ -273,6 +273,27 @@ static void test_width_is_of_the_chosen_clock(void **state)
     }
 }
 
+/* 12 ms against 6, whatever the host's clocks say. */
+static void test_clock_of_the_device(void **state)
+{
+    (void)state;
+    struct script *s = script_create();
+    struct aob_summary t;
+    s->device = true;
+    s->wall_ms = noisy_wall;
+    struct aob_round_list rounds =
+        script_measure(s, (struct aob_timing_desc){.seconds = SCRIPT_ENDLESS, .clock = AOB_CLOCK_DEVICE});
+    aob_summarise(&rounds, AOB_SLOT_CASES + 1, &t);
+    assert_int_equal(t.rounds, 20);
+    assert_near(t.whole.ms[AOB_CLOCK_DEVICE], 12, 1e-5);
+    assert_near(t.passes[1].ms[AOB_CLOCK_DEVICE], 8, 1e-5);
+    assert_near(t.to_fixed.ratio, 2, 1e-9);
+    assert_near(t.pass_to_fixed[1].ratio, 8.0 / 6, 1e-6);
+    assert_int_equal(rounds.items[0].slots[AOB_SLOT_FIXED].frames, 2);
+    aob_rounds_finish(&rounds);
+    script_destroy(s);
+}
+
 static void test_no_such_clock(void **state)
 {
     (void)state;
@@ -293,10 +314,10 @@ static void test_no_such_clock(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_order_is_cyclic),   cmocka_unit_test(test_places_are_what_ran),
-        cmocka_unit_test(test_stops_when_narrow), cmocka_unit_test(test_stops_in_time),
-        cmocka_unit_test(test_clean_rounds),      cmocka_unit_test(test_unknown_steal_is_clean),
-        cmocka_unit_test(test_clock_choice),      cmocka_unit_test(test_width_is_of_the_chosen_clock),
-        cmocka_unit_test(test_no_such_clock)};
+        cmocka_unit_test(test_order_is_cyclic),     cmocka_unit_test(test_places_are_what_ran),
+        cmocka_unit_test(test_stops_when_narrow),   cmocka_unit_test(test_stops_in_time),
+        cmocka_unit_test(test_clean_rounds),        cmocka_unit_test(test_unknown_steal_is_clean),
+        cmocka_unit_test(test_clock_choice),        cmocka_unit_test(test_width_is_of_the_chosen_clock),
+        cmocka_unit_test(test_clock_of_the_device), cmocka_unit_test(test_no_such_clock)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -38,17 +38,32 @@ static bool is_software(const char *renderer)
     return false;
 }
 
+void aob_gl_describe(PFNGLGETSTRINGPROC get, struct aob_gpu_device *device)
+{
+    snprintf(device->name, sizeof device->name, "%s", (const char *)get(GL_RENDERER));
+    snprintf(device->driver, sizeof device->driver, "%s, OpenGL %s", (const char *)get(GL_VENDOR),
+             (const char *)get(GL_VERSION));
+    device->software = is_software(device->name);
+    device->device_class = device->software ? "cpu" : "gpu";
+}
+
 static void describe(struct gl *gl)
 {
-    const char *renderer = (const char *)gl->api.GetString(GL_RENDERER);
-    snprintf(gl->driver, sizeof gl->driver, "%s, OpenGL %s", (const char *)gl->api.GetString(GL_VENDOR),
-             (const char *)gl->api.GetString(GL_VERSION));
-    gl->base.info.device = renderer;
-    gl->base.info.driver = gl->driver;
-    gl->base.info.software = is_software(renderer);
-    gl->base.info.device_class = gl->base.info.software ? "cpu" : "gpu";
+    struct aob_gpu_info *info = &gl->base.info;
+    aob_gl_describe(gl->api.GetString, &gl->device);
+    info->device = gl->device.name;
+    info->driver = gl->device.driver;
+    info->software = gl->device.software;
+    info->device_class = gl->device.device_class;
     gl->api.GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->max_texture_size);
     gl->api.GetIntegerv(GL_MAX_IMAGE_UNITS, &gl->max_image_units);
+}
+
+static void create_stamps(struct gl *gl)
+{
+    gl->api.GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &gl->stamp_bits);
+    gl->api.GenQueries(AOB_COUNT(gl->stamps), gl->stamps);
+    gl->base.info.timer = gl->stamp_bits > 0;
 }
 
 static void create_samplers(struct gl *gl)
@@ -90,20 +105,23 @@ static bool set_up(struct gl *gl, struct aob_error *error)
     gl->api.BlendFunc(GL_ONE, GL_ONE);
     gl->api.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl->api.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    create_stamps(gl);
     create_samplers(gl);
     gl->api.CreateVertexArrays(1, &gl->vertex_array);
     gl->api.BindVertexArray(gl->vertex_array);
     return create_triangle(gl, error) && aob_gl_ok(&gl->base, "set up the context", error);
 }
 
-struct aob_gpu *aob_gl_open(const struct aob_gpu_fns *fns, const struct gl_context_fns *context_fns,
+struct aob_gpu *aob_gl_open(const struct aob_gpu_fns *fns, struct gl_context *context,
                             struct aob_error *error)
 {
+    if (!context)
+        return NULL;
     struct gl *gl = AOB_NEW(struct gl);
     gl->base.fns = fns;
     gl->base.info.backend = fns->name;
-    gl->context = context_fns->create(error);
-    if (gl->context && set_up(gl, error))
+    gl->context = context;
+    if (set_up(gl, error))
         return &gl->base;
     aob_gl_close(&gl->base);
     return NULL;
@@ -113,7 +131,6 @@ struct aob_gpu *aob_gl_open(const struct aob_gpu_fns *fns, const struct gl_conte
 void aob_gl_close(struct aob_gpu *gpu)
 {
     struct gl *gl = (struct gl *)gpu;
-    if (gl->context)
-        gl->context->fns->destroy(gl->context);
+    gl->context->fns->destroy(gl->context);
     free(gl);
 }

@@ -64,7 +64,11 @@
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                             \
     X(PFNGLCREATEVERTEXARRAYSPROC, CreateVertexArrays)                                                       \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                             \
-    X(PFNGLDRAWARRAYSPROC, DrawArrays)
+    X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                                       \
+    X(PFNGLGENQUERIESPROC, GenQueries)                                                                       \
+    X(PFNGLGETQUERYIVPROC, GetQueryiv)                                                                       \
+    X(PFNGLQUERYCOUNTERPROC, QueryCounter)                                                                   \
+    X(PFNGLGETQUERYOBJECTUI64VPROC, GetQueryObjectui64v)
 
 struct gl_api {
 #define X(type, name) type name;
@@ -78,7 +82,6 @@ struct gl_context { /* first member of egl.c's and osmesa.c's own; one table eac
     const struct gl_context_fns *fns;
 };
 struct gl_context_fns {
-    struct gl_context *(*create)(struct aob_error *error);
     void (*destroy)(struct gl_context *context);
     bool (*make_current)(struct gl_context *context);
     gl_function (*find)(struct gl_context *context, const char *name);
@@ -91,7 +94,9 @@ struct gl {
     GLint max_texture_size, max_image_units;
     GLuint samplers[2]; /* by enum aob_filter */
     GLuint vertex_array, triangle;
-    char driver[256];
+    GLint stamp_bits;                          /* valid bits of a timestamp; 0: the driver has no timer */
+    GLuint stamps[2 * AOB_GPU_SUBMIT_MAX + 2]; /* before and behind each pass, and the whole */
+    struct aob_gpu_device device;
 };
 
 struct gl_texture {
@@ -104,9 +109,12 @@ struct gl_program {
     GLuint name;
 };
 
-/* device.c */
-struct aob_gpu *aob_gl_open(const struct aob_gpu_fns *fns, const struct gl_context_fns *context_fns,
+/* device.c. Takes the context, which is current, also where it fails; NULL where that is NULL. */
+struct aob_gpu *aob_gl_open(const struct aob_gpu_fns *fns, struct gl_context *context,
                             struct aob_error *error);
+
+/* What a current context says of its device: name, driver, class, software. `get` is its glGetString. */
+void aob_gl_describe(PFNGLGETSTRINGPROC get, struct aob_gpu_device *device);
 void aob_gl_close(struct aob_gpu *gpu);
 
 /* call.c. aob_gl_use makes the device's context current and gives its functions. */
@@ -138,14 +146,17 @@ bool aob_gl_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
 void aob_gl_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
 bool aob_gl_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
                               struct aob_error *error);
-bool aob_gl_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
-                     struct aob_error *error);
+bool aob_gl_run(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, struct aob_gpu_time *times,
+                struct aob_gpu_time *whole, struct aob_error *error);
+
+/* pass.c, for run.c: bind comes before draw. */
+void aob_gl_pass_bind(const struct gl *gl, const struct aob_gpu_pass *pass);
+void aob_gl_pass_draw(const struct gl *gl, const struct aob_gpu_pass *pass);
 
 #define AOB_GL_SLOTS                                                                                         \
     .environment = aob_gpu_driver_environment, .close = aob_gl_close,                                        \
     .texture_create = aob_gl_texture_create, .texture_destroy = aob_gl_texture_destroy,                      \
     .texture_read = aob_gl_texture_read, .program_create = aob_gl_program_create,                            \
     .program_destroy = aob_gl_program_destroy, .pass_create = aob_gl_pass_create,                            \
-    .pass_destroy = aob_gl_pass_destroy, .pass_set_uniforms = aob_gl_pass_set_uniforms,                      \
-    .pass_run = aob_gl_pass_run
+    .pass_destroy = aob_gl_pass_destroy, .pass_set_uniforms = aob_gl_pass_set_uniforms, .run = aob_gl_run
 #endif

@@ -56,10 +56,7 @@ static gl_function osmesa_find(struct gl_context *context, const char *name)
     return (gl_function)((struct osmesa *)context)->find(name);
 }
 
-static struct gl_context *osmesa_create(struct aob_error *error);
-
 static const struct gl_context_fns context_fns = {
-    .create = osmesa_create,
     .destroy = osmesa_destroy,
     .make_current = osmesa_make_current,
     .find = osmesa_find,
@@ -92,13 +89,18 @@ static struct gl_context *osmesa_create(struct aob_error *error)
 
 static struct aob_gpu *osmesa_open(const struct aob_gpu_desc *desc, struct aob_error *error)
 {
-    (void)desc;
-    return aob_gl_open(&aob_gpu_gl_osmesa, &context_fns, error);
+    return aob_gpu_keep_single(aob_gl_open(&aob_gpu_gl_osmesa, osmesa_create(error), error), desc, error);
+}
+
+static bool osmesa_devices(struct aob_gpu_device_list *list, size_t *chosen, struct aob_error *error)
+{
+    return aob_gpu_single_device(&aob_gpu_gl_osmesa, list, chosen, error);
 }
 
 const struct aob_gpu_fns aob_gpu_gl_osmesa = {
     .name = "gl-osmesa",
     .title = "OpenGL 4.5 with ARB_gl_spirv, through OSMesa: always the processor (llvmpipe)",
+    .devices = osmesa_devices,
     .open = osmesa_open,
     AOB_GL_SLOTS,
 };

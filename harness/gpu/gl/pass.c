@@ -1,5 +1,4 @@
 #include "gl.h"
-#include "base/clock.h"
 #include "base/memory.h"
 #include "gpu/backends.h"
 #include <stdlib.h>
@@ -169,8 +168,9 @@ static void clear_targets(const struct gl_api *api, const struct gl_pass *pass)
         api->ClearNamedFramebufferfv(pass->framebuffer, GL_DEPTH, 0, zero);
 }
 
-static void bind_pass(const struct gl *gl, const struct gl_pass *pass)
+void aob_gl_pass_bind(const struct gl *gl, const struct aob_gpu_pass *base)
 {
+    const struct gl_pass *pass = (const struct gl_pass *)base;
     gl->api.BindFramebuffer(GL_DRAW_FRAMEBUFFER, pass->framebuffer);
     gl->api.Viewport(0, 0, pass->width, pass->height);
     gl->api.Scissor(0, 0, pass->width, pass->height);
@@ -184,18 +184,9 @@ static void bind_pass(const struct gl *gl, const struct gl_pass *pass)
         bind_texture(gl, &pass->binds[i], pass->views[i]);
 }
 
-bool aob_gl_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
-                     struct aob_error *error)
+void aob_gl_pass_draw(const struct gl *gl, const struct aob_gpu_pass *base)
 {
-    const struct gl_api *api = aob_gl_use(gpu);
-    const struct gl_pass *made = (const struct gl_pass *)pass;
-    bind_pass((struct gl *)gpu, made);
-    api->Finish();
-    int64_t cpu = aob_clock_cpu_ns(), wall = aob_clock_wall_ns();
-    clear_targets(api, made);
-    api->DrawArrays(GL_TRIANGLES, 0, made->vertices);
-    api->Finish();
-    time->wall_ns = aob_clock_wall_ns() - wall;
-    time->cpu_ns = aob_clock_cpu_ns() - cpu;
-    return aob_gl_ok(gpu, "run a pass", error);
+    const struct gl_pass *pass = (const struct gl_pass *)base;
+    clear_targets(&gl->api, pass);
+    gl->api.DrawArrays(GL_TRIANGLES, 0, pass->vertices);
 }

@@ -25,8 +25,6 @@ static struct null_texture *null_texture(const struct aob_gpu_texture *texture)
 
 static struct aob_gpu *null_open(const struct aob_gpu_desc *desc, struct aob_error *error)
 {
-    (void)desc;
-    (void)error;
     struct aob_gpu *gpu = AOB_NEW(struct aob_gpu);
     gpu->fns = &aob_gpu_null;
     gpu->info = (struct aob_gpu_info){.backend = aob_gpu_null.name,
@@ -34,8 +32,14 @@ static struct aob_gpu *null_open(const struct aob_gpu_desc *desc, struct aob_err
                                       .driver = "none",
                                       .device_class = "cpu",
                                       .software = true,
+                                      .timer = true,
                                       .draws_nothing = true};
-    return gpu;
+    return aob_gpu_keep_single(gpu, desc, error);
+}
+
+static bool null_devices(struct aob_gpu_device_list *list, size_t *chosen, struct aob_error *error)
+{
+    return aob_gpu_single_device(&aob_gpu_null, list, chosen, error);
 }
 
 static void null_close(struct aob_gpu *gpu)
@@ -153,15 +157,24 @@ static void clear_area(const struct aob_gpu_target *target, int width, int heigh
         memset(texels + (size_t)y * row, 0, (size_t)width * texel);
 }
 
-static bool null_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
-                          struct aob_error *error)
+static int64_t run_pass(const struct null_pass *pass)
 {
-    (void)gpu;
+    for (size_t i = 0; i < pass->target_count; i++)
+        clear_area(&pass->targets[i], pass->width, pass->height);
+    return (int64_t)pass->target_count * pass->width * pass->height * NS_PER_TEXEL;
+}
+
+static bool null_run(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, struct aob_gpu_time *times,
+                     struct aob_gpu_time *whole, struct aob_error *error)
+{
     (void)error;
-    const struct null_pass *made = (const struct null_pass *)pass;
-    for (size_t i = 0; i < made->target_count; i++)
-        clear_area(&made->targets[i], made->width, made->height);
-    time->wall_ns = time->cpu_ns = (int64_t)made->target_count * made->width * made->height * NS_PER_TEXEL;
+    for (size_t i = 0; i < desc->count; i++) {
+        int64_t ns = run_pass((const struct null_pass *)desc->passes[i]) * desc->repeats;
+        whole->wall_ns += ns;
+        whole->cpu_ns += ns;
+        times[i].device_ns += gpu->lists ? ns : 0;
+        whole->device_ns += gpu->lists ? ns : 0;
+    }
     return true;
 }
 
@@ -171,6 +184,7 @@ const struct aob_gpu_fns aob_gpu_null = {
     .name = "null",
     .title = "no GPU: compiles shaders, runs none; images are zero and times made up",
     .environment = no_environment,
+    .devices = null_devices,
     .open = null_open,
     .close = null_close,
     .texture_create = null_texture_create,
@@ -181,5 +195,5 @@ const struct aob_gpu_fns aob_gpu_null = {
     .pass_create = null_pass_create,
     .pass_destroy = null_pass_destroy,
     .pass_set_uniforms = null_pass_set_uniforms,
-    .pass_run = null_pass_run,
+    .run = null_run,
 };

@@ -36,6 +36,13 @@ static const char *explain(VkResult result)
     }
 }
 
+bool aob_vk_fail_no_driver(struct aob_error *error)
+{
+    return aob_fail(
+        error,
+        "vulkan: no driver: install mesa-vulkan-drivers, or set VK_ICD_FILENAMES to your driver's JSON file");
+}
+
 bool aob_vk_ok(struct vk *vk, VkResult result, const char *what, struct aob_error *error)
 {
     if (vk->complaint[0]) {

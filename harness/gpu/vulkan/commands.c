@@ -16,16 +16,17 @@ static void record_barrier(VkCommandBuffer commands)
                                                         .pMemoryBarriers = &all});
 }
 
-bool aob_vk_begin(struct vk *vk, VkCommandBuffer commands, struct aob_error *error)
+bool aob_vk_begin(struct vk *vk, struct aob_error *error)
 {
-    VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    if (!aob_vk_ok(vk, vkBeginCommandBuffer(commands, &begin), "begin a command buffer", error))
+    VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                      .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+    if (!aob_vk_ok(vk, vkBeginCommandBuffer(vk->commands, &begin), "begin a command buffer", error))
         return false;
-    record_barrier(commands);
+    record_barrier(vk->commands);
     return true;
 }
 
-bool aob_vk_end(struct vk *vk, VkCommandBuffer commands, struct aob_error *error)
+static bool end(struct vk *vk, struct aob_error *error)
 {
     VkMemoryBarrier2 for_host = {
         .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
@@ -34,10 +35,10 @@ bool aob_vk_end(struct vk *vk, VkCommandBuffer commands, struct aob_error *error
         .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
         .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT,
     };
-    vkCmdPipelineBarrier2(commands, &(VkDependencyInfo){.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                                        .memoryBarrierCount = 1,
-                                                        .pMemoryBarriers = &for_host});
-    return aob_vk_ok(vk, vkEndCommandBuffer(commands), "record commands", error);
+    vkCmdPipelineBarrier2(vk->commands, &(VkDependencyInfo){.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                                            .memoryBarrierCount = 1,
+                                                            .pMemoryBarriers = &for_host});
+    return aob_vk_ok(vk, vkEndCommandBuffer(vk->commands), "record commands", error);
 }
 
 static bool wait_idle(struct vk *vk, struct aob_error *error)
@@ -46,7 +47,7 @@ static bool wait_idle(struct vk *vk, struct aob_error *error)
                      "wait for the device", error);
 }
 
-bool aob_vk_submit(struct vk *vk, VkCommandBuffer commands, struct aob_gpu_time *time,
+static bool submit(struct vk *vk, VkCommandBuffer commands, struct aob_gpu_time *time,
                    struct aob_error *error)
 {
     VkCommandBufferSubmitInfo buffer = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
@@ -59,8 +60,18 @@ bool aob_vk_submit(struct vk *vk, VkCommandBuffer commands, struct aob_gpu_time 
         !wait_idle(vk, error))
         return false;
     if (time) {
-        time->wall_ns = aob_clock_wall_ns() - wall;
-        time->cpu_ns = aob_clock_cpu_ns() - cpu;
+        time->wall_ns += aob_clock_wall_ns() - wall;
+        time->cpu_ns += aob_clock_cpu_ns() - cpu;
     }
     return aob_vk_ok(vk, vkResetFences(vk->device, 1, &vk->fence), "reset a fence", error);
+}
+
+bool aob_vk_finish(struct vk *vk, struct aob_gpu_time *time, struct aob_error *error)
+{
+    return end(vk, error) && submit(vk, vk->commands, time, error);
+}
+
+bool aob_vk_flush(struct vk *vk, struct aob_error *error)
+{
+    return submit(vk, VK_NULL_HANDLE, NULL, error);
 }

@@ -8,10 +8,7 @@ static bool create_device(struct vk *vk, struct aob_error *error)
 {
     VkPhysicalDeviceFeatures has;
     vkGetPhysicalDeviceFeatures(vk->physical, &has);
-    if (!has.shaderStorageImageExtendedFormats)
-        return aob_fail(error,
-                        "vulkan: %s lacks shaderStorageImageExtendedFormats: use another device or backend",
-                        vk->properties.deviceName);
+    vk->extended_storage = has.shaderStorageImageExtendedFormats;
     VkPhysicalDeviceVulkan13Features features13 = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
         .dynamicRendering = VK_TRUE,
@@ -25,7 +22,8 @@ static bool create_device(struct vk *vk, struct aob_error *error)
                                                         .queueFamilyIndex = vk->family,
                                                         .queueCount = 1,
                                                         .pQueuePriorities = &(float){1}},
-        .pEnabledFeatures = &(VkPhysicalDeviceFeatures){.shaderStorageImageExtendedFormats = VK_TRUE},
+        .pEnabledFeatures = &(VkPhysicalDeviceFeatures){.shaderStorageImageExtendedFormats =
+                                                            has.shaderStorageImageExtendedFormats},
     };
     if (!aob_vk_ok(vk, vkCreateDevice(vk->physical, &create, NULL, &vk->device), "create a device", error))
         return false;
@@ -41,11 +39,11 @@ static bool create_commands(struct vk *vk, struct aob_error *error)
     if (!aob_vk_ok(vk, vkCreateCommandPool(vk->device, &pool, NULL, &vk->pool), "create a command pool",
                    error))
         return false;
-    VkCommandBufferAllocateInfo scratch = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                           .commandPool = vk->pool,
-                                           .commandBufferCount = 1};
+    VkCommandBufferAllocateInfo one = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                       .commandPool = vk->pool,
+                                       .commandBufferCount = 1};
     VkFenceCreateInfo fence = {.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-    return aob_vk_ok(vk, vkAllocateCommandBuffers(vk->device, &scratch, &vk->scratch),
+    return aob_vk_ok(vk, vkAllocateCommandBuffers(vk->device, &one, &vk->commands),
                      "allocate a command buffer", error) &&
            aob_vk_ok(vk, vkCreateFence(vk->device, &fence, NULL, &vk->fence), "create a fence", error);
 }
@@ -79,38 +77,14 @@ static bool create_triangle(struct vk *vk, struct aob_error *error)
     return vk->triangle;
 }
 
-static const char *device_class(VkPhysicalDeviceType type)
-{
-    switch (type) {
-    case VK_PHYSICAL_DEVICE_TYPE_CPU:
-        return "cpu";
-    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
-        return "integrated";
-    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
-        return "discrete";
-    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
-        return "virtual";
-    default:
-        return "gpu";
-    }
-}
-
 static void describe(struct vk *vk)
 {
-    VkPhysicalDeviceDriverProperties driver = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
-    VkPhysicalDeviceProperties2 all = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
-                                       .pNext = &driver};
-    vkGetPhysicalDeviceProperties2(vk->physical, &all);
-    uint32_t version = vk->properties.apiVersion;
-    snprintf(vk->driver, sizeof vk->driver, "%s %s, Vulkan %u.%u.%u", driver.driverName, driver.driverInfo,
-             VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version), VK_API_VERSION_PATCH(version));
-    vk->base.info = (struct aob_gpu_info){
-        .backend = vk->base.fns->name,
-        .device = vk->properties.deviceName,
-        .driver = vk->driver,
-        .device_class = device_class(vk->properties.deviceType),
-        .software = vk->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU,
-    };
+    vk->base.info = (struct aob_gpu_info){.backend = vk->base.fns->name,
+                                          .device = vk->chosen.name,
+                                          .driver = vk->chosen.driver,
+                                          .device_class = vk->chosen.device_class,
+                                          .software = vk->chosen.software,
+                                          .timer = vk->chosen.timer};
 }
 
 struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_desc *desc,
@@ -118,9 +92,10 @@ struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_
 {
     struct vk *vk = AOB_NEW(struct vk);
     vk->base.fns = fns;
-    if (aob_vk_instance_create(vk, desc->validate, error) && aob_vk_choose_device(vk, error) &&
+    if (aob_vk_instance_create(vk, desc->validate, error) && aob_vk_choose_device(vk, desc->device, error) &&
         create_device(vk, error) && create_commands(vk, error) && create_sampler(vk, AOB_NEAREST, error) &&
-        create_sampler(vk, AOB_BILINEAR, error) && create_triangle(vk, error)) {
+        create_sampler(vk, AOB_BILINEAR, error) && create_triangle(vk, error) &&
+        aob_vk_stamps_create(vk, error)) {
         describe(vk);
         return &vk->base;
     }
@@ -133,6 +108,7 @@ static void destroy_device(struct vk *vk)
     vkDestroyShaderModule(vk->device, vk->triangle, NULL);
     for (size_t i = 0; i < AOB_COUNT(vk->samplers); i++)
         vkDestroySampler(vk->device, vk->samplers[i], NULL);
+    vkDestroyQueryPool(vk->device, vk->stamps, NULL);
     vkDestroyFence(vk->device, vk->fence, NULL);
     vkDestroyCommandPool(vk->device, vk->pool, NULL);
     vkDestroyDevice(vk->device, NULL);

@@ -18,7 +18,7 @@ bool aob_vk_image_init(struct vk *vk, const struct vk_image_desc *desc, struct v
         return false;
     VkMemoryRequirements needs;
     vkGetImageMemoryRequirements(vk->device, image->image, &needs);
-    return aob_vk_allocate(vk, &needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, &image->memory, error) &&
+    return aob_vk_allocate(vk, &needs, VK_MEMORY_IMAGE, &image->memory, error) &&
            aob_vk_ok(vk, vkBindImageMemory(vk->device, image->image, image->memory, 0), "bind an image",
                      error);
 }

@@ -4,9 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const no_driver =
-    "vulkan: no driver: install mesa-vulkan-drivers, or set VK_ICD_FILENAMES to your driver's JSON file";
-
 static VKAPI_ATTR VkBool32 VKAPI_CALL keep_complaint(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
                                                      VkDebugUtilsMessageTypeFlagsEXT type,
                                                      const VkDebugUtilsMessengerCallbackDataEXT *data,
@@ -49,7 +46,7 @@ static bool check_instance(struct vk *vk, VkResult result, struct aob_error *err
     if (result == VK_ERROR_LAYER_NOT_PRESENT || result == VK_ERROR_EXTENSION_NOT_PRESENT)
         return aob_fail(error, "vulkan: no validation layer: install vulkan-validationlayers");
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
-        return aob_fail(error, "%s", no_driver);
+        return aob_vk_fail_no_driver(error);
     return aob_vk_ok(vk, result, "create an instance", error);
 }
 
@@ -91,80 +88,4 @@ void aob_vk_instance_destroy(struct vk *vk)
     if (vk->messenger)
         destroy(vk->instance, vk->messenger, NULL);
     vkDestroyInstance(vk->instance, NULL);
-}
-
-static bool find_family(VkPhysicalDevice physical, uint32_t *family)
-{
-    uint32_t count = 0;
-    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, NULL);
-    VkQueueFamilyProperties *families = AOB_NEW_ARRAY(VkQueueFamilyProperties, count);
-    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families);
-    uint32_t found = 0;
-    while (found < count && !(families[found].queueFlags & VK_QUEUE_GRAPHICS_BIT))
-        found++;
-    free(families);
-    *family = found;
-    return found < count;
-}
-
-static int rank_type(VkPhysicalDeviceType type)
-{
-    static const VkPhysicalDeviceType order[] = {
-        VK_PHYSICAL_DEVICE_TYPE_OTHER, VK_PHYSICAL_DEVICE_TYPE_CPU, VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU,
-        VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU, VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU};
-    for (size_t i = 0; i < AOB_COUNT(order); i++)
-        if (order[i] == type)
-            return (int)i + 1;
-    return 1;
-}
-
-static void consider(struct vk *vk, VkPhysicalDevice physical, int *best)
-{
-    VkPhysicalDeviceProperties properties;
-    vkGetPhysicalDeviceProperties(physical, &properties);
-    uint32_t family;
-    int rank = rank_type(properties.deviceType);
-    if (rank <= *best || properties.apiVersion < VK_API_VERSION_1_3 || !find_family(physical, &family))
-        return;
-    *best = rank;
-    vk->physical = physical;
-    vk->properties = properties;
-    vk->family = family;
-}
-
-static bool check_formats(struct vk *vk, struct aob_error *error)
-{
-    const VkFormatFeatureFlags wanted =
-        VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT |
-        VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT | VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT |
-        VK_FORMAT_FEATURE_TRANSFER_SRC_BIT | VK_FORMAT_FEATURE_TRANSFER_DST_BIT;
-    for (enum aob_format format = 0; format < AOB_FORMAT_COUNT; format++) {
-        VkFormatProperties properties;
-        vkGetPhysicalDeviceFormatProperties(vk->physical, aob_vk_format(format), &properties);
-        if ((properties.optimalTilingFeatures & wanted) != wanted)
-            return aob_fail(error,
-                            "vulkan: %s cannot use format %s in all ways: use another device or backend",
-                            vk->properties.deviceName, aob_gpu_format_layout(format));
-    }
-    return true;
-}
-
-bool aob_vk_choose_device(struct vk *vk, struct aob_error *error)
-{
-    uint32_t count = 0;
-    VkResult result = vkEnumeratePhysicalDevices(vk->instance, &count, NULL);
-    if (result == VK_ERROR_INITIALIZATION_FAILED || (result == VK_SUCCESS && !count))
-        return aob_fail(error, "%s", no_driver);
-    if (!aob_vk_ok(vk, result, "count devices", error))
-        return false;
-    VkPhysicalDevice *devices = AOB_NEW_ARRAY(VkPhysicalDevice, count);
-    vkEnumeratePhysicalDevices(vk->instance, &count, devices);
-    int best = 0;
-    for (uint32_t i = 0; i < count; i++)
-        consider(vk, devices[i], &best);
-    free(devices);
-    if (!best)
-        return aob_fail(error, "vulkan: no device has Vulkan 1.3 and a graphics queue: use a newer driver");
-    vkGetPhysicalDeviceMemoryProperties(vk->physical, &vk->memory);
-    return check_formats(vk, error);
 }

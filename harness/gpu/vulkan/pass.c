@@ -9,7 +9,11 @@ struct vk_pass {
     VkImageView targets[AOB_MAX_OUT];
     struct vk_depth depth; /* NULL handles: none */
     VkPipeline pipeline;
-    VkCommandBuffer commands;
+    /* What a run records. */
+    VkImageMemoryBarrier2 opening[AOB_MAX_OUT + 1], closing[AOB_MAX_OUT];
+    VkRenderingAttachmentInfo outputs[AOB_MAX_OUT], cleared_depth;
+    uint32_t opening_count, target_count, vertex_count;
+    VkExtent2D area;
 };
 
 enum { FLUSH_EVERY = 8 };
@@ -34,84 +38,75 @@ static bool covers(const struct aob_gpu_pass_desc *desc, const struct aob_gpu_ta
 }
 
 /* From rest to being drawn to. A level that is drawn whole need not keep what it held. */
-static void record_opening(const struct aob_gpu_pass_desc *desc, const struct vk_pass *pass)
+static void describe_opening(const struct aob_gpu_pass_desc *desc, struct vk_pass *pass)
 {
-    VkImageMemoryBarrier2 moves[AOB_MAX_OUT + 1];
-    uint32_t count = 0;
     for (size_t i = 0; i < desc->target_count; i++) {
         const struct aob_gpu_target *target = &desc->targets[i];
         const struct vk_texture *texture = (const struct vk_texture *)target->texture;
         VkImageLayout from = covers(desc, target) ? VK_IMAGE_LAYOUT_UNDEFINED : texture->rest;
-        moves[count++] = aob_vk_move(texture->image.image, aob_vk_levels(target->level, 1), from,
-                                     VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+        pass->opening[pass->opening_count++] =
+            aob_vk_move(texture->image.image, aob_vk_levels(target->level, 1), from,
+                        VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
     }
     if (desc->depth_test)
-        moves[count++] = aob_vk_depth_move(&pass->depth);
-    aob_vk_record_moves(pass->commands, moves, count);
+        pass->opening[pass->opening_count++] = aob_vk_depth_move(&pass->depth);
 }
 
-static void record_closing(const struct aob_gpu_pass_desc *desc, const struct vk_pass *pass)
+static void describe_closing(const struct aob_gpu_pass_desc *desc, struct vk_pass *pass)
 {
-    VkImageMemoryBarrier2 moves[AOB_MAX_OUT];
     for (size_t i = 0; i < desc->target_count; i++) {
         const struct vk_texture *texture = (const struct vk_texture *)desc->targets[i].texture;
-        moves[i] = aob_vk_move(texture->image.image, aob_vk_levels(desc->targets[i].level, 1),
-                               VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, texture->rest);
+        pass->closing[i] = aob_vk_move(texture->image.image, aob_vk_levels(desc->targets[i].level, 1),
+                                       VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, texture->rest);
     }
-    aob_vk_record_moves(pass->commands, moves, (uint32_t)desc->target_count);
 }
 
-static void begin_rendering(const struct aob_gpu_pass_desc *desc, const struct vk_pass *pass)
+static void describe_attachments(const struct aob_gpu_pass_desc *desc, struct vk_pass *pass)
 {
-    VkRenderingAttachmentInfo targets[AOB_MAX_OUT];
     for (size_t i = 0; i < desc->target_count; i++)
-        targets[i] = (VkRenderingAttachmentInfo){
+        pass->outputs[i] = (VkRenderingAttachmentInfo){
             .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
             .imageView = pass->targets[i],
             .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
             .loadOp = desc->program->geometry ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_DONT_CARE,
             .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
-    VkRenderingAttachmentInfo depth = {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                       .imageView = pass->depth.view,
-                                       .imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-                                       .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                                       .storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE};
+    pass->cleared_depth = (VkRenderingAttachmentInfo){.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                                      .imageView = pass->depth.view,
+                                                      .imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
+                                                      .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                                      .storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE};
+}
+
+static void describe_draw(const struct aob_gpu_pass_desc *desc, struct vk_pass *pass)
+{
+    pass->area = (VkExtent2D){(uint32_t)desc->width, (uint32_t)desc->height};
+    pass->target_count = (uint32_t)desc->target_count;
+    pass->vertex_count = desc->vertex_count ? desc->vertex_count : 3;
+    describe_opening(desc, pass);
+    describe_closing(desc, pass);
+    describe_attachments(desc, pass);
+}
+
+void aob_vk_pass_record(const struct aob_gpu_pass *base, VkCommandBuffer commands)
+{
+    const struct vk_pass *pass = (const struct vk_pass *)base;
     VkRenderingInfo rendering = {
         .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-        .renderArea = {.extent = {(uint32_t)desc->width, (uint32_t)desc->height}},
+        .renderArea = {.extent = pass->area},
         .layerCount = 1,
-        .colorAttachmentCount = (uint32_t)desc->target_count,
-        .pColorAttachments = targets,
-        .pDepthAttachment = desc->depth_test ? &depth : NULL,
+        .colorAttachmentCount = pass->target_count,
+        .pColorAttachments = pass->outputs,
+        .pDepthAttachment = pass->depth.view ? &pass->cleared_depth : NULL,
     };
-    vkCmdBeginRendering(pass->commands, &rendering);
-}
-
-static void record_draw(const struct aob_gpu_pass_desc *desc, const struct vk_pass *pass)
-{
-    record_opening(desc, pass);
-    begin_rendering(desc, pass);
-    vkCmdBindPipeline(pass->commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass->pipeline);
+    aob_vk_record_moves(commands, pass->opening, pass->opening_count);
+    vkCmdBeginRendering(commands, &rendering);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass->pipeline);
     if (pass->binds.set)
-        vkCmdBindDescriptorSets(pass->commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass->binds.layout, 0, 1,
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass->binds.layout, 0, 1,
                                 &pass->binds.set, 0, NULL);
-    vkCmdDraw(pass->commands, desc->vertex_count ? desc->vertex_count : 3, 1, 0, 0);
-    vkCmdEndRendering(pass->commands);
-    record_closing(desc, pass);
-}
-
-static bool record(struct vk *vk, const struct aob_gpu_pass_desc *desc, struct vk_pass *pass,
-                   struct aob_error *error)
-{
-    VkCommandBufferAllocateInfo allocate = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                            .commandPool = vk->pool,
-                                            .commandBufferCount = 1};
-    if (!aob_vk_ok(vk, vkAllocateCommandBuffers(vk->device, &allocate, &pass->commands),
-                   "allocate a command buffer", error) ||
-        !aob_vk_begin(vk, pass->commands, error))
-        return false;
-    record_draw(desc, pass);
-    return aob_vk_end(vk, pass->commands, error);
+    vkCmdDraw(commands, pass->vertex_count, 1, 0, 0);
+    vkCmdEndRendering(commands);
+    aob_vk_record_moves(commands, pass->closing, pass->target_count);
 }
 
 bool aob_vk_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass **pass,
@@ -121,7 +116,8 @@ bool aob_vk_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
     struct vk_pass *made = AOB_NEW(struct vk_pass);
     if (aob_vk_binds_init(vk, desc, &made->binds, error) &&
         aob_vk_pipeline_create(vk, desc, made->binds.layout, &made->pipeline, error) &&
-        create_targets(vk, desc, made, error) && record(vk, desc, made, error)) {
+        create_targets(vk, desc, made, error)) {
+        describe_draw(desc, made);
         *pass = &made->base;
         return true;
     }
@@ -133,8 +129,6 @@ void aob_vk_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass)
 {
     struct vk *vk = (struct vk *)gpu;
     struct vk_pass *made = (struct vk_pass *)pass;
-    if (made->commands)
-        vkFreeCommandBuffers(vk->device, vk->pool, 1, &made->commands);
     vkDestroyPipeline(vk->device, made->pipeline, NULL);
     for (size_t i = 0; i < AOB_COUNT(made->targets); i++)
         vkDestroyImageView(vk->device, made->targets[i], NULL);
@@ -143,7 +137,7 @@ void aob_vk_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass)
     free(made);
     /* lavapipe frees what was destroyed at the next submit only, and a sweep may destroy much in a row. */
     if (++vk->destroyed_passes % FLUSH_EVERY == 0)
-        aob_vk_submit(vk, VK_NULL_HANDLE, NULL, NULL);
+        aob_vk_flush(vk, NULL);
 }
 
 bool aob_vk_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
@@ -153,10 +147,4 @@ bool aob_vk_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, co
     (void)error;
     memcpy(((struct vk_pass *)pass)->binds.uniforms.map, block, pass->uniform_size);
     return true;
-}
-
-bool aob_vk_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
-                     struct aob_error *error)
-{
-    return aob_vk_submit((struct vk *)gpu, ((struct vk_pass *)pass)->commands, time, error);
 }

@@ -8,8 +8,9 @@ static struct aob_gpu *open_device(const struct aob_gpu_desc *desc, struct aob_e
 
 const struct aob_gpu_fns aob_gpu_vulkan = {
     .name = "vulkan",
-    .title = "Vulkan 1.3, any driver: the first real GPU, else the processor (lavapipe)",
+    .title = "Vulkan 1.3, any driver: a GPU if there is one, else the processor (lavapipe)",
     .environment = aob_gpu_driver_environment,
+    .devices = aob_vk_devices,
     .open = open_device,
     .close = aob_vk_close,
     .texture_create = aob_vk_texture_create,
@@ -20,5 +21,5 @@ const struct aob_gpu_fns aob_gpu_vulkan = {
     .pass_create = aob_vk_pass_create,
     .pass_destroy = aob_vk_pass_destroy,
     .pass_set_uniforms = aob_vk_pass_set_uniforms,
-    .pass_run = aob_vk_pass_run,
+    .run = aob_vk_run,
 };

@@ -4,35 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-static VkImageUsageFlags image_usage(const struct aob_gpu_texture_desc *desc)
+static bool check_format(struct vk *vk, const struct aob_gpu_texture_desc *desc, struct aob_error *error)
 {
-    static const struct {
-        uint32_t use;
-        VkImageUsageFlags usage;
-    } table[] = {
-        {AOB_GPU_USE_SAMPLED, VK_IMAGE_USAGE_SAMPLED_BIT},
-        {AOB_GPU_USE_STORAGE, VK_IMAGE_USAGE_STORAGE_BIT},
-        {AOB_GPU_USE_TARGET, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT},
-        {AOB_GPU_USE_READ_BACK, VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
-    };
-    VkImageUsageFlags usage = desc->texels ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : 0;
-    for (size_t i = 0; i < AOB_COUNT(table); i++)
-        usage |= desc->uses & table[i].use ? table[i].usage : 0;
-    return usage;
-}
-
-/* A pass is recorded once, before it is known which runs after which, so between passes a texture lies in one
- * layout, that of its readers. GENERAL serves all but costs a real GPU its compression; a storage image may be
- * read in no other. */
-static VkImageLayout rest_layout(uint32_t uses)
-{
-    if (uses & AOB_GPU_USE_STORAGE)
-        return VK_IMAGE_LAYOUT_GENERAL;
-    if (uses & AOB_GPU_USE_SAMPLED)
-        return VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    if (uses & AOB_GPU_USE_TARGET)
-        return VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    return VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    VkFormatProperties can;
+    vkGetPhysicalDeviceFormatProperties(vk->physical, aob_vk_format(desc->format), &can);
+    const char *lacks =
+        aob_vk_format_lacks(desc->format, desc->uses, can.optimalTilingFeatures, vk->extended_storage);
+    return !lacks || aob_fail(error, "vulkan: %s has no %s of format %s: use another device or backend",
+                              vk->properties.deviceName, lacks, aob_gpu_format_layout(desc->format));
 }
 
 static VkBufferImageCopy whole_level(const struct aob_gpu_texture *texture, int level)
@@ -50,7 +29,7 @@ static void record_move(struct vk *vk, const struct vk_texture *texture, VkImage
                         VkImageLayout from, VkImageLayout to)
 {
     VkImageMemoryBarrier2 move = aob_vk_move(texture->image.image, range, from, to);
-    aob_vk_record_moves(vk->scratch, &move, 1);
+    aob_vk_record_moves(vk->commands, &move, 1);
 }
 
 static void record_upload(struct vk *vk, const struct vk_texture *texture, VkBuffer texels)
@@ -60,7 +39,7 @@ static void record_upload(struct vk *vk, const struct vk_texture *texture, VkBuf
     VkBufferImageCopy region = whole_level(&texture->base, 0);
     if (texels) {
         record_move(vk, texture, all, from, filled);
-        vkCmdCopyBufferToImage(vk->scratch, texels, texture->image.image, filled, 1, &region);
+        vkCmdCopyBufferToImage(vk->commands, texels, texture->image.image, filled, 1, &region);
         from = filled;
     }
     record_move(vk, texture, all, from, texture->rest);
@@ -72,14 +51,14 @@ static bool upload(struct vk *vk, const struct vk_texture *texture, const void *
     struct vk_buffer staging = {0};
     if (texels) {
         size_t size = aob_gpu_level_bytes(&texture->base, 0);
-        if (!aob_vk_buffer_init(vk, size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, &staging, error))
+        if (!aob_vk_buffer_init(vk, size, VK_MEMORY_UPLOAD, &staging, error))
             return false;
         memcpy(staging.map, texels, size);
     }
-    bool good = aob_vk_begin(vk, vk->scratch, error);
+    bool good = aob_vk_begin(vk, error);
     if (good) {
         record_upload(vk, texture, staging.buffer);
-        good = aob_vk_end(vk, vk->scratch, error) && aob_vk_submit(vk, vk->scratch, NULL, error);
+        good = aob_vk_finish(vk, NULL, error);
     }
     aob_vk_buffer_finish(vk, &staging);
     return good;
@@ -93,14 +72,16 @@ bool aob_vk_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_des
     uint32_t limit = vk->properties.limits.maxImageDimension2D;
     if ((uint32_t)width > limit || (uint32_t)height > limit)
         return aob_fail(error, "vulkan: texture size %dx%d is beyond this device's %u", width, height, limit);
+    if (!check_format(vk, desc, error))
+        return false;
     struct vk_texture *made = AOB_NEW(struct vk_texture);
     made->base = aob_gpu_texture_base(desc);
-    made->rest = rest_layout(desc->uses);
+    made->rest = aob_vk_rest_layout(desc->uses);
     const struct vk_image_desc image = {.format = aob_vk_format(desc->format),
                                         .width = width,
                                         .height = height,
                                         .levels = made->base.levels,
-                                        .usage = image_usage(desc)};
+                                        .usage = aob_vk_usage(desc->uses, desc->texels)};
     if (aob_vk_image_init(vk, &image, &made->image, error) && upload(vk, made, desc->texels, error)) {
         *texture = &made->base;
         return true;
@@ -122,7 +103,7 @@ static void record_read(struct vk *vk, const struct vk_texture *texture, int lev
     VkImageLayout read = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     VkBufferImageCopy region = whole_level(&texture->base, level);
     record_move(vk, texture, range, texture->rest, read);
-    vkCmdCopyImageToBuffer(vk->scratch, texture->image.image, read, texels, 1, &region);
+    vkCmdCopyImageToBuffer(vk->commands, texture->image.image, read, texels, 1, &region);
     record_move(vk, texture, range, read, texture->rest);
 }
 
@@ -132,12 +113,12 @@ bool aob_vk_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *text
     struct vk *vk = (struct vk *)gpu;
     size_t size = aob_gpu_level_bytes(texture, level);
     struct vk_buffer staging;
-    if (!aob_vk_buffer_init(vk, size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &staging, error))
+    if (!aob_vk_buffer_init(vk, size, VK_MEMORY_DOWNLOAD, &staging, error))
         return false;
-    bool good = aob_vk_begin(vk, vk->scratch, error);
+    bool good = aob_vk_begin(vk, error);
     if (good) {
         record_read(vk, (const struct vk_texture *)texture, level, staging.buffer);
-        good = aob_vk_end(vk, vk->scratch, error) && aob_vk_submit(vk, vk->scratch, NULL, error);
+        good = aob_vk_finish(vk, NULL, error);
     }
     if (good)
         memcpy(texels, staging.map, size);

@@ -14,15 +14,18 @@ struct vk {
     VkPhysicalDeviceProperties properties;
     VkPhysicalDeviceMemoryProperties memory;
     uint32_t family;
+    bool extended_storage; /* storage images of every format that the device has, not of GLSL ES's only */
     VkDevice device;
     VkQueue queue;
     VkCommandPool pool;
-    VkCommandBuffer scratch; /* for copies */
+    VkCommandBuffer commands; /* of the one submit that is being recorded or waited for */
     VkFence fence;
+    VkQueryPool stamps;    /* AOB_VK_STAMPS timestamps; NULL: the queue has no timer */
+    uint32_t stamp_bits;   /* valid bits of a timestamp; 0: the queue has no timer */
     VkSampler samplers[2]; /* by enum aob_filter */
     VkShaderModule triangle;
     unsigned destroyed_passes;
-    char driver[VK_MAX_DRIVER_NAME_SIZE + VK_MAX_DRIVER_INFO_SIZE + 32];
+    struct aob_gpu_device chosen;
     char complaint[512]; /* of the validation layer, since the last aob_vk_ok; empty: none */
 };
 
@@ -52,29 +55,42 @@ struct vk_program {
 /* True if `result` is success and the validation layer kept quiet; else one line: "vulkan: cannot WHAT: why".
  */
 bool aob_vk_ok(struct vk *vk, VkResult result, const char *what, struct aob_error *error);
+bool aob_vk_fail_no_driver(struct aob_error *error);
 VkFormat aob_vk_format(enum aob_format format);
 
-/* instance.c: instance, messenger, choice of the physical device. */
+/* instance.c: instance and messenger. */
 bool aob_vk_instance_create(struct vk *vk, bool validate, struct aob_error *error);
 void aob_vk_instance_destroy(struct vk *vk);
-bool aob_vk_choose_device(struct vk *vk, struct aob_error *error);
+
+/* physical.c: the devices that the instance sees, and the choice of one: by what desc->device says, or the default. */
+bool aob_vk_devices(struct aob_gpu_device_list *list, size_t *chosen, struct aob_error *error);
+bool aob_vk_choose_device(struct vk *vk, const char *wanted, struct aob_error *error);
 
 /* device.c */
 struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_desc *desc,
                             struct aob_error *error);
 void aob_vk_close(struct aob_gpu *gpu);
 
-/* commands.c: begin (after all that was submitted earlier), record, end, then submit and wait, with a time if wanted. */
-bool aob_vk_begin(struct vk *vk, VkCommandBuffer commands, struct aob_error *error);
-bool aob_vk_end(struct vk *vk, VkCommandBuffer commands, struct aob_error *error);
-bool aob_vk_submit(struct vk *vk, VkCommandBuffer commands, struct aob_gpu_time *time,
-                   struct aob_error *error);
+/* commands.c: begin (after all that was submitted earlier), record into vk->commands, then end, submit and wait; the
+ * host's times of the last are added to `time` if that is wanted. aob_vk_flush submits nothing and waits for it. */
+bool aob_vk_begin(struct vk *vk, struct aob_error *error);
+bool aob_vk_finish(struct vk *vk, struct aob_gpu_time *time, struct aob_error *error);
+bool aob_vk_flush(struct vk *vk, struct aob_error *error);
 
-/* memory.c */
-bool aob_vk_buffer_init(struct vk *vk, size_t size, VkBufferUsageFlags usage, struct vk_buffer *buffer,
+/* memory.c. Of the types that the driver allows, the first that suits best what the memory is for; false: none will do. */
+enum vk_memory_use {
+    VK_MEMORY_IMAGE, /* the device's own, and not of the part that the host sees, which may be small */
+    VK_MEMORY_UNIFORMS, /* written by the host between runs: the device's own where the host sees it, else the host's */
+    VK_MEMORY_UPLOAD, /* written once by the host: the host's, so that what it sees of the device's stays free */
+    VK_MEMORY_DOWNLOAD, /* read by the host: the host's, cached if there is such */
+};
+bool aob_vk_memory_choose(const VkPhysicalDeviceMemoryProperties *memory, uint32_t allowed,
+                          enum vk_memory_use use, uint32_t *type);
+
+bool aob_vk_buffer_init(struct vk *vk, size_t size, enum vk_memory_use use, struct vk_buffer *buffer,
                         struct aob_error *error);
 void aob_vk_buffer_finish(struct vk *vk, struct vk_buffer *buffer);
-bool aob_vk_allocate(struct vk *vk, const VkMemoryRequirements *needs, VkMemoryPropertyFlags wanted,
+bool aob_vk_allocate(struct vk *vk, const VkMemoryRequirements *needs, enum vk_memory_use use,
                      VkDeviceMemory *memory, struct aob_error *error);
 
 /* shader.c */
@@ -98,6 +114,14 @@ VkImageSubresourceRange aob_vk_levels(int first, int count); /* of a colour imag
 VkImageMemoryBarrier2 aob_vk_move(VkImage image, VkImageSubresourceRange range, VkImageLayout from,
                                   VkImageLayout to);
 void aob_vk_record_moves(VkCommandBuffer commands, const VkImageMemoryBarrier2 *moves, uint32_t count);
+
+/* uses.c: what a texture's uses (bits of enum aob_gpu_use; `filled`: it is made with texels) need of a device, and the
+ * layout that it rests in. `has`: what the device has for the format; `extended`: struct vk's extended_storage. The word
+ * for the first use that is missing ("storage image"); NULL: none is. */
+VkImageUsageFlags aob_vk_usage(uint32_t uses, bool filled);
+VkImageLayout aob_vk_rest_layout(uint32_t uses);
+const char *aob_vk_format_lacks(enum aob_format format, uint32_t uses, VkFormatFeatureFlags has,
+                                bool extended);
 
 /* depth.c: the depth of a pass, float. aob_vk_depth_move makes it an attachment of undefined content. */
 struct vk_depth {
@@ -140,6 +164,11 @@ bool aob_vk_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
 void aob_vk_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
 bool aob_vk_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
                               struct aob_error *error);
-bool aob_vk_pass_run(struct aob_gpu *gpu, struct aob_gpu_pass *pass, struct aob_gpu_time *time,
-                     struct aob_error *error);
+void aob_vk_pass_record(const struct aob_gpu_pass *pass, VkCommandBuffer commands);
+
+/* run.c: the slot, and what it needs of a device. */
+enum { AOB_VK_STAMPS = 2 * AOB_GPU_SUBMIT_MAX + 2 }; /* before and behind each pass, and the whole */
+bool aob_vk_stamps_create(struct vk *vk, struct aob_error *error);
+bool aob_vk_run(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, struct aob_gpu_time *times,
+                struct aob_gpu_time *whole, struct aob_error *error);
 #endif

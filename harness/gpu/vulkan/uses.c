@@ -1,0 +1,52 @@
+#include "vk.h"
+#include "base/memory.h"
+
+static const struct {
+    uint32_t use;
+    VkImageUsageFlags usage;
+    VkFormatFeatureFlags feature;
+    const char *word;
+} uses_table[] = {
+    {AOB_GPU_USE_SAMPLED, VK_IMAGE_USAGE_SAMPLED_BIT, VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT, "sampled texture"},
+    {AOB_GPU_USE_STORAGE, VK_IMAGE_USAGE_STORAGE_BIT, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT, "storage image"},
+    {AOB_GPU_USE_TARGET, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT,
+     "target"},
+    {AOB_GPU_USE_READ_BACK, VK_IMAGE_USAGE_TRANSFER_SRC_BIT, VK_FORMAT_FEATURE_TRANSFER_SRC_BIT,
+     "texture to read back"},
+};
+
+VkImageUsageFlags aob_vk_usage(uint32_t uses, bool filled)
+{
+    VkImageUsageFlags usage = filled ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : 0;
+    for (size_t i = 0; i < AOB_COUNT(uses_table); i++)
+        usage |= uses & uses_table[i].use ? uses_table[i].usage : 0;
+    return usage;
+}
+
+/* It is not known which pass runs after which, so between passes a texture lies in one layout, that of its readers.
+ * GENERAL serves all but costs a real GPU its compression; a storage image may be read in no other. */
+VkImageLayout aob_vk_rest_layout(uint32_t uses)
+{
+    if (uses & AOB_GPU_USE_STORAGE)
+        return VK_IMAGE_LAYOUT_GENERAL;
+    if (uses & AOB_GPU_USE_SAMPLED)
+        return VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    if (uses & AOB_GPU_USE_TARGET)
+        return VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    return VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+}
+
+/* The others need the feature shaderStorageImageExtendedFormats. */
+static bool is_plain_storage(enum aob_format format)
+{
+    return format == AOB_R32F || format == AOB_RGBA8 || format == AOB_RGBA16F || format == AOB_RGBA32F;
+}
+
+const char *aob_vk_format_lacks(enum aob_format format, uint32_t uses, VkFormatFeatureFlags has,
+                                bool extended)
+{
+    for (size_t i = 0; i < AOB_COUNT(uses_table); i++)
+        if (uses & uses_table[i].use && !(has & uses_table[i].feature))
+            return uses_table[i].word;
+    return uses & AOB_GPU_USE_STORAGE && !extended && !is_plain_storage(format) ? "storage image" : NULL;
+}
