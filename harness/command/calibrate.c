@@ -14,7 +14,7 @@ struct options {
 static const struct aob_flag flags[] = {
     TEXT("backend", "NAME", backend, "see: aobudget list backends (vulkan)"),
     TEXT("technique", "NAME", technique, "that is timed beside the fixed pass (gtao)"),
-    TEXT("seconds", "S", seconds, "of measuring, 10 at least (60)"),
+    TEXT("seconds", "S", seconds, "of measuring, 3 at least (60)"),
     TEXT("out", "DIR", out, "where its run goes (results/calibrate)"),
     {0},
 };
@@ -30,8 +30,8 @@ static enum aob_exit calibrate(void *from, struct aob_error *error)
                                       .json = o->common.json,
                                       .quiet = o->common.quiet};
     if (o->seconds &&
-        (!aob_parse_double(o->seconds, &desc.seconds) || !(desc.seconds >= 10) || desc.seconds > 1e5)) {
-        aob_fail(error, "--seconds: '%s' is not a number of seconds within 10 .. 1e5", o->seconds);
+        (!aob_parse_double(o->seconds, &desc.seconds) || !(desc.seconds >= 3) || desc.seconds > 1e5)) {
+        aob_fail(error, "--seconds: '%s' is not a number of seconds within 3 .. 1e5", o->seconds);
         return AOB_EXIT_USAGE;
     }
     enum aob_exit code = aob_calibrate(&desc, &table, error);
@@ -47,6 +47,7 @@ const struct aob_command aob_command_calibrate = {
     .usage = "[--backend B] [--technique T] [--seconds S] [--out DIR]",
     .summary = "This machine's noise, the differences that it can resolve, and the precision to ask for.",
     .flags = flags,
+    .devices = true,
     .size = sizeof(struct options),
     .run = calibrate,
 };

@@ -59,6 +59,7 @@ const struct aob_command aob_command_compare = {
         "Two runs, or two builds of a module (.so), case by case: FASTER, SLOWER, SAME, AMBIGUOUS, INVALID "
         "or MOVED.",
     .flags = flags,
+    .devices = true,
     .least = 2,
     .most = 2,
     .size = sizeof(struct options),

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "config/config.h"
 #include "resolution.h"
+#include "run/measure_lock.h"
 #include "run/run.h"
 #include "store/journal.h"
 
@@ -14,6 +15,8 @@ struct calibration {
     const struct aob_calibrate_desc *desc;
     const char *folder, *backend, *technique;
     json_t *records; /* of the run's journal: one */
+    json_t *timer;   /* of aob_dispatch_timer; NULL: it could not be tested, for this reason: */
+    struct aob_error untested;
     struct aob_resolution resolution;
 };
 
@@ -80,9 +83,42 @@ static bool read_rounds(struct calibration *c, struct aob_error *error)
     return true;
 }
 
+/* The test measures too, so nobody else may meanwhile. */
+static bool test_timer(struct calibration *c, struct aob_error *error)
+{
+    struct aob_measure_lock lock = {0};
+    if (!aob_measure_lock_take(&lock, error))
+        return false;
+    c->timer = aob_dispatch_timer(&c->desc->dispatch, c->backend, &c->untested);
+    aob_measure_lock_release(&lock);
+    return true;
+}
+
 static const json_t *fingerprint(const struct calibration *c)
 {
     return json_object_get(json_array_get(c->records, 0), "fingerprint");
+}
+
+static void print_timer(const struct calibration *c, struct aob_text *out)
+{
+    const json_t *check;
+    size_t at;
+    if (!c->timer)
+        aob_text_add_line(out, "device clock: not tested: %s", c->untested.text);
+    else if (json_is_true(json_object_get(c->timer, "trusted")))
+        aob_text_add_line(out, "device clock: it passes its test");
+    else
+        aob_text_add_line(out, "device clock: it fails its test: %s",
+                          json_string_value(json_object_get(c->timer, "why_not")));
+    json_array_foreach(json_object_get(c->timer, "checks"), at, check)
+    {
+        aob_text_add_line(out, "  %-44s %8.3f, expected %.3g (%.3g .. %.3g)",
+                          json_string_value(json_object_get(check, "what")),
+                          aob_json_to_number(json_object_get(check, "measured")),
+                          json_number_value(json_object_get(check, "expected")),
+                          json_number_value(json_object_get(check, "low")),
+                          json_number_value(json_object_get(check, "high")));
+    }
 }
 
 static void print(const struct calibration *c, struct aob_text *out)
@@ -94,6 +130,7 @@ static void print(const struct calibration *c, struct aob_text *out)
         json_string_value(json_object_get(f, "device")), json_string_value(json_object_get(f, "driver")),
         json_string_value(json_object_get(f, "cpu")), (int)json_integer_value(json_object_get(f, "cores")),
         json_string_value(json_object_get(time, "clock")));
+    print_timer(c, out);
     aob_resolution_print(&c->resolution, out);
 }
 
@@ -106,6 +143,7 @@ static bool write_out(const struct calibration *c, struct aob_text *out, struct 
     json_object_set_new(document, "backend", json_string(c->backend));
     json_object_set_new(document, "technique", json_string(c->technique));
     json_object_set(document, "fingerprint", (json_t *)(uintptr_t)fingerprint(c));
+    json_object_set(document, "timer", c->timer ? c->timer : json_null());
     bool ok = aob_json_write(document, c->desc->json, error);
     json_decref(document);
     return ok;
@@ -119,7 +157,8 @@ enum aob_exit aob_calibrate(const struct aob_calibrate_desc *desc, struct aob_te
                             .backend = desc->backend ? desc->backend : "vulkan",
                             .technique = desc->technique ? desc->technique : "gtao"};
     bool ok = aob_json_check(desc->json, error) && measure(&c, error) && read_rounds(&c, error) &&
-              write_out(&c, out, error);
+              test_timer(&c, error) && write_out(&c, out, error);
     json_decref(c.records);
+    json_decref(c.timer);
     return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
 }

@@ -17,8 +17,8 @@ struct aob_calibrate_desc {
 };
 #define AOB_CALIBRATE_SECONDS 60.0
 
-/* Times the technique at its defaults with the fixed pass and its control over at least ten processes, and adds the table to
- * `out`. USAGE after a line if it could not be timed. PART: the device's timer fails its own test, or nothing is resolved. */
+/* Times the technique at its defaults with the fixed pass and its control, tests the device's own clock, and adds the table
+ * to `out`. USAGE after a line if it could not be timed; else OK, whatever the table says. */
 enum aob_exit aob_calibrate(const struct aob_calibrate_desc *desc, struct aob_text *out,
                             struct aob_error *error);
 #endif

@@ -65,9 +65,9 @@ static void print_counts(const struct aob_compared_table *table, struct aob_text
     for (int v = 0; v < AOB_VERDICT_COUNT; v++)
         if (counts[v])
             aob_text_add(&line, "%s%zu %s", line.size ? ", " : "", counts[v], aob_verdict_names[v]);
-    aob_text_add_line(out, "%zu cases: %s; without a partner: %zu of A, %zu of B", table->couples->count,
-                      line.data ? line.data : "none", table->couples->alone_count[0],
-                      table->couples->alone_count[1]);
+    aob_text_add_line(out, "%zu case%s: %s; without a partner: %zu of A, %zu of B", table->couples->count,
+                      table->couples->count == 1 ? "" : "s", line.data ? line.data : "none",
+                      table->couples->alone_count[0], table->couples->alone_count[1]);
     aob_text_finish(&line);
 }
 
