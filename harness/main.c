@@ -10,12 +10,24 @@
 #include "worker/worker.h"
 
 static const struct aob_command *const commands[] = {
-    &aob_command_list,   &aob_command_plan,   &aob_command_run_config, &aob_command_shot,
-    &aob_command_report, &aob_command_papers, &aob_command_doctor,     NULL,
+    &aob_command_list,       &aob_command_plan,
+    &aob_command_run_config, &aob_command_shot,
+    &aob_command_report,     &aob_command_papers,
+    &aob_command_compare,    &aob_command_calibrate,
+    &aob_command_doctor,     NULL,
 };
 static const struct aob_worker_job *const jobs[] = {
-    &aob_worker_describe, &aob_worker_probe, &aob_worker_devices, &aob_worker_layout, &aob_worker_mesh,
-    &aob_worker_capture,  &aob_worker_check, &aob_worker_view,    &aob_worker_block,  NULL,
+    &aob_worker_describe,
+    &aob_worker_probe,
+    &aob_worker_devices,
+    &aob_worker_timer,
+    &aob_worker_layout,
+    &aob_worker_mesh,
+    &aob_worker_capture,
+    &aob_worker_check,
+    &aob_worker_view,
+    &aob_worker_block,
+    NULL,
 };
 
 static enum aob_exit write_text(struct aob_text *text, struct aob_error *error)
@@ -40,7 +52,7 @@ static enum aob_exit print_help(struct aob_error *error)
                       AOBUDGET_VERSION);
     aob_text_add_line(&text, "usage: aobudget COMMAND [--help]");
     for (const struct aob_command *const *c = commands; *c; c++)
-        aob_text_add_line(&text, "  %-8s %s", (*c)->name, (*c)->help);
+        aob_text_add_line(&text, "  %-9s %s", (*c)->name, (*c)->help);
     aob_text_add_line(&text, "exit codes: 0 done; 1 the answer is bad; 2 usage or input; 3 done in part");
     return write_text(&text, error);
 }

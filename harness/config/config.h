@@ -107,6 +107,7 @@ struct aob_config {
     size_t technique_count, technique_capacity;
     bool measure_time, measure_error, images;
     double seconds;   /* of timing, a case */
+    int processes;    /* to time in, at least; 0: as timing/processes.h says. No key of a file */
     double precision; /* share of a cost that its interval may reach to either side: timing ends there */
     int spp;          /* rays a pixel of the reference, even */
     double thickness; /* of what the depth shows, in the screen-space bound, scene units: 0 thin, INFINITY;
@@ -118,6 +119,8 @@ struct aob_config {
 /* A YAML file. On false the line is FILE:LINE:COLUMN: what, and what is allowed; the config is empty. */
 bool aob_config_read(struct aob_config *config, const char *path, struct aob_error *error);
 void aob_config_finish(struct aob_config *config);
+void aob_technique_choice_finish(
+    struct aob_technique_choice *choice); /* of an entry that leaves its config */
 
 /* Put FILE:LINE:COLUMN before the error that is there; FILE alone for line 0, nothing for what is from the command line.
  * Always false. */

@@ -19,6 +19,16 @@ static void free_backends(struct aob_backend_choice *backends)
     free(backends->names);
 }
 
+void aob_technique_choice_finish(struct aob_technique_choice *choice)
+{
+    free(choice->name.text);
+    free(choice->module.text);
+    free(choice->file);
+    free_backends(&choice->backends);
+    free_axes(choice->axes, choice->axis_count);
+    *choice = (struct aob_technique_choice){0};
+}
+
 void aob_config_finish(struct aob_config *config)
 {
     for (size_t i = 0; i < config->scene_count; i++) {
@@ -29,13 +39,8 @@ void aob_config_finish(struct aob_config *config)
         free(config->scenes[i].given);
         free(config->scenes[i].gbuffer);
     }
-    for (size_t i = 0; i < config->technique_count; i++) {
-        free(config->techniques[i].name.text);
-        free(config->techniques[i].module.text);
-        free(config->techniques[i].file);
-        free_backends(&config->techniques[i].backends);
-        free_axes(config->techniques[i].axes, config->techniques[i].axis_count);
-    }
+    for (size_t i = 0; i < config->technique_count; i++)
+        aob_technique_choice_finish(&config->techniques[i]);
     free_backends(&config->backends);
     free_axes(config->options, config->option_count);
     free(config->scenes);

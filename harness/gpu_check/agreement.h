@@ -1,6 +1,6 @@
 /* How an image of a device agrees with that of the software drivers, and how far it may differ.
  *
- * The tolerances (docs/decisions/0027-tolerances-of-gpu-check.md): Vulkan lets a device err by 2^-11 in sin and cos, and by
+ * The tolerances (docs/decisions/0029-tolerances-of-gpu-check.md): Vulkan lets a device err by 2^-11 in sin and cos, and by
  * units of the last place in roots and quotients. A tap then falls on the next texel now and then, which changes single
  * pixels visibly, but not all in one direction, and hardly the error against the truth. The software drivers do the same
  * operations in the same order; they get what another processor's contraction of products and sums may do. */

@@ -1,3 +1,4 @@
+#include <string.h>
 #include "plan.h"
 #include "technique/param.h"
 
@@ -60,4 +61,15 @@ bool aob_case_judge(const struct aob_case *c, struct aob_error *error)
 bool aob_case_same_block(const struct aob_case *a, const struct aob_case *b)
 {
     return a->block == b->block;
+}
+
+bool aob_case_same_but_build(const struct aob_case *a, const struct aob_case *b)
+{
+    struct aob_text p = {0}, q = {0};
+    aob_case_settings(a, &p);
+    aob_case_settings(b, &q);
+    bool same = a->scene == b->scene && strcmp(p.data, q.data) == 0;
+    aob_text_finish(&p);
+    aob_text_finish(&q);
+    return same;
 }

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/table.h"
 #include "describe.h"
+#include "gather.h"
 #include "gpu/gpu.h"
 #include "key.h"
 #include "plan_scene.h"
@@ -122,34 +123,6 @@ static bool expand(struct aob_plan *plan, struct aob_error *error)
     return true;
 }
 
-/* Cases of one block lie together, each block where its first case was, each case in its order. */
-static void gather_blocks(struct aob_plan *plan)
-{
-    struct aob_table blocks = {0};
-    size_t *starts =
-        AOB_NEW_ARRAY(size_t, plan->case_count + 1); /* of a block; first its cases counted, one place on */
-    struct aob_case *sorted = AOB_NEW_ARRAY(struct aob_case, plan->case_count);
-    for (size_t i = 0; i < plan->case_count; i++) {
-        struct aob_case *c = &plan->cases[i];
-        struct aob_options o = aob_case_options(c);
-        struct aob_text text = {0};
-        aob_text_add(&text, "%zu %dx%d %s %d %d %d", (size_t)(c->scene - plan->scenes), c->width, c->height,
-                     c->backend, o.guard_band, o.gbuffer, o.threads);
-        c->block = aob_table_put(&blocks, text.data, blocks.count);
-        starts[c->block + 1]++;
-        aob_text_finish(&text);
-    }
-    for (size_t b = 0; b < blocks.count; b++)
-        starts[b + 1] += starts[b];
-    for (size_t i = 0; i < plan->case_count; i++)
-        sorted[starts[plan->cases[i].block]++] = plan->cases[i];
-    free(plan->cases);
-    plan->cases = sorted;
-    plan->case_capacity = plan->case_count;
-    free(starts);
-    aob_table_finish(&blocks);
-}
-
 bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
                      const struct aob_technique_list *techniques, struct aob_error *error)
 {
@@ -159,7 +132,7 @@ bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
         goto error;
     aob_plan_make_keys(plan);
     aob_plan_settle_targets(plan);
-    gather_blocks(plan);
+    aob_plan_gather(plan);
     aob_plan_vary(plan);
     return true;
 error:

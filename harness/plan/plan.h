@@ -54,7 +54,8 @@ struct aob_plan {
     const struct aob_technique_list *techniques;
     struct aob_plan_scene *scenes;
     size_t scene_count;
-    struct aob_case *cases; /* cases of one block lie together; no two have the same key */
+    struct aob_case
+        *cases; /* those of one block lie together, and in it builds of one; no two have the same key */
     size_t case_count, case_capacity;
     struct aob_variation variation; /* of the whole plan: a filter changes no description */
 };
@@ -97,6 +98,9 @@ bool aob_case_judge(const struct aob_case *c, struct aob_error *error);
 
 /* Whether two cases may be timed in one block: same view, size, guard band, G-buffer, backend and threads. */
 bool aob_case_same_block(const struct aob_case *a, const struct aob_case *b);
+
+/* Whether two cases differ in the build of their technique only, or not at all. */
+bool aob_case_same_but_build(const struct aob_case *a, const struct aob_case *b);
 
 /* Option by its struct: packed from c->options. */
 struct aob_options aob_case_options(const struct aob_case *c);

@@ -20,6 +20,7 @@ struct aob_processes_desc aob_run_block_processes(const struct aob_run_block *bl
 {
     const struct aob_config *config = block->m->plan->config;
     return (struct aob_processes_desc){.case_count = count,
+                                       .least = config->processes,
                                        .seconds = config->seconds,
                                        .precision = config->precision,
                                        .seed = aob_process_seed(block->m->seed, (int)block->indices[place])};

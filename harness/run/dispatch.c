@@ -148,27 +148,39 @@ json_t *aob_dispatch_devices(const struct aob_dispatch *dispatch, const char *ba
     return NULL;
 }
 
-static void take_device(void *user, const json_t *answer)
+static void take_answer(void *user, const json_t *answer)
 {
-    json_t **device = user;
-    json_decref(*device);
-    *device = json_deep_copy(answer);
+    json_t **kept = user;
+    json_decref(*kept);
+    *kept = json_deep_copy(answer);
+}
+
+/* The one answer of a job about a backend's device. */
+static json_t *ask_device(const struct aob_dispatch *dispatch, const char *backend, const char *job,
+                          double timeout_s, struct aob_error *error)
+{
+    json_t *answer = NULL;
+    struct aob_job_desc desc = {
+        .job = json_pack("{s:s, s:s, s:s?}", "job", job, "backend", backend, "device", dispatch->device),
+        .env = aob_gpu_find(backend)->environment,
+        .timeout_s = timeout_s,
+        .on_answer = take_answer,
+        .user = &answer};
+    bool ok = aob_dispatch_job(dispatch, &desc, error);
+    if (ok && answer)
+        return answer;
+    if (ok)
+        aob_fail(error, "%s: the worker says nothing of its device", backend);
+    json_decref(answer);
+    return NULL;
 }
 
 json_t *aob_dispatch_probe(const struct aob_dispatch *dispatch, const char *backend, struct aob_error *error)
 {
-    json_t *device = NULL;
-    struct aob_job_desc desc = {
-        .job = json_pack("{s:s, s:s, s:s?}", "job", "probe", "backend", backend, "device", dispatch->device),
-        .env = aob_gpu_find(backend)->environment,
-        .timeout_s = 30,
-        .on_answer = take_device,
-        .user = &device};
-    bool ok = aob_dispatch_job(dispatch, &desc, error);
-    if (ok && device)
-        return device;
-    if (ok)
-        aob_fail(error, "%s: the worker says nothing of its device", backend);
-    json_decref(device);
-    return NULL;
+    return ask_device(dispatch, backend, "probe", 30, error);
+}
+
+json_t *aob_dispatch_timer(const struct aob_dispatch *dispatch, const char *backend, struct aob_error *error)
+{
+    return ask_device(dispatch, backend, "timer", 60, error);
 }

@@ -40,4 +40,8 @@ json_t *aob_dispatch_devices(const struct aob_dispatch *dispatch, const char *ba
 /* What a backend's device says of itself, {device, driver, class}; NULL after a line if it cannot be opened. Decref
  * it. */
 json_t *aob_dispatch_probe(const struct aob_dispatch *dispatch, const char *backend, struct aob_error *error);
+
+/* Whether a backend's device has a clock that tells the truth: {trusted, why_not, checks[]} of the job `timer`
+ * (worker/worker.h). NULL after a line if it cannot be tested. Decref it. */
+json_t *aob_dispatch_timer(const struct aob_dispatch *dispatch, const char *backend, struct aob_error *error);
 #endif

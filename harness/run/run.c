@@ -8,6 +8,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/sealed.h"
+#include "config/config_builds.h"
 #include "info.h"
 #include "measurement.h"
 #include "progress.h"
@@ -36,13 +37,15 @@ static bool read_config(struct run *run, struct aob_error *error)
 {
     const struct aob_run_desc *desc = run->desc;
     struct aob_config *config = &run->sweep.config;
-    if (!aob_config_read(config, desc->config, error))
+    if (!aob_config_read(config, desc->config, error) ||
+        (desc->builds && !aob_config_take_builds(config, desc->builds, error)))
         return false;
     for (size_t i = 0; i < config->size_count; i++)
         if (desc->max_width && config->sizes[i].width > desc->max_width)
             config->sizes[i].width = desc->max_width;
     if (desc->seconds > 0)
         config->seconds = desc->seconds;
+    config->processes = desc->processes;
     if (desc->precision > 0)
         config->precision = desc->precision;
     if (desc->max_spp && config->spp > desc->max_spp)
@@ -181,17 +184,31 @@ static void store_refused(struct run *run)
     }
 }
 
+/* How many cases from `at` on are builds of one case, as far as they are pending. */
+static size_t pending_builds(const struct run *run, size_t at, size_t *behind)
+{
+    const struct aob_plan *plan = &run->sweep.plan;
+    size_t count = 0, i = at;
+    for (; i < plan->case_count && aob_case_same_but_build(&plan->cases[at], &plan->cases[i]); i++)
+        count += run->measurement.states[i].stage == AOB_PENDING;
+    *behind = i;
+    return count;
+}
+
 /* The pending ones of the block that begins at *at, as many as are timed together; *at moves behind them. Cases of one
- * block lie together. */
+ * block lie together. Builds of one case are not parted, as they are what is compared, unless they are too many. */
 static size_t next_block(const struct run *run, size_t *at, size_t indices[AOB_BLOCK_MAX])
 {
     const struct aob_plan *plan = &run->sweep.plan;
-    size_t first = *at, used = 0;
-    for (; *at < plan->case_count && used < AOB_BLOCK_MAX; (*at)++) {
-        if (!aob_case_same_block(&plan->cases[first], &plan->cases[*at]))
+    size_t first = *at, used = 0, behind;
+    while (*at < plan->case_count && used < AOB_BLOCK_MAX &&
+           aob_case_same_block(&plan->cases[first], &plan->cases[*at])) {
+        size_t builds = pending_builds(run, *at, &behind);
+        if (used && used + builds > AOB_BLOCK_MAX)
             break;
-        if (run->measurement.states[*at].stage == AOB_PENDING)
-            indices[used++] = *at;
+        for (; *at < behind && used < AOB_BLOCK_MAX; (*at)++)
+            if (run->measurement.states[*at].stage == AOB_PENDING)
+                indices[used++] = *at;
     }
     return used;
 }

@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "dispatch.h"
 
+struct aob_config_builds;
+
 struct aob_run_desc {
     struct aob_dispatch dispatch;
     const char *config; /* path */
@@ -12,10 +14,13 @@ struct aob_run_desc {
     const char *filter; /* only cases whose description holds this text; NULL: all */
     const char *json;   /* summary document to this file, "-": standard output; NULL: none */
     bool fresh, quiet;  /* fresh: what the folder held of an earlier run is removed first */
-    bool no_page;       /* the journal only; `aobudget report` can make the page later */
+    const struct aob_config_builds
+        *builds;  /* each case with both of them (config/config_builds.h); NULL: as it is */
+    bool no_page; /* the journal only; `aobudget report` can make the page later */
     int max_width; /* pixels; of wider pictures only the middle columns, at their scale, so that a pixel costs what
                            it did; 0: as the config says */
     double seconds;   /* of timing a case; 0: as the config says */
+    int processes;    /* that a case is timed in, at least; 0: three */
     double precision; /* share that ends timing early; 0: as the config says */
     int max_spp;      /* rays a pixel of the reference, even; 0: as the config says */
 };

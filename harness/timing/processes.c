@@ -19,6 +19,11 @@ double aob_seconds_needed(double seconds, double width, double precision)
     return seconds * (width / precision) * (width / precision);
 }
 
+static int least_of(const struct aob_processes_desc *desc)
+{
+    return desc->least > AOB_PROCESSES_LEAST ? desc->least : AOB_PROCESSES_LEAST;
+}
+
 static double slice_of(const struct aob_processes_desc *desc)
 {
     return fmax(fmin(desc->seconds / AOB_PROCESSES_LEAST, 1), desc->seconds / AOB_PROCESSES_MOST);
@@ -41,7 +46,7 @@ static bool is_precise(const struct aob_processes_desc *desc, const struct aob_r
 
 static bool is_done(const struct aob_processes_desc *desc, const struct aob_processes *result)
 {
-    if (result->good < AOB_PROCESSES_LEAST)
+    if (result->good < least_of(desc))
         return false;
     return result->measured_s >= desc->seconds * (double)desc->case_count ||
            is_precise(desc, &result->rounds);

@@ -20,6 +20,7 @@ struct aob_process_desc { /* one that is to be measured */
 };
 struct aob_processes_desc {
     size_t case_count;
+    int least;      /* good processes before it may end; 0: AOB_PROCESSES_LEAST */
     double seconds; /* a case: what is measured in all processes together, at most */
     double
         precision; /* share: no more processes are needed once every case's interval over processes is as narrow */

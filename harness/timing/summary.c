@@ -12,8 +12,9 @@ static double cost(const struct aob_round *round, size_t slot, int pass, enum ao
     return pass == WHOLE ? aob_slot_ms(s, clock) : aob_slot_pass_ms(s, (size_t)pass, clock);
 }
 
-/* Both sides of the rounds from `first` on, each by its clock; free() the first. */
-static double *pair(const struct aob_round_list *rounds, size_t first, size_t slot, int pass, double **fixed)
+/* Both sides of the rounds from `first` on, each by its clock; free() the first. `unit`: the slot of the other side. */
+static double *pair(const struct aob_round_list *rounds, size_t first, size_t slot, int pass, size_t unit,
+                    double **fixed)
 {
     size_t count = rounds->count - first;
     double *costs = AOB_NEW_ARRAY(double, 2 * count);
@@ -21,7 +22,7 @@ static double *pair(const struct aob_round_list *rounds, size_t first, size_t sl
     for (size_t i = 0; i < count; i++) {
         const struct aob_round *round = &rounds->items[first + i];
         costs[i] = cost(round, slot, pass, round->clock);
-        (*fixed)[i] = cost(round, AOB_SLOT_FIXED, WHOLE, round->clock);
+        (*fixed)[i] = cost(round, unit, WHOLE, round->clock);
     }
     return costs;
 }
@@ -31,10 +32,10 @@ static bool begins_process(const struct aob_round_list *rounds, size_t r)
     return r == 0 || rounds->items[r].process != rounds->items[r - 1].process;
 }
 
-static struct aob_ratio ratio_of(const struct aob_round_list *rounds, size_t slot, int pass)
+static struct aob_ratio ratio_of(const struct aob_round_list *rounds, size_t slot, int pass, size_t unit)
 {
     size_t used = 0;
-    double *fixed, *costs = pair(rounds, 0, slot, pass, &fixed);
+    double *fixed, *costs = pair(rounds, 0, slot, pass, unit, &fixed);
     struct aob_rounds *processes = AOB_NEW_ARRAY(struct aob_rounds, rounds->count);
     for (size_t r = 0; r < rounds->count; r++) {
         if (begins_process(rounds, r))
@@ -49,12 +50,17 @@ static struct aob_ratio ratio_of(const struct aob_round_list *rounds, size_t slo
 
 struct aob_ratio aob_rounds_ratio(const struct aob_round_list *rounds, size_t slot)
 {
-    return ratio_of(rounds, slot, WHOLE);
+    return ratio_of(rounds, slot, WHOLE, AOB_SLOT_FIXED);
+}
+
+struct aob_ratio aob_rounds_quotient(const struct aob_round_list *rounds, size_t slot, size_t unit)
+{
+    return ratio_of(rounds, slot, WHOLE, unit);
 }
 
 struct aob_ratio aob_rounds_own_ratio(const struct aob_round_list *rounds, size_t first, size_t slot)
 {
-    double *fixed, *costs = pair(rounds, first, slot, WHOLE, &fixed);
+    double *fixed, *costs = pair(rounds, first, slot, WHOLE, AOB_SLOT_FIXED, &fixed);
     struct aob_ratio ratio = aob_paired_ratio(costs, fixed, rounds->count - first);
     free(costs);
     return ratio;
@@ -86,7 +92,7 @@ static struct aob_times times_of(const struct aob_round_list *rounds, size_t slo
 void aob_summarise(const struct aob_round_list *rounds, size_t slot, struct aob_summary *summary)
 {
     *summary = (struct aob_summary){.whole = times_of(rounds, slot, WHOLE),
-                                    .to_fixed = ratio_of(rounds, slot, WHOLE),
+                                    .to_fixed = ratio_of(rounds, slot, WHOLE, AOB_SLOT_FIXED),
                                     .pass_count = rounds->items[0].slots[slot].pass_count,
                                     .rounds = rounds->count,
                                     .frames = rounds->items[0].slots[slot].frames};
@@ -96,6 +102,6 @@ void aob_summarise(const struct aob_round_list *rounds, size_t slot, struct aob_
     }
     for (size_t p = 0; p < summary->pass_count; p++) {
         summary->passes[p] = times_of(rounds, slot, (int)p);
-        summary->pass_to_fixed[p] = ratio_of(rounds, slot, (int)p);
+        summary->pass_to_fixed[p] = ratio_of(rounds, slot, (int)p, AOB_SLOT_FIXED);
     }
 }

@@ -25,4 +25,7 @@ void aob_summarise(const struct aob_round_list *rounds, size_t slot, struct aob_
  * alone (base/statistics.h). The second knows nothing of how processes differ. */
 struct aob_ratio aob_rounds_ratio(const struct aob_round_list *rounds, size_t slot);
 struct aob_ratio aob_rounds_own_ratio(const struct aob_round_list *rounds, size_t first, size_t slot);
+
+/* The cost of a slot in units of another one, taken in each round, over all processes. */
+struct aob_ratio aob_rounds_quotient(const struct aob_round_list *rounds, size_t slot, size_t unit);
 #endif

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/hash.h"
 #include "store/image.h"
 
 void aob_case_image_finish(struct aob_case_image *image)
@@ -84,6 +85,21 @@ static void add_error(struct aob_image *file, const struct aob_case_image *image
     float *error = image->truth ? aob_image_add(file, "error.AO") : NULL;
     for (size_t i = 0; error && i < (size_t)file->width * (size_t)file->height; i++)
         error[i] = is_sky(image, i) ? 0 : image->ao[i] - image->truth[i];
+}
+
+void aob_case_image_digest(const struct aob_block *block, const struct aob_case_image *image,
+                           char digest[AOB_KEY_SIZE])
+{
+    struct aob_hash hash;
+    aob_hash_begin(&hash);
+    for (size_t i = 0; i < (size_t)block->job.view.width * (size_t)block->job.view.height; i++) {
+        if (is_sky(image, i))
+            continue;
+        aob_hash_add(&hash, &image->ao[i], sizeof image->ao[i]);
+        if (image->bent)
+            aob_hash_add(&hash, image->bent[i], sizeof image->bent[i]);
+    }
+    aob_hash_end(&hash, digest);
 }
 
 bool aob_case_image_write(const struct aob_block *block, const struct aob_block_case *c,

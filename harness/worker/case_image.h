@@ -17,6 +17,10 @@ void aob_case_image_finish(struct aob_case_image *image);
 /* Leaves the guard band out: one component, `stride` floats a pixel in `from`. */
 void aob_case_image_crop(const struct aob_block *block, const float *from, int stride, float *into);
 
+/* What the technique wrote where there is a surface, visibility and bent normal, to the bit. */
+void aob_case_image_digest(const struct aob_block *block, const struct aob_case_image *image,
+                           char digest[AOB_KEY_SIZE]);
+
 /* Into the file c->image. */
 bool aob_case_image_write(const struct aob_block *block, const struct aob_block_case *c,
                           const struct aob_case_image *image, struct aob_error *error);

@@ -245,8 +245,11 @@ static bool judge_and_score(const struct aob_block *block, size_t f, struct aob_
                             json_t *answer, struct aob_error *error)
 {
     const struct aob_block_case *c = &block->job.cases[block->case_of_frame[f]];
+    char digest[AOB_KEY_SIZE];
     if (!judge_values(block, image, error))
         return refuse(answer);
+    aob_case_image_digest(block, image, digest);
+    json_object_set_new(answer, "image_digest", json_string(digest));
     if (!load_claims(block, c, image, error))
         return false;
     map_claims(block->frames[f].graph.technique, c, pixels_of(block), image);

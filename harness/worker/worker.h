@@ -1,9 +1,10 @@
 /* `aobudget worker`: one job in a process of its own. It reads one JSON document on standard input and answers with JSON
  * lines on standard output. Only here are modules loaded, drivers opened and files of strangers parsed, so a crash costs
- * this job. The messages are in job/, writer and reader of each in one file; three jobs are too small for one:
+ * this job. The messages are in job/, writer and reader of each in one file; four jobs are too small for one:
  *   describe {modules}  -> a technique a line (aob_technique_to_json), built in or of the modules
  *   devices  {backend, device}  -> a device a line: {name, driver, class, software, timer, lacks, chosen}
  *   probe    {backend, device}  -> {device, driver, class}, and {cpu, cores} where a processor is the device
+ *   timer    {backend, device}  -> {trusted, why_not, checks[{what, measured, expected, low, high}]} (timing/timer.h)
  * A job that cannot be done says so in one line on standard error and exits with 2. */
 #ifndef AOB_WORKER_WORKER_H
 #define AOB_WORKER_WORKER_H
@@ -23,8 +24,8 @@ struct aob_worker_job {
     bool (*run)(struct aob_worker *worker, struct aob_error *error);
 };
 extern const struct aob_worker_job aob_worker_describe, aob_worker_probe, aob_worker_devices,
-    aob_worker_layout, aob_worker_mesh, aob_worker_capture, aob_worker_check, aob_worker_view,
-    aob_worker_block;
+    aob_worker_timer, aob_worker_layout, aob_worker_mesh, aob_worker_capture, aob_worker_check,
+    aob_worker_view, aob_worker_block;
 
 /* Reads a job and does it by the NULL-ended list; the exit code. */
 int aob_worker_main(const struct aob_worker_job *const *jobs);

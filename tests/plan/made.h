@@ -30,11 +30,17 @@ static int tear_down(void **state)
     return unlink(path);
 }
 
-static bool make(const char *text, struct aob_config *config, struct aob_plan *plan, struct aob_error *error)
+static inline bool make_config(const char *text, struct aob_config *config, struct aob_error *error)
 {
     *error = (struct aob_error){{0}};
     aob_file_write(path, text, strlen(text), error);
-    if (!aob_config_read(config, path, error))
+    return aob_config_read(config, path, error);
+}
+
+static inline bool make(const char *text, struct aob_config *config, struct aob_plan *plan,
+                        struct aob_error *error)
+{
+    if (!make_config(text, config, error))
         return false;
     if (aob_plan_create(plan, config, &techniques, error))
         return true;

@@ -51,6 +51,22 @@ static void test_three_are_enough(void **state)
     aob_processes_finish(&result);
 }
 
+/* A caller that wants more of them gets them, however early the precision is reached; never fewer than three. */
+static void test_at_least(void **state)
+{
+    (void)state;
+    static const int wanted[][2] = {{5, 5}, {2, 3}};
+    for (size_t i = 0; i < AOB_COUNT(wanted); i++) {
+        struct script_processes processes = {0};
+        struct aob_processes result;
+        const struct aob_processes_desc desc = {
+            .least = wanted[i][0], .seconds = 60, .precision = 0.03, .seed = 7};
+        assert_true(measure(&processes, desc, &result, NULL));
+        assert_int_equal(result.good, wanted[i][1]);
+        aob_processes_finish(&result);
+    }
+}
+
 static void test_slices(void **state)
 {
     (void)state;
@@ -212,6 +228,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_seeds),
                                        cmocka_unit_test(test_three_are_enough),
+                                       cmocka_unit_test(test_at_least),
                                        cmocka_unit_test(test_slices),
                                        cmocka_unit_test(test_seconds_buy_processes),
                                        cmocka_unit_test(test_seconds_bound),

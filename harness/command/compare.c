@@ -1,0 +1,67 @@
+#include "compare/compare.h"
+#include "base/text.h"
+#include "command.h"
+#include "config/config.h"
+
+struct options {
+    struct aob_common common;
+    const char *config, *technique, *precision, *seconds, *out;
+};
+
+#define TEXT(name, value, field, help)                                                                       \
+    {                                                                                                        \
+        name, value, help, AOB_FLAG_TEXT, offsetof(struct options, field)                                    \
+    }
+static const struct aob_flag flags[] = {
+    TEXT("precision", "P%", precision, "the difference that counts (2%)"),
+    TEXT("config", "FILE", config, "of two modules: the cases (atrium, 480x270, vulkan, defaults)"),
+    TEXT("technique", "NAME", technique, "of two modules: this one only (all that both have)"),
+    TEXT("seconds", "S", seconds, "of two modules: of timing a case, at most (6)"),
+    TEXT("out", "DIR", out, "what is measured, and maps of what moved (results/compare)"),
+    {0},
+};
+
+static bool read_options(const struct options *o, struct aob_compare_desc *desc, struct aob_error *error)
+{
+    if (o->precision && !aob_config_parse_precision(o->precision, &desc->precision, error))
+        return aob_fail_in(error, "--precision");
+    if (o->seconds &&
+        (!aob_parse_double(o->seconds, &desc->seconds) || !(desc->seconds > 0) || desc->seconds > 1e6))
+        return aob_fail(error, "--seconds: '%s' is not a number of seconds above 0, up to 1e6", o->seconds);
+    return true;
+}
+
+static enum aob_exit compare(void *from, struct aob_error *error)
+{
+    struct options *o = from;
+    struct aob_text table = {0};
+    struct aob_compare_desc desc = {.dispatch = o->common.dispatch,
+                                    .sides = {o->common.words.items[0], o->common.words.items[1]},
+                                    .folder = o->out,
+                                    .config = o->config,
+                                    .technique = o->technique,
+                                    .json = o->common.json,
+                                    .quiet = o->common.quiet};
+    if (!read_options(o, &desc, error))
+        return AOB_EXIT_USAGE;
+    enum aob_exit code = aob_compare(&desc, &table, error);
+    if (aob_common_speaks(&o->common) && table.size)
+        aob_text_add_bytes(&o->common.out, table.data, table.size);
+    aob_text_finish(&table);
+    return code;
+}
+
+const struct aob_command aob_command_compare = {
+    .name = "compare",
+    .help = "two runs or two builds of a module, with verdicts",
+    .usage = "A B [--precision P%] [--config FILE] [--technique NAME] [--seconds S] [--out DIR]",
+    .summary =
+        "Two runs, or two builds of a module (.so), case by case: FASTER, SLOWER, SAME, AMBIGUOUS, INVALID "
+        "or MOVED.",
+    .flags = flags,
+    .devices = true,
+    .least = 2,
+    .most = 2,
+    .size = sizeof(struct options),
+    .run = compare,
+};

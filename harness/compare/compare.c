@@ -1,0 +1,211 @@
+#include "compare.h"
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "base/file.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "builds.h"
+#include "compared.h"
+
+/* One table, from its two sides to what is said of them. */
+struct comparison {
+    const struct aob_compare_desc *desc;
+    const char *names[2];   /* of its sides */
+    const char *folders[2]; /* the runs that these are in: one and NULL, or two */
+    const char *modules[2]; /* whose cases of those runs they are; NULL: all */
+    struct aob_rows rows;
+    const struct aob_row **sides[2];
+    size_t counts[2];
+    struct aob_couples couples;
+    struct aob_compared_table table;
+};
+
+static const char *folder_of(const struct aob_compare_desc *desc)
+{
+    return desc->folder ? desc->folder : "results/compare";
+}
+
+/* The rows of each side: of its run, and of its module. */
+static void choose_sides(struct comparison *c)
+{
+    for (int side = 0; side < 2; side++) {
+        size_t run = c->folders[1] ? (size_t)side : 0;
+        c->sides[side] = AOB_NEW_ARRAY(const struct aob_row *, c->rows.count + 1);
+        for (size_t i = 0; i < c->rows.count; i++) {
+            const struct aob_row *row = &c->rows.list[i];
+            if (row->run == run && (!c->modules[side] || strcmp(row->module, c->modules[side]) == 0))
+                c->sides[side][c->counts[side]++] = row;
+        }
+    }
+}
+
+static bool read_rows(struct comparison *c, struct aob_error *error)
+{
+    if (!aob_rows_read(&c->rows, c->folders, c->folders[1] ? 2 : 1, error))
+        return false;
+    if (*aob_rows_damage(&c->rows))
+        aob_warn("%s", aob_rows_damage(&c->rows));
+    choose_sides(c);
+    const struct aob_side a = {c->sides[0], c->counts[0]}, b = {c->sides[1], c->counts[1]};
+    aob_couples_find(&c->couples, &a, &b);
+    return c->couples.count ||
+           aob_fail(error,
+                    "no case of %s (%zu) has a partner in %s (%zu): scene, view, technique, parameters, "
+                    "options, backend and size must be the same",
+                    c->names[0], c->counts[0], c->names[1], c->counts[1]);
+}
+
+static bool same_program(const struct comparison *c)
+{
+    const char *a = aob_member_text(c->rows.runs[0].info, "build");
+    const char *b = aob_member_text(c->rows.runs[c->rows.run_count - 1].info, "build");
+    return *a && strcmp(a, b) == 0;
+}
+
+static bool judge(struct comparison *c, struct aob_error *error)
+{
+    const struct aob_compare_desc *desc = c->desc;
+    if (!read_rows(c, error))
+        return false;
+    c->table = (struct aob_compared_table){.rows = &c->rows,
+                                           .couples = &c->couples,
+                                           .names = {c->names[0], c->names[1]},
+                                           .folder = folder_of(desc),
+                                           .precision =
+                                               desc->precision > 0 ? desc->precision : AOB_COMPARE_PRECISION,
+                                           .same_program = same_program(c)};
+    return aob_compared_judge(&c->table, error);
+}
+
+static void finish(struct comparison *c)
+{
+    aob_compared_finish(&c->table);
+    aob_couples_finish(&c->couples);
+    aob_rows_finish(&c->rows);
+    free(c->sides[0]);
+    free(c->sides[1]);
+}
+
+/* `then`: a second table, of the old module when it was stored and now. NULL: there is none. */
+static bool write_out(const struct comparison *c, const struct comparison *then, struct aob_text *out,
+                      struct aob_error *error)
+{
+    aob_compared_draw(&c->table, c->desc->dispatch.program);
+    aob_compared_print(&c->table, out);
+    if (then) {
+        aob_text_add_line(out, "The old module, stored and measured again now:");
+        aob_compared_print(&then->table, out);
+    }
+    if (!c->desc->json)
+        return true;
+    json_t *document = aob_compared_to_json(&c->table);
+    if (then)
+        json_object_set_new(document, "then_and_now", aob_compared_to_json(&then->table));
+    bool ok = aob_json_write(document, c->desc->json, error);
+    json_decref(document);
+    return ok;
+}
+
+static enum aob_exit exit_code(const struct comparison *c)
+{
+    static const enum aob_exit codes[] = {AOB_EXIT_OK, AOB_EXIT_BAD, AOB_EXIT_PART};
+    return codes[aob_compared_outcome(&c->table)];
+}
+
+static enum aob_exit compare_runs(const struct aob_compare_desc *desc, struct aob_text *out,
+                                  struct aob_error *error)
+{
+    struct comparison c = {
+        .desc = desc, .names = {desc->sides[0], desc->sides[1]}, .folders = {desc->sides[0], desc->sides[1]}};
+    bool ok = judge(&c, error) && write_out(&c, NULL, out, error);
+    enum aob_exit code = ok ? exit_code(&c) : AOB_EXIT_USAGE;
+    finish(&c);
+    return code;
+}
+
+/* A copy is one build: its cases have one key, and there is no difference to look for. */
+static enum aob_exit tell_identical(const struct aob_compare_desc *desc, struct aob_text *out,
+                                    struct aob_error *error)
+{
+    aob_text_add_line(out, "SAME: %s and %s are one build, byte for byte; nothing was measured",
+                      desc->sides[0], desc->sides[1]);
+    if (!desc->json)
+        return AOB_EXIT_OK;
+    json_t *document = json_pack("{s:o, s:o, s:b, s:[]}", "a", aob_json_text(desc->sides[0]), "b",
+                                 aob_json_text(desc->sides[1]), "identical", true, "cases");
+    bool ok = aob_json_write(document, desc->json, error);
+    json_decref(document);
+    return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
+}
+
+/* `stored`: the run that the old module is from; NULL: there is none. */
+static enum aob_exit compare_builds(const struct aob_compare_desc *desc, const char *stored,
+                                    struct aob_text *out, struct aob_error *error)
+{
+    bool identical;
+    if (!aob_builds_identical(desc, &identical, error))
+        return AOB_EXIT_USAGE;
+    if (identical)
+        return tell_identical(desc, out, error);
+    const char *folder = folder_of(desc);
+    struct comparison c = {.desc = desc,
+                           .names = {desc->sides[0], desc->sides[1]},
+                           .folders = {folder, NULL},
+                           .modules = {desc->sides[0], desc->sides[1]}};
+    struct comparison then = {.desc = desc,
+                              .names = {stored, desc->sides[0]},
+                              .folders = {stored, folder},
+                              .modules = {NULL, desc->sides[0]}};
+    bool ok = aob_builds_measure(desc, folder, error) && judge(&c, error) &&
+              (!stored || judge(&then, error)) && write_out(&c, stored ? &then : NULL, out, error);
+    enum aob_exit code = ok ? exit_code(&c) : AOB_EXIT_USAGE;
+    finish(&c);
+    finish(&then);
+    return code;
+}
+
+static enum aob_exit compare_with_stored(const struct aob_compare_desc *desc, struct aob_text *out,
+                                         struct aob_error *error)
+{
+    struct aob_compare_desc now = *desc;
+    char *module = aob_builds_stored(desc, error);
+    now.sides[0] = module;
+    enum aob_exit code = module ? compare_builds(&now, desc->sides[0], out, error) : AOB_EXIT_USAGE;
+    free(module);
+    return code;
+}
+
+static bool is_folder(const char *path)
+{
+    struct stat info;
+    return stat(path, &info) == 0 && S_ISDIR(info.st_mode);
+}
+
+static bool check(const struct aob_compare_desc *desc, struct aob_error *error)
+{
+    for (int i = 0; i < 2; i++)
+        if (!aob_file_exists(desc->sides[i]))
+            return aob_fail(error, "%s: not found; compare takes folders of runs or module files",
+                            desc->sides[i]);
+    if (!is_folder(desc->sides[1]))
+        return aob_json_check(desc->json, error);
+    if (!is_folder(desc->sides[0]))
+        return aob_fail(error, "%s is a module and %s is a run: name the old one, the run, first",
+                        desc->sides[0], desc->sides[1]);
+    if (desc->config || desc->technique || desc->seconds > 0)
+        return aob_fail(error,
+                        "--config, --technique and --seconds are of modules: runs are measured already");
+    return aob_json_check(desc->json, error);
+}
+
+enum aob_exit aob_compare(const struct aob_compare_desc *desc, struct aob_text *out, struct aob_error *error)
+{
+    if (!check(desc, error))
+        return AOB_EXIT_USAGE;
+    if (is_folder(desc->sides[1]))
+        return compare_runs(desc, out, error);
+    if (is_folder(desc->sides[0]))
+        return compare_with_stored(desc, out, error);
+    return compare_builds(desc, NULL, out, error);
+}

@@ -1,0 +1,25 @@
+/* Intervals of a comparison: of the quotient of two estimates that were measured apart, and at a stricter level than the
+ * 95 % of a record. All work on logarithms, where a cost that is halved lies as far away as one that is doubled. */
+#ifndef AOB_COMPARE_QUOTIENT_H
+#define AOB_COMPARE_QUOTIENT_H
+#include <stddef.h>
+#include "base/statistics.h"
+
+/* b / a of two independent estimates with intervals of one level, which need not lie evenly about them. With l, u the
+ * distances to the ends of each: the quotient's distances are sqrt(l_b^2 + u_a^2) and sqrt(u_b^2 + l_a^2). (Zou and
+ * Donner, Construction of confidence limits about effect measures, Statistics in Medicine 27, 2008, equation 6.) */
+struct aob_ratio aob_quotient(const struct aob_ratio *b, const struct aob_ratio *a);
+
+/* The two-sided quantile of Student's t: the |t| that is exceeded with probability `alpha`, 0 < alpha < 1. freedom >=
+ * 1. */
+double aob_student(double alpha, size_t freedom);
+
+/* The level of a table of `comparisons` cases: whatever they are, one of its intervals misses the truth with a
+ * probability of AOB_COMPARE_ALPHA at most (Bonferroni). */
+#define AOB_COMPARE_ALPHA 0.01
+double aob_compare_alpha(size_t comparisons);
+
+/* An interval of 95 % over `processes` at the level 1 - alpha: its ends move away from the ratio in proportion to
+ * Student's quantiles with processes - 1 degrees of freedom. Unbounded for fewer than two processes. */
+struct aob_ratio aob_widen(const struct aob_ratio *ratio, size_t processes, double alpha);
+#endif

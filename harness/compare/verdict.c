@@ -1,0 +1,162 @@
+#include "verdict.h"
+#include <math.h>
+#include <stdio.h>
+#include "base/text.h"
+
+const char *const aob_verdict_names[] = {"FASTER", "SLOWER", "SAME", "AMBIGUOUS", "INVALID", "MOVED"};
+
+double aob_noise_floor(const struct aob_ratio *control)
+{
+    return control->bounded ? fmax(control->high - 1, 1 / control->low - 1) : INFINITY;
+}
+
+const struct aob_ratio *aob_wider_control(const struct aob_ratio *a, const struct aob_ratio *b)
+{
+    return aob_noise_floor(b) > aob_noise_floor(a) ? b : a;
+}
+
+/* Beyond 1 +- delta, which way the ratio may lie. */
+static bool is_beyond(double ratio, double delta)
+{
+    return ratio > 1 + delta || ratio < 1 / (1 + delta);
+}
+
+static bool lies_beside_one(const struct aob_ratio *r)
+{
+    return r->low > 1 || r->high < 1;
+}
+
+/* The fixed pass is the same on both sides, so a difference that would be a verdict shows that the block lies. The middle
+ * of its interval stands for it, as a record has only the ends. */
+static bool control_differs(const struct aob_comparison *c)
+{
+    return lies_beside_one(&c->control) && is_beyond(sqrt(c->control.low * c->control.high), c->resolution);
+}
+
+static bool fail(struct aob_judgement *j, const char *reason)
+{
+    aob_line_print(j->reason, sizeof j->reason, "%s", reason);
+    return false;
+}
+
+static bool is_valid(const struct aob_comparison *c, struct aob_judgement *j)
+{
+    char line[200];
+    if (c->invalid)
+        return fail(j, c->invalid);
+    if (c->processes < AOB_COMPARE_PROCESSES) {
+        snprintf(line, sizeof line, "it was timed in %zu processes, and a verdict needs %d", c->processes,
+                 AOB_COMPARE_PROCESSES);
+        return fail(j, line);
+    }
+    if (c->rounds < AOB_COMPARE_ROUNDS) {
+        snprintf(line, sizeof line, "it has %zu rounds, and a verdict needs %d: measure for longer",
+                 c->rounds, AOB_COMPARE_ROUNDS);
+        return fail(j, line);
+    }
+    if (!c->cost.bounded || !c->control.bounded)
+        return fail(j, "there is no interval of its cost or of the control");
+    if (!control_differs(c))
+        return true;
+    snprintf(line, sizeof line, "the control differs from itself: [%.4f, %.4f] lies beside 1", c->control.low,
+             c->control.high);
+    return fail(j, line);
+}
+
+static enum aob_verdict judge_cost(const struct aob_ratio *r, double delta)
+{
+    if (r->low > 1 && r->ratio > 1 + delta)
+        return AOB_VERDICT_SLOWER;
+    if (r->high < 1 && r->ratio < 1 / (1 + delta))
+        return AOB_VERDICT_FASTER;
+    if (r->low > 1 / (1 + delta) && r->high < 1 + delta)
+        return AOB_VERDICT_SAME;
+    return AOB_VERDICT_AMBIGUOUS;
+}
+
+/* To the wider side, on logarithms. */
+static double half_width(const struct aob_ratio *r)
+{
+    return fmax(log(r->high / r->ratio), log(r->ratio / r->low));
+}
+
+/* Widths shrink with the root of the rounds. Where it is as narrow already, the difference is about as large as what is
+ * asked for, and rounds are not what it lacks. */
+static double rounds_needed(const struct aob_comparison *c, double delta)
+{
+    double factor = half_width(&c->cost) / (0.5 * log1p(delta));
+    return factor > 1 ? ceil((double)c->rounds * factor * factor) : NAN;
+}
+
+static void explain_cost(const struct aob_comparison *c, struct aob_judgement *j)
+{
+    const char *floor = j->delta > c->resolution ? ", which is the noise floor" : "";
+    double percent = 100 * j->delta;
+    if (j->cost == AOB_VERDICT_SAME)
+        snprintf(j->reason, sizeof j->reason, "the whole interval lies within %.3g %%%s", percent, floor);
+    else if (j->cost != AOB_VERDICT_AMBIGUOUS)
+        snprintf(j->reason, sizeof j->reason, "the interval lies %s 1, and the ratio is beyond %.3g %%%s",
+                 j->cost == AOB_VERDICT_SLOWER ? "above" : "below", percent, floor);
+    else if (isnan(j->rounds_needed))
+        snprintf(j->reason, sizeof j->reason,
+                 "the difference is about as large as the %.3g %% that it is judged by%s: ask for another "
+                 "--precision",
+                 percent, floor);
+    else
+        snprintf(j->reason, sizeof j->reason,
+                 "the interval is too wide for %.3g %%%s: about %.0f rounds would decide", percent, floor,
+                 j->rounds_needed);
+}
+
+static enum aob_error_change judge_error(const struct aob_comparison *c)
+{
+    double change = c->rmse_b - c->rmse_a;
+    if (isnan(change))
+        return AOB_ERROR_UNKNOWN;
+    if (fabs(change) < AOB_COMPARE_RMSE)
+        return AOB_ERROR_EQUAL;
+    return change > 0 ? AOB_ERROR_MORE : AOB_ERROR_LESS;
+}
+
+/* "the image changed; RMSE 0.0412 -> 0.0455 (worse); cost x 0.81 (FASTER: ...)" */
+static void explain_move(const struct aob_comparison *c, struct aob_judgement *j)
+{
+    static const char *const words[] = {"", "equal", "better", "worse"};
+    char cost[sizeof j->reason], error[100];
+    aob_line_print(cost, sizeof cost, "%s", j->reason);
+    if (j->error == AOB_ERROR_UNKNOWN)
+        snprintf(error, sizeof error, "the error of one is not known");
+    else
+        snprintf(error, sizeof error, "RMSE %.4f -> %.4f (%s)", c->rmse_a, c->rmse_b, words[j->error]);
+    aob_line_print(j->reason, sizeof j->reason, "the image changed; %s; its cost is %s: %s", error,
+                   aob_verdict_names[j->cost], cost);
+}
+
+struct aob_judgement aob_judge(const struct aob_comparison *c)
+{
+    struct aob_judgement j = {.cost = AOB_VERDICT_INVALID, .error = AOB_ERROR_EQUAL, .rounds_needed = NAN};
+    j.delta = c->control.bounded ? fmax(c->resolution, aob_noise_floor(&c->control)) : c->resolution;
+    if (is_valid(c, &j)) {
+        j.cost = judge_cost(&c->cost, j.delta);
+        if (j.cost == AOB_VERDICT_AMBIGUOUS)
+            j.rounds_needed = rounds_needed(c, j.delta);
+        explain_cost(c, &j);
+    }
+    if (c->elsewhere && (j.cost == AOB_VERDICT_SLOWER || j.cost == AOB_VERDICT_FASTER))
+        aob_line_print(j.reason, sizeof j.reason, "%s", c->elsewhere);
+    j.verdict = c->moved ? AOB_VERDICT_MOVED : j.cost;
+    if (c->moved) {
+        j.error = judge_error(c);
+        explain_move(c, &j);
+    }
+    return j;
+}
+
+enum aob_outcome aob_judgement_outcome(const struct aob_judgement *j, bool elsewhere)
+{
+    if ((j->cost == AOB_VERDICT_SLOWER && !elsewhere) || j->error == AOB_ERROR_MORE)
+        return AOB_OUTCOME_WORSE;
+    bool open = j->cost == AOB_VERDICT_AMBIGUOUS || j->cost == AOB_VERDICT_INVALID ||
+                j->error == AOB_ERROR_UNKNOWN || (j->cost == AOB_VERDICT_SLOWER && elsewhere);
+    return open ? AOB_OUTCOME_OPEN : AOB_OUTCOME_GOOD;
+}

@@ -1,0 +1,122 @@
+#!/usr/bin/env bash
+# `compare`: two builds of a module and two runs, with verdicts that do not depend on the machine. On the null backend a
+# pass takes the same time each time it runs, so costs are known to the last digit. On Vulkan times are real; there a
+# difference counts from 25 %, and what is compared is either the same code, which is not off by as much in five
+# processes, or twice the work.
+source "$(dirname "$0")/lib.sh"
+modules=$AOBUDGET_BUILD/tests/modules
+cd "$folder"
+config() { # NAME BACKEND TECHNIQUE
+  cat >"$1.yaml" <<EOC
+name: $1
+scenes: [{name: corner, views: [front, far]}]
+resolutions: [96x54]
+backends: ["$2"]
+techniques: [{name: $3}]
+measure: {seconds: 0.3}
+target: {radius: 1}
+reference: {spp: 32}
+EOC
+}
+# code WANTED COMMAND...: the exit code, and nothing of a crash
+code() {
+  local wanted=$1 got=0
+  shift
+  "$@" >.out 2>.err || got=$?
+  if [ "$got" -ne "$wanted" ] || grep -q Sanitizer .err; then
+    echo "FAILED: $*: expected code $wanted and got $got"
+    sed 's/^/  | /' .out .err
+    failures=$((failures + 1))
+  fi
+}
+
+# --- Builds, by a clock that is exact
+config null null passes
+code 1 "$program" compare "$modules/passes10.so" "$modules/passes11.so" --config null.yaml --out slower --json slower.json
+check "a module that is 10 % slower is SLOWER, to the digit" jq -e '(.cases | length) == 2 and all(.cases[];
+  .verdict == "SLOWER" and .paired and .processes >= 5 and .outcome == "worse"
+  and ([.interval.ratio, .interval.low, .interval.high] | all(. > 1.0999999 and . < 1.1000001)))' slower.json
+check "the table says so" grep -q '^SLOWER *1.100 \[1.100, 1.100\] .* corner/far passes null 96x54: ' .out
+check "and counts" grep -q '^2 cases: 2 SLOWER; without a partner: 0 of A, 0 of B$' .out
+code 0 "$program" compare "$modules/passes11.so" "$modules/passes10.so" --config null.yaml --out faster --json faster.json
+check "and the other way FASTER" jq -e 'all(.cases[]; .verdict == "FASTER")' faster.json
+code 0 "$program" compare "$modules/passes11.so" "$modules/passes10.so" --config null.yaml --precision 12% --out same --json same.json
+check "or SAME, where a difference counts from 12 %" jq -e '.precision == 0.12 and all(.cases[]; .verdict == "SAME")' same.json
+cp "$modules/passes10.so" copy.so
+code 0 "$program" compare "$modules/passes10.so" copy.so --out copy --json copy.json
+check "a copy is the same" jq -e '.identical' copy.json
+
+# --- Builds, by a real clock
+config real vulkan loop
+code 1 "$program" compare "$modules/loop100.so" "$modules/loop200.so" --config real.yaml --precision 25% --seconds 2 \
+  --out double --json double.json
+check "twice the work is SLOWER" jq -e 'all(.cases[]; .verdict == "SLOWER" and .interval.ratio > 1.25)' double.json
+"$program" compare "$modules/loop100.so" "$modules/loop_again.so" --config real.yaml --precision 25% --seconds 2 \
+  --out again --json again.json --quiet || [ $? -eq 3 ]
+check "the same code is SAME or AMBIGUOUS" jq -e 'all(.cases[]; .verdict == "SAME" or .verdict == "AMBIGUOUS")' again.json
+code 1 "$program" compare "$modules/loop16.so" "$modules/loop_moved.so" --config real.yaml --precision 25% --seconds 1 \
+  --out moved --json moved.json
+check "another image is MOVED, by what it was darkened" jq -e 'all(.cases[]; .verdict == "MOVED" and .image.moved
+  and .image.max > 0.0499 and .image.max < 0.0501 and .image.share == 1 and .error != "unknown")' moved.json
+check "with its map" test -s "moved/$(jq -r '.cases[0].image.map' moved.json).png"
+check "for ParaView too" test -s "moved/$(jq -r '.cases[0].image.map' moved.json).vti"
+check "the line has both errors" grep -q 'MOVED .*the image changed; RMSE 0\.[0-9]* -> 0\.[0-9]* (' .out
+check "and the map" grep -q 'map moved/maps/.*\.png' .out
+
+# --- Two runs
+run() { # NAME MODULE
+  sed "s/^name: .*/name: $1/; s#techniques: .*#techniques: [{name: passes, module: $2}, {name: none}]#" null.yaml >"$1.yaml"
+  "$program" run "$1.yaml" --out "$1" --quiet
+}
+run old "$modules/passes10.so"
+run new "$modules/passes11.so"
+run old_again "$modules/passes10.so"
+code 1 "$program" compare old new --json runs.json
+check "the module of the new run is SLOWER, the rest SAME" jq -e '(.cases | length) == 4 and all(.cases[];
+  .verdict == (if (.case | contains("passes")) then "SLOWER" else "SAME" end) and (.paired | not))' runs.json
+code 0 "$program" compare old old_again --json twice.json
+check "a run twice is SAME" jq -e 'all(.cases[]; .verdict == "SAME" and .key_a == .key_b)' twice.json
+
+# Stored figures are what is compared: the machine is slower by a fifth, so the old module is as well.
+slow() { jq -c '.time.ratio_to_ref *= 1.2 | .time.ci_low *= 1.2 | .time.ci_high *= 1.2 | del(.time.rounds_file)' \
+  "$1/journal.jsonl" >"$2/journal.jsonl"; }
+cp -r old_again machine
+slow old_again machine
+code 3 "$program" compare old machine --json machine.json
+check "an old module that is slower as well: the machine" jq -e 'all(.cases[]; .verdict == "SLOWER"
+  and (.blame | contains("the machine is to blame")) and .outcome == "open")' machine.json
+cp -r new both
+jq -c 'if .technique == "none" then .time.ratio_to_ref *= 1.1 | .time.ci_low *= 1.1 | .time.ci_high *= 1.1 else . end
+  | del(.time.rounds_file)' new/journal.jsonl >both/journal.jsonl
+code 3 "$program" compare old both --json both.json
+check "a new module beside it is excused" jq -e 'all(.cases[]; .verdict == "SLOWER" and .outcome == "open") and
+  any(.cases[]; .blame | contains("not the module"))' both.json
+cp -r old_again other
+jq -c '.fingerprint.driver = "another"' old_again/journal.jsonl >other/journal.jsonl
+code 3 "$program" compare old other --json other.json
+check "another driver is INVALID" jq -e 'all(.cases[]; .verdict == "INVALID" and (.reason | contains("driver")))' other.json
+cp -r new partial
+head -n 3 new/journal.jsonl >partial/journal.jsonl
+code 1 "$program" compare old partial
+check "what has no partner is named" grep -q '^only in A: corner/' .out
+
+# --- A run and a new build: the old one is measured again beside it
+sed 's#techniques: .*#techniques: [{name: passes}]#' null.yaml >stored.yaml
+code 1 "$program" compare old "$modules/passes11.so" --config stored.yaml --out now --json now.json
+check "the new build is SLOWER in the same blocks" jq -e '(.cases | length) == 2 and all(.cases[]; .verdict == "SLOWER" and .paired)' now.json
+check "and the old one is what it was" jq -e '(.then_and_now.cases | length) == 2 and all(.then_and_now.cases[]; .verdict == "SAME")' now.json
+code 1 "$program" compare machine "$modules/passes11.so" --config stored.yaml --out now --json now.json
+check "or the machine is named" jq -e 'all(.then_and_now.cases[]; .verdict == "FASTER" and (.blame | contains("machine")))' now.json
+
+# --- What is refused
+expect 2 "nothing.so: not found" "$program" compare nothing.so "$modules/loop16.so"
+expect 2 "no technique of $modules/loop16.so that came from a module" "$program" compare old "$modules/loop16.so"
+expect 2 "name the old one, the run, first" "$program" compare "$modules/loop16.so" old
+expect 2 "are of modules" "$program" compare old new --seconds 3
+expect 2 "no technique of one name" "$program" compare "$modules/loop16.so" "$modules/passes10.so"
+expect 2 "a technique 'gtao'" "$program" compare "$modules/loop16.so" "$modules/loop17.so" --technique gtao
+expect 2 "no entry of techniques" "$program" compare "$modules/loop16.so" "$modules/loop17.so" --config null.yaml --out refused --quiet
+expect 2 "'3' is no precision" "$program" compare old new --precision 3
+expect 2 "--seconds: 'x'" "$program" compare old new --seconds x
+expect 2 "usage: aobudget compare A B" "$program" compare old
+finish

@@ -1,0 +1,104 @@
+#include "check.h"
+#include <math.h>
+#include <stdlib.h>
+#include "base/memory.h"
+#include "compare/noise.h"
+#include "random.h"
+
+enum { PROCESSES = 40, ROUNDS = 200 };
+
+struct made {
+    double cost[PROCESSES][ROUNDS], fixed[PROCESSES][ROUNDS];
+    struct aob_rounds processes[PROCESSES];
+};
+
+/* Normal, of sd 1: the sum of twelve even values. */
+static double normal(uint32_t *seed)
+{
+    double sum = -6;
+    for (int i = 0; i < 12; i++)
+        sum += random_unit(seed);
+    return sum;
+}
+
+/* Levels of sd `between`, rounds of sd `within` about them, and a speed that both sides share and that changes slowly. */
+static struct made *make(double within, double between, double lag)
+{
+    struct made *made = AOB_NEW(struct made);
+    uint32_t seed = 99;
+    for (int p = 0; p < PROCESSES; p++) {
+        double level = between * normal(&seed), speed = 0, own = 0;
+        for (int r = 0; r < ROUNDS; r++) {
+            speed = 0.9 * speed + 0.1 * normal(&seed);
+            own = r ? lag * own + sqrt(1 - lag * lag) * normal(&seed) : normal(&seed);
+            made->fixed[p][r] = 2 * exp(speed);
+            made->cost[p][r] = 3 * exp(speed + level + within * own);
+        }
+        made->processes[p] = (struct aob_rounds){made->cost[p], made->fixed[p], ROUNDS};
+    }
+    return made;
+}
+
+/* The parts are what they were made of. 40 levels know their sd to 1/sqrt(78) = 11 %; bars are three of these, and three
+ * of the like for the others. */
+static void test_parts(void **state)
+{
+    (void)state;
+    struct made *made = make(0.05, 0.02, 0);
+    struct aob_noise noise = aob_noise_of(made->processes, PROCESSES);
+    assert_near(noise.within, 0.05, 0.0025);
+    assert_near(noise.between, 0.02, 0.0068);
+    assert_near(noise.lag, 0, 0.035);
+    assert_true(noise.raw_lag > 0.8);
+    assert_int_equal(noise.processes, PROCESSES);
+    assert_true(noise.rounds == (size_t)PROCESSES * ROUNDS);
+    free(made);
+    made = make(0.05, 0, 0.5);
+    noise = aob_noise_of(made->processes, PROCESSES);
+    assert_near(noise.lag, 0.5, 0.035);
+    free(made);
+    made = make(0.05, 0, 0);
+    noise = aob_noise_of(made->processes, PROCESSES);
+    assert_true(noise.between < 0.003); /* medians of 200 rounds scatter by .0044 themselves */
+    free(made);
+}
+
+static void test_too_few(void **state)
+{
+    (void)state;
+    struct made *made = make(0.05, 0.02, 0);
+    assert_true(isnan(aob_noise_of(made->processes, 1).within));
+    made->processes[3].count = 1;
+    assert_true(isnan(aob_noise_of(made->processes, 5).between));
+    made->processes[0].count = made->processes[1].count = made->processes[2].count = 7;
+    struct aob_noise few = aob_noise_of(made->processes, 3);
+    assert_true(!isnan(few.between) && isnan(few.lag));
+    made->processes[2].count = 8;
+    assert_true(!isnan(aob_noise_of(made->processes, 3).lag));
+    free(made);
+}
+
+/* 1.96 x 1.2533 x sigma / sqrt(n) where processes are alike, and Student's where only they differ; and what the estimate
+ * itself says of such rounds. */
+static void test_width(void **state)
+{
+    (void)state;
+    struct aob_noise noise = {.within = 0.047, .between = 0};
+    assert_near(aob_noise_width(&noise, 10, 20), 1.96 * 1.2533 * 0.047 / sqrt(200), 1e-6);
+    assert_near(aob_noise_width(&noise, 3, 20), 1.96 * 1.2533 * 0.047 / sqrt(60), 1e-6);
+    noise.between = 0.03;
+    noise.within = 0;
+    assert_near(aob_noise_width(&noise, 5, 20), 2.7764 * 0.03 / sqrt(5), 1e-5);
+    struct made *made = make(0.05, 0.02, 0);
+    noise = aob_noise_of(made->processes, PROCESSES);
+    struct aob_ratio ratio = aob_estimate_ratio(made->processes, PROCESSES);
+    assert_near(aob_noise_width(&noise, PROCESSES, ROUNDS) / log(ratio.high / ratio.ratio), 1, 0.01);
+    free(made);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_parts), cmocka_unit_test(test_too_few),
+                                       cmocka_unit_test(test_width)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

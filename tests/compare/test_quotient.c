@@ -1,0 +1,111 @@
+#include "check.h"
+#include <math.h>
+#include "compare/quotient.h"
+#include "random.h"
+
+/* Student's t, two-sided (any printed table, such as Abramowitz and Stegun, table 26.10). */
+static void test_student_against_table(void **state)
+{
+    (void)state;
+    const struct {
+        double alpha;
+        size_t freedom;
+        double t;
+    } rows[] = {{0.05, 1, 12.706},  {0.05, 2, 4.303},  {0.05, 3, 3.182},   {0.05, 4, 2.776},
+                {0.05, 9, 2.262},   {0.05, 30, 2.042}, {0.05, 120, 1.980}, {0.01, 1, 63.657},
+                {0.01, 2, 9.925},   {0.01, 4, 4.604},  {0.01, 5, 4.032},   {0.01, 10, 3.169},
+                {0.001, 2, 31.599}, {0.001, 4, 8.610}, {0.001, 7, 5.408},  {0.001, 60, 3.460}};
+    for (size_t r = 0; r < sizeof rows / sizeof *rows; r++)
+        assert_near(aob_student(rows[r].alpha, rows[r].freedom), rows[r].t, 6e-4);
+}
+
+/* Intervals that lie evenly about their estimates add as independent errors do. */
+static void test_even_quotient(void **state)
+{
+    (void)state;
+    struct aob_ratio b = {3, 3 * exp(-0.03), 3 * exp(0.03), true};
+    struct aob_ratio a = {2, 2 * exp(-0.04), 2 * exp(0.04), true};
+    struct aob_ratio q = aob_quotient(&b, &a);
+    assert_true(q.bounded);
+    assert_near(q.ratio, 1.5, 1e-12);
+    assert_near(log(q.low / q.ratio), -0.05, 1e-12);
+    assert_near(log(q.high / q.ratio), 0.05, 1e-12);
+}
+
+/* Which side of which interval counts: b may be much larger than measured, a not at all smaller. */
+static void test_uneven_quotient(void **state)
+{
+    (void)state;
+    struct aob_ratio b = {1, exp(-0.01), exp(0.12), true}, a = {1, exp(-0.05), exp(0.02), true};
+    struct aob_ratio q = aob_quotient(&b, &a), back = aob_quotient(&a, &b);
+    assert_near(log(q.high), 0.13, 1e-12);
+    assert_near(log(q.low), -hypot(0.01, 0.02), 1e-12);
+    assert_near(log(back.low), -log(q.high), 1e-12);
+    assert_near(log(back.high), -log(q.low), 1e-12);
+    a.bounded = false;
+    assert_false(aob_quotient(&b, &a).bounded);
+    assert_true(isinf(aob_quotient(&b, &a).high));
+}
+
+/* Means of `n` normal values with their interval of 95 %; the values by the sum of twelve even ones. */
+static struct aob_ratio measure(uint32_t *seed, double truth, double spread, size_t n)
+{
+    double x[16], sum = 0, squares = 0;
+    for (size_t i = 0; i < n; i++) {
+        x[i] = -6;
+        for (int k = 0; k < 12; k++)
+            x[i] += random_unit(seed);
+        x[i] = truth + spread * x[i];
+        sum += x[i];
+    }
+    for (size_t i = 0; i < n; i++)
+        squares += (x[i] - sum / (double)n) * (x[i] - sum / (double)n);
+    double half = aob_student(0.05, n - 1) * sqrt(squares / (double)(n - 1) / (double)n);
+    return (struct aob_ratio){exp(sum / (double)n), exp(sum / (double)n - half), exp(sum / (double)n + half),
+                              true};
+}
+
+/* What the table promises: of ten comparisons of equal costs, one or more stands beside 1 in at most one table of a
+ * hundred. With 4,000 tables, 3 standard deviations above that are 1.5 %. */
+static void test_tables_of_equal_costs(void **state)
+{
+    (void)state;
+    enum { TABLES = 4000, CASES = 10, PROCESSES = 5 };
+    uint32_t seed = 4711;
+    int apart = 0, own = 0;
+    for (int t = 0; t < TABLES; t++) {
+        bool table = false;
+        for (int c = 0; c < CASES; c++) {
+            struct aob_ratio r = measure(&seed, 0, 0.02, PROCESSES);
+            struct aob_ratio wide = aob_widen(&r, PROCESSES, aob_compare_alpha(CASES));
+            own += r.low > 1 || r.high < 1;
+            table = table || wide.low > 1 || wide.high < 1;
+            assert_near(wide.ratio, r.ratio, 1e-15);
+        }
+        apart += table;
+    }
+    assert_in_range(apart, TABLES / 500, TABLES * 15 / 1000);
+    assert_in_range(own, TABLES * CASES * 46 / 1000, TABLES * CASES * 54 / 1000); /* the 95 % before */
+}
+
+static void test_no_interval(void **state)
+{
+    (void)state;
+    struct aob_ratio r = {1, 0.9, 1.1, true};
+    assert_false(aob_widen(&r, 1, 0.01).bounded);
+    r.bounded = false;
+    assert_false(aob_widen(&r, 5, 0.01).bounded);
+    r.bounded = true;
+    struct aob_ratio same = aob_widen(&r, 5, 0.05);
+    assert_near(same.low, 0.9, 1e-9);
+    assert_near(same.high, 1.1, 1e-9);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_student_against_table), cmocka_unit_test(test_even_quotient),
+        cmocka_unit_test(test_uneven_quotient), cmocka_unit_test(test_tables_of_equal_costs),
+        cmocka_unit_test(test_no_interval)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,84 @@
+#include <stdlib.h>
+#include "base/memory.h"
+#include "config/config_builds.h"
+#include "made.h"
+
+/* gtao once more, as a module of that path would bring it. */
+static void add_build(const char *file, char digit)
+{
+    size_t at = 0;
+    while (strcmp(techniques.items[at].name, "gtao") != 0 || techniques.items[at].module)
+        at++;
+    json_t *json = aob_technique_info_to_json(&techniques.items[at]);
+    json_object_del(json, "module");
+    assert_true(aob_technique_list_add(&techniques, json));
+    json_decref(json);
+    struct aob_technique_info *info = &techniques.items[techniques.count - 1];
+    info->module = aob_strdup(file);
+    info->file = aob_strdup(file);
+    info->offered = false;
+    memset(info->digest, digit, sizeof info->digest - 1);
+}
+
+static int set_up_builds(void **state)
+{
+    set_up(state);
+    add_build("a.so", 'a');
+    add_build("b.so", 'b');
+    return 0;
+}
+
+#define CONFIG                                                                                               \
+    "name: t\nscenes: [{name: corner, views: [front, far]}]\nresolutions: [64x36]\nbackends: [vulkan]\n"     \
+    "options: {fetch: [sampled, storage], guard_band: [0, 8]}\n"                                             \
+    "techniques:\n"                                                                                          \
+    "  - {name: none}\n"                                                                                     \
+    "  - {name: gtao, backends: [null], params: {blur: 0}, sweep: [{param: slices, values: [1, 2, 3]}]}\n"
+
+/* Each case of the entry is there with both builds, the two beside each other and in one block; the rest is gone. */
+static void test_pairs(void **state)
+{
+    (void)state;
+    static const char *const wanted[] = {"gtao", NULL};
+    const struct aob_config_builds builds = {{"a.so", "b.so"}, wanted};
+    struct aob_config config;
+    struct aob_plan plan;
+    struct aob_error error = {{0}};
+    assert_true(make_config(CONFIG, &config, &error));
+    assert_true(aob_config_take_builds(&config, &builds, &error));
+    if (!aob_plan_create(&plan, &config, &techniques, &error))
+        fail_msg("%s", error.text);
+    assert_int_equal(plan.case_count, 2 * 2 * 2 * 2 * 3);
+    for (size_t i = 0; i < plan.case_count; i += 2) {
+        const struct aob_case *a = &plan.cases[i], *b = &plan.cases[i + 1];
+        assert_string_equal(a->technique->module, "a.so");
+        assert_string_equal(b->technique->module, "b.so");
+        assert_true(aob_case_same_but_build(a, b) && aob_case_same_block(a, b));
+        assert_string_equal(a->backend, "null");
+        assert_true(strcmp(a->key, b->key) != 0);
+        assert_false(i && aob_case_same_but_build(a, &plan.cases[i - 1]));
+    }
+    assert_false(
+        aob_case_same_but_build(&plan.cases[0], &plan.cases[plan.case_count - 1])); /* another view */
+    aob_plan_finish(&plan);
+    aob_config_finish(&config);
+}
+
+static void test_none(void **state)
+{
+    (void)state;
+    static const char *const wanted[] = {"hbao", "loop", NULL};
+    const struct aob_config_builds builds = {{"a.so", "b.so"}, wanted};
+    struct aob_config config;
+    struct aob_error error = {{0}};
+    assert_true(make_config(CONFIG, &config, &error));
+    assert_false(aob_config_take_builds(&config, &builds, &error));
+    assert_contains(error.text, "(hbao, loop)");
+    aob_config_finish(&config);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_pairs), cmocka_unit_test(test_none)};
+    return cmocka_run_group_tests(tests, set_up_builds, tear_down);
+}
