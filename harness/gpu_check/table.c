@@ -39,16 +39,20 @@ static void print_timer(const json_t *item, struct aob_text *out)
     }
 }
 
-static void print_image(const json_t *item, struct aob_text *out)
-{
-    aob_text_add_line(out, "  %9.4f %% %+9.6f %9.6f %9.6f  %-9s  %s", 100 * number_of(item, "visible_share"),
-                      number_of(item, "bias"), number_of(item, "rms"), number_of(item, "max"),
-                      text_of(item, "status"), text_of(item, "item"));
-}
-
 static void print_status(const json_t *item, struct aob_text *out)
 {
     aob_text_add_line(out, "  %-9s  %s", text_of(item, "status"), text_of(item, "item"));
+}
+
+static void print_image(const json_t *item, struct aob_text *out)
+{
+    if (!json_object_get(item, "pixels")) {
+        print_status(item, out);
+        return;
+    }
+    aob_text_add_line(out, "  %9.4f %% %+9.6f %9.6f %9.6f  %-9s  %s", 100 * number_of(item, "visible_share"),
+                      number_of(item, "bias"), number_of(item, "rms"), number_of(item, "max"),
+                      text_of(item, "status"), text_of(item, "item"));
 }
 
 /* " [1.23, 1.25]", or nothing where too few rounds gave no interval. */
