@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include "base/error.h"
-#include "flags.h"
+#include "base/flags.h"
 #include "run/dispatch.h"
 
 /* What every command has; the first member of each one's options. Filled in before the command runs. */

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, defaults, damaged, papers, timing, timer, compare, demo, mutants, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, defaults, damaged, papers, timing, timer, compare, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -100,6 +100,16 @@ if wanted demo; then
   done
   row "demo: harness overhead (the rest)" "$(awk -v r="$rest" -v t="$(number "$run" total)" 'BEGIN { printf "%.1f", 100 * r / t }')" "%" "<=" 15
   row "demo: size of the page with its figures" "$(du -sm "$folder/demo/report" | cut -f1)" MB
+fi
+
+if wanted gpu-check; then
+  ./dev gpu-check --pack "$folder/gpu-check" 2>/dev/null
+  row "gpu-check: size of its folder" "$(du -sm "$folder/gpu-check" | cut -f1)" MB "<=" 40
+  code=0
+  "$folder/gpu-check/gpu-check" --out "$folder/gpu-check.json" >/dev/null || code=$?
+  row "gpu-check: duration" "$(number "$folder/gpu-check.json" seconds)" s "<=" 300
+  row "gpu-check: exit code" "$code" "" "<=" 0
+  row "gpu-check: what was cut" "$(grep -c '"status": "cut"' "$folder/gpu-check.json" || true)" items
 fi
 
 if wanted mutants; then

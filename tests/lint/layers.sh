@@ -10,7 +10,9 @@ grep -HnoE '^[[:space:]]*#[[:space:]]*include[[:space:]]*["<][^">]+[">]' $files 
           "harness/score 5  reports/page 5  harness/timing 6  harness/run 7  harness/worker 7  harness/papers 8  harness/compare 8 " \
           "harness/command 9  harness 10", words, " ")
     for (i = 1; i in words; i += 2) layer[words[i]] = words[i + 1]
-    only["reports/plot"] = "harness/base harness/store" # a program of its own
+    only["reports/plot"] = "harness/base harness/store" # programs of their own
+    only["harness/gpu_check"] = "harness/base harness/technique harness/scene harness/gpu harness/store " \
+                                "harness/gbuffer harness/frame harness/timing"
     n = split(files, list, "\n")
     for (i = 1; i <= n; i++) { exists[list[i]] = 1; if (room(list[i]) == "") complain(list[i] " is in no room of the table in tests/lint/layers.sh") }
   }

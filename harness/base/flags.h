@@ -1,11 +1,11 @@
 /* Command-line flags from a const table: the table is parser and help text at once. Values go into an options struct by
  * offset, as a technique's parameters do. Threads: a struct is used by one at a time. */
-#ifndef AOB_COMMAND_FLAGS_H
-#define AOB_COMMAND_FLAGS_H
+#ifndef AOB_BASE_FLAGS_H
+#define AOB_BASE_FLAGS_H
 #include <stdbool.h>
 #include <stddef.h>
-#include "base/error.h"
-#include "base/text.h"
+#include "error.h"
+#include "text.h"
 
 struct aob_words { /* what a flag that may be repeated was given; the texts are argv's */
     const char **items;

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/memory.h"
+#include "memory.h"
 
 static const struct aob_flag *find(const struct aob_flag *table, const char *name, size_t size)
 {
@@ -35,7 +35,7 @@ static bool take(const struct aob_flags_desc *desc, int *at, void *options, stru
     const char *equals = word[1] == '-' ? strchr(name, '=') : NULL;
     const struct aob_flag *flag = find(desc->table, name, equals ? (size_t)(equals - name) : strlen(name));
     if (!flag || (strlen(flag->name) == 1) != (word[1] != '-'))
-        return aob_fail(error, "%s: unknown flag %s; see: aobudget %s --help", command, word, command);
+        return aob_fail(error, "%s: unknown flag %s; --help names the flags", command, word);
     if (flag->kind == AOB_FLAG_SWITCH) {
         *(bool *)((char *)options + flag->offset) = true;
         return !equals || aob_fail(error, "%s: --%s takes no value", command, flag->name);

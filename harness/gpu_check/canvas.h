@@ -1,0 +1,26 @@
+/* A view of the data on a device, and techniques on it: what every section that draws is made of. */
+#ifndef AOB_GPU_CHECK_CANVAS_H
+#define AOB_GPU_CHECK_CANVAS_H
+#include "check_data.h"
+#include "frame/frame.h"
+
+struct aob_canvas {
+    struct aob_gpu *gpu;
+    const struct aob_check_view *view;
+    struct aob_gbuffer gbuffer;
+    struct aob_geometry geometry; /* the scene's triangles */
+    struct aob_screen screen;     /* in the encodings of the last aob_canvas_show */
+    struct aob_options options;   /* of that */
+};
+
+/* False after one line; a finished or zeroed canvas is left. `gpu` and `view` must outlive it. */
+bool aob_canvas_init(struct aob_canvas *canvas, struct aob_gpu *gpu, const struct aob_check_view *view,
+                     struct aob_error *error);
+void aob_canvas_finish(struct aob_canvas *canvas);
+
+/* A technique on the canvas. Params and options are JSON objects of values by name; what they lack, or NULL, is the default.
+ * The frames of the canvas before must be finished where these options differ from theirs. False after one line;
+ * frame->unfit as of aob_frame_init. */
+bool aob_canvas_show(struct aob_canvas *canvas, const char *technique, const json_t *params,
+                     const json_t *options, struct aob_frame *frame, struct aob_error *error);
+#endif

@@ -1,0 +1,127 @@
+#include "check_data.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/memory.h"
+#include "scene/camera_json.h"
+#include "store/image.h"
+#include "technique/registry.h"
+
+static bool same_techniques(const json_t *techniques)
+{
+    struct aob_registry registry;
+    bool same = true;
+    aob_registry_init(&registry);
+    for (size_t i = 0; i < registry.count; i++) {
+        const struct aob_registry_entry *entry = &registry.entries[i];
+        const char *digest = json_string_value(json_object_get(techniques, entry->technique->name));
+        same = same && digest && strcmp(digest, entry->digest) == 0;
+    }
+    aob_registry_finish(&registry);
+    return same;
+}
+
+static bool read_view(const json_t *object, const char *folder, struct aob_check_view *view,
+                      struct aob_error *error)
+{
+    const char *file;
+    json_t *camera;
+    int timed;
+    if (json_unpack((json_t *)object, "{s:s, s:s, s:o, s:i, s:i, s:F, s:s, s:b}", "scene", &view->scene,
+                    "view", &view->view, "camera", &camera, "width", &view->width, "height", &view->height,
+                    "metre", &view->metre, "file", &file, "timed", &timed) != 0)
+        return aob_fail(error, "a view lacks a field");
+    view->timed = timed;
+    view->file = aob_path_join(folder, file);
+    return aob_camera_from_json(camera, &view->camera, error);
+}
+
+static bool read_image(const json_t *object, const char *folder, struct aob_check_data *data,
+                       struct aob_error *error)
+{
+    struct aob_check_image *image = &data->images[data->image_count++];
+    const char *file;
+    json_t *params, *options;
+    int view;
+    if (json_unpack((json_t *)object, "{s:s, s:i, s:s, s:o, s:o, s:s}", "name", &image->name, "view", &view,
+                    "technique", &image->technique, "params", &params, "options", &options, "file",
+                    &file) != 0 ||
+        view < 0 || (size_t)view >= data->view_count)
+        return aob_fail(error, "an image lacks a field, or is of no view");
+    image->view = &data->views[view];
+    image->params = params;
+    image->options = options;
+    image->file = aob_path_join(folder, file);
+    return true;
+}
+
+static bool read_document(struct aob_check_data *data, const char *folder, struct aob_error *error)
+{
+    const json_t *views = json_object_get(data->document, "views");
+    const json_t *images = json_object_get(data->document, "images");
+    const char *schema = json_string_value(json_object_get(data->document, "schema"));
+    if (!schema || strcmp(schema, AOB_CHECK_DATA_SCHEMA) != 0)
+        return aob_fail(error, "its schema is not '%s': pack it again", AOB_CHECK_DATA_SCHEMA);
+    if (!same_techniques(json_object_get(data->document, "techniques")))
+        return aob_fail(error, "it was made with other techniques than this program's: pack it again");
+    data->views = AOB_NEW_ARRAY(struct aob_check_view, json_array_size(views) + 1);
+    data->images = AOB_NEW_ARRAY(struct aob_check_image, json_array_size(images) + 1);
+    for (size_t i = 0; i < json_array_size(views); i++)
+        if (!read_view(json_array_get(views, i), folder, &data->views[data->view_count++], error))
+            return false;
+    for (size_t i = 0; i < json_array_size(images); i++)
+        if (!read_image(json_array_get(images, i), folder, data, error))
+            return false;
+    return data->image_count || aob_fail(error, "it holds no image");
+}
+
+bool aob_check_data_load(struct aob_check_data *data, const char *folder, struct aob_error *error)
+{
+    char *path = aob_path_join(folder, "check.json");
+    size_t size;
+    *data = (struct aob_check_data){0};
+    char *bytes = aob_file_read(path, (size_t)64 << 20, &size, error);
+    bool ok = bytes;
+    if (ok) {
+        data->document = json_loadb(bytes, size, JSON_REJECT_DUPLICATES, NULL);
+        ok = data->document ? read_document(data, folder, error) : aob_fail(error, "it is no JSON document");
+        if (!ok)
+            aob_fail_in(error, "%s", path);
+    }
+    if (!ok)
+        aob_check_data_finish(data);
+    free(bytes);
+    free(path);
+    return ok;
+}
+
+void aob_check_data_finish(struct aob_check_data *data)
+{
+    for (size_t i = 0; i < data->view_count; i++)
+        free(data->views[i].file);
+    for (size_t i = 0; i < data->image_count; i++)
+        free(data->images[i].file);
+    free(data->views);
+    free(data->images);
+    json_decref(data->document);
+    *data = (struct aob_check_data){0};
+}
+
+float *aob_check_channel(const char *file, const char *channel, int width, int height,
+                         struct aob_error *error)
+{
+    struct aob_image image = {0};
+    float *pixels = NULL;
+    if (!aob_image_read(&image, file, error))
+        return NULL;
+    const float *from = aob_image_channel(&image, channel);
+    size_t count = (size_t)width * (size_t)height;
+    if (from && image.width == width && image.height == height) {
+        pixels = AOB_NEW_ARRAY(float, count);
+        memcpy(pixels, from, count * sizeof *pixels);
+    } else
+        aob_fail(error, "%s: it has no channel %s of %dx%d pixels: pack it again", file, channel, width,
+                 height);
+    aob_image_finish(&image);
+    return pixels;
+}

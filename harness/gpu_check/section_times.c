@@ -1,0 +1,132 @@
+#include <math.h>
+#include <stdlib.h>
+#include "base/json.h"
+#include "base/memory.h"
+#include "canvas.h"
+#include "section.h"
+#include "technique/registry.h"
+#include "timing/fixed_pass.h"
+#include "trial.h"
+
+/* What the techniques of a view share. */
+struct stand {
+    const struct aob_section_job *job;
+    struct aob_gpu *gpu;
+    struct aob_canvas canvas;
+    struct aob_frame
+        fixed;     /* on the canvas's screen, which is the same for all, as all have the same options */
+    double spread; /* of the A/A ratio from 1, the farthest */
+};
+
+/* Processor time is the work of a software driver, and means nothing on a GPU. */
+static enum aob_clock choose_clock(const struct stand *stand)
+{
+    if (stand->job->trusted)
+        return AOB_CLOCK_DEVICE;
+    return stand->gpu->info.software ? AOB_CLOCK_CPU : AOB_CLOCK_WALL;
+}
+
+static void add_time(json_t *object, const struct aob_trial_time *time)
+{
+    json_object_set_new(object, "ms", json_real(time->ms));
+    json_object_set_new(object, "ms_low", aob_json_number(time->low));
+    json_object_set_new(object, "ms_high", aob_json_number(time->high));
+}
+
+static json_t *bound(const struct aob_ratio *ratio, double value)
+{
+    return ratio->bounded ? json_real(value) : json_null();
+}
+
+static json_t *passes_to_json(const struct aob_frame *frame, const struct aob_trial *trial)
+{
+    json_t *passes = json_array();
+    for (int p = 0; p < frame->graph.pass_count; p++) {
+        if (!frame->passes[p] || isnan(trial->passes_share))
+            continue;
+        json_t *pass = json_pack("{s:s}", "name", frame->graph.passes[p].name);
+        add_time(pass, &trial->passes[p]);
+        json_array_append_new(passes, pass);
+    }
+    return passes;
+}
+
+static void reply_time(struct stand *stand, const char *name, const struct aob_frame *frame,
+                       const struct aob_trial *trial)
+{
+    const struct aob_ratio *ratio = &trial->to_fixed, *control = &trial->control;
+    json_t *item = json_pack(
+        "{s:s, s:s, s:s, s:i, s:i, s:f, s:f, s:o, s:o, s:f, s:o, s:o, s:o, s:o}", "item", name, "status",
+        AOB_CHECK_PASSED, "clock", aob_clock_name(choose_clock(stand)), "rounds", (int)trial->rounds,
+        "frames", trial->frames, "fixed_ms", trial->fixed.ms, "ratio_to_ref", ratio->ratio, "ci_low",
+        bound(ratio, ratio->low), "ci_high", bound(ratio, ratio->high), "control", control->ratio,
+        "control_low", bound(control, control->low), "control_high", bound(control, control->high),
+        "passes_share", aob_json_number(trial->passes_share), "passes", passes_to_json(frame, trial));
+    add_time(item, &trial->whole);
+    aob_section_reply(stand->job, item);
+    if (control->bounded)
+        stand->spread = fmax(stand->spread, fabs(log(control->ratio)));
+}
+
+static bool make_fixed(struct stand *stand, struct aob_error *error)
+{
+    return stand->fixed.screen ||
+           aob_frame_init(&stand->fixed, &stand->canvas.screen, &aob_technique_fixed_pass, &(int32_t){0},
+                          AOB_FETCH_SAMPLED, error);
+}
+
+static void time_technique(struct stand *stand, const struct aob_technique *technique, double seconds)
+{
+    struct aob_frame *frame = AOB_NEW(struct aob_frame);
+    struct aob_error cause = {{0}};
+    struct aob_trial trial;
+    struct aob_trial_desc desc = {.fixed = &stand->fixed,
+                                  .frame = frame,
+                                  .clock = choose_clock(stand),
+                                  .ramps = !stand->gpu->info.software,
+                                  .seconds = seconds};
+    if (aob_canvas_show(&stand->canvas, technique->name, NULL, NULL, frame, &cause) &&
+        make_fixed(stand, &cause) && aob_trial_run(&desc, &trial, &cause))
+        reply_time(stand, technique->name, frame, &trial);
+    else
+        aob_section_say(stand->job, technique->name, frame->unfit ? AOB_CHECK_SKIPPED : AOB_CHECK_FAILED,
+                        cause.text);
+    aob_frame_finish(frame);
+    free(frame);
+}
+
+static void time_view(struct stand *stand)
+{
+    size_t left = 0;
+    for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
+        left++;
+    for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++, left--)
+        if (!aob_section_is_over(stand->job, (*t)->name))
+            time_technique(stand, *t, aob_section_seconds_left(stand->job) / (double)left);
+}
+
+static bool run_times(const struct aob_section_job *job, struct aob_error *error)
+{
+    struct stand *stand = AOB_NEW(struct stand);
+    stand->job = job;
+    stand->spread = -INFINITY;
+    stand->gpu = aob_section_open(job, &(struct aob_gpu_desc){.as_gpu = job->trusted}, error);
+    bool ok = stand->gpu;
+    for (size_t i = 0; ok && i < job->data.view_count; i++) {
+        if (!job->data.views[i].timed)
+            continue;
+        ok = aob_canvas_init(&stand->canvas, stand->gpu, &job->data.views[i], error);
+        if (ok)
+            time_view(stand);
+        aob_frame_finish(&stand->fixed);
+        aob_canvas_finish(&stand->canvas);
+    }
+    if (ok)
+        aob_section_reply(job, json_pack("{s:s, s:s, s:f}", "item", "A/A", "status", AOB_CHECK_PASSED,
+                                         "spread", exp(stand->spread) - 1));
+    aob_gpu_close(stand->gpu);
+    free(stand);
+    return ok;
+}
+
+const struct aob_section aob_section_times = {"times", run_times};

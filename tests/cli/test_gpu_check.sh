@@ -1,0 +1,129 @@
+#!/usr/bin/env bash
+# gpu-check, packed small and run here: what it says of drivers that agree, and of faults that are planted.
+source "$(dirname "$0")/lib.sh"
+root=$(realpath "$(dirname "$0")/../..")
+cd "$folder"
+mkdir configs
+for config in images times; do
+  cat >configs/$config.yaml <<YAML
+name: $config
+scenes: [{name: cornell, view: blocks}]
+resolutions: [96x54]
+backends: [vulkan]
+techniques: [{name: gtao}, {name: crytek_ssao, params: {divisor: 2}}, {name: ao_volumes}]
+target: {radius: 0.5}
+measure: {time: false}
+reference: {spp: 16}
+YAML
+done
+sed -i 's/96x54/64x36/' configs/times.yaml
+check "packing" bash "$root/dev.d/gpu_check.sh" "$AOBUDGET_BUILD" configs pack
+expect 2 "exists and is no packed gpu-check" bash "$root/dev.d/gpu_check.sh" "$AOBUDGET_BUILD" configs configs
+check "packing again in the same place" bash "$root/dev.d/gpu_check.sh" "$AOBUDGET_BUILD" configs pack
+mkdir gpu
+cat >gpu/journal.jsonl <<JSON
+{"key": "0", "technique": "gtao", "status": "ok", "image": "none.exr", "fingerprint": {"class": "discrete", "device": "Card"}}
+JSON
+expect 2 "gtao was drawn by Card: the images must be of a software driver" "$AOBUDGET_BUILD/gpu-check-data" made gpu gpu
+mv pack "moved elsewhere"
+pack=$folder/moved\ elsewhere
+
+# What the folder needs of a machine: C's library and a driver's loaders, which it brings in case.
+allowed='^(lib(c|m|dl|pthread|gcc_s|vulkan|OpenEXRCore-3_1|z|GLdispatch)\.so\.[0-9]+|ld-linux-x86-64\.so\.2)$'
+[ -z "${AOBUDGET_SANITIZED:-}" ] || allowed="$allowed|^lib(asan|ubsan|stdc\+\+)\.so"
+while IFS= read -r -d '' file; do
+  needs=$(readelf -d "$file" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | grep -vE "$allowed")
+  check "$file needs only what is there, not: $needs" test -z "$needs"
+done < <(find "$pack" -type f \( -perm -u+x -o -name '*.so*' \) -print0)
+for file in lib/libOpenEXRCore-3_1.so.30 lib/libz.so.1 lib/vulkan/libvulkan.so.1 lib/egl/libEGL.so.1 lib/egl/libGLdispatch.so.0; do
+  check "it brings $file" test -s "$pack/$file"
+done
+for package in glslang-dev libegl1 libglvnd0 libjansson-dev libopenexr-3-1-30 libstdc++-12-dev libvulkan1 libxxhash-dev spirv-tools zlib1g; do
+  check "it brings the licence of $package" test -s "$pack/licences/$package"
+done
+[ -n "${AOBUDGET_SANITIZED:-}" ] || check "programs and libraries fit" test "$(du -sm "$pack" | cut -f1)" -le 20
+
+run() { # CODE WHAT ARGUMENTS...: results.json and the table in `said`
+  local code=$1 what=$2 got=0
+  shift 2
+  "$pack/gpu-check" --out results.json --seconds 250 "$@" >said 2>complaint || got=$?
+  [ "$got" -eq "$code" ] || { echo "FAILED: $what: code $got for $code"; cat said complaint; failures=$((failures + 1)); }
+}
+holds() { check "$1" jq -e "$2" results.json; } # WHAT FILTER
+
+run 0 "drivers that agree"
+holds "the document" '.schema == "aobudget gpu-check 1" and .verdict == "passed" and (.findings | length) == 0'
+holds "where and when" '.program and .date and .machine.cpu and .machine.cores > 0 and .machine.system and .made_on.device'
+holds "its sections" '[.sections[] | .backend + " " + .section] == ["vulkan device", "gl-egl device", "vulkan timer",
+  "gl-egl timer", "vulkan images", "gl-egl images", "vulkan validation", "vulkan times", "gl-egl times"]'
+for backend in vulkan gl-egl; do
+  holds "$backend: its device" ".sections[] | select(.backend == \"$backend\" and .section == \"device\").items[0] |
+    (.item | contains(\"llvmpipe\")) and .driver and .class == \"cpu\" and .software"
+  holds "$backend: its images" "[.sections[] | select(.backend == \"$backend\" and .section == \"images\").items[]] |
+    length == 3 and all(.status == \"passed\" and .pixels > 5000 and .visible_share == 0 and .max < 1e-5 and
+                        .expected_rmse > 0.01 and .rmse > 0.01)"
+  holds "$backend: its times" "[.sections[] | select(.backend == \"$backend\" and .section == \"times\").items[] |
+    select(.item != \"A/A\")] | length == 9 and all(.status == \"passed\" and .ms > 0 and .rounds > 0 and .fixed_ms > 0 and
+    .control > 0 and (.passes | length) > 0)"
+  holds "$backend: A/A" ".sections[] | select(.backend == \"$backend\" and .section == \"times\").items[-1] | .item == \"A/A\" and has(\"spread\")"
+done
+holds "a clock that lies is not used" '[.sections[] | select(.backend == "gl-egl")] |
+  (.[] | select(.section == "timer") | .status == "skipped" and (.reason | startswith("its clock says")) and
+   (.items[0].checks | any(.good | not))) and
+  (.[] | select(.section == "times").items | all(.item == "A/A" or .clock == "cpu"))'
+holds "one that tells the truth is" '[.sections[] | select(.backend == "vulkan")] |
+  ((.[] | select(.section == "timer").status) == "passed") as $trusted |
+  (.[] | select(.section == "times").items | all(.item == "A/A" or .clock == (if $trusted then "device" else "cpu" end)))'
+holds "the layer has nothing to say" '.sections[] | select(.section == "validation") | .status == "passed" and (.items | length) == 3'
+check "the table names each technique" test "$(grep -c ' x fixed pass' said)" -eq 18
+check "and the verdict" grep -q '^verdict: passed, 0 findings' said
+
+# Another radius than that of the expected image stands for a driver that draws something else.
+data="$pack/data/check.json"
+cp "$data" kept.json
+jq '(.images[] | select(.technique == "gtao").params.radius) = 0.45' kept.json >"$data"
+run 1 "an image that differs" --backend vulkan --section images
+holds "is named" '.verdict == "disagrees" and (.findings | length) == 1 and
+  (.findings[0] | startswith("vulkan, images: gtao on cornell blocks 96x54: "))'
+check "in the table too" grep -q '^FINDING vulkan, images: gtao on' said
+jq '(.images[] | select(.technique == "gtao").params.radius) = 1e9' kept.json >"$data"
+run 1 "values that the technique refuses" --backend vulkan --section images
+holds "are no crash" '.sections[] | select(.section == "images") | .status == "failed" and (.items | length) == 3'
+jq '.techniques.hbao = "0"' kept.json >"$data"
+expect 2 "made with other techniques than this program's" "$pack/gpu-check" --out results.json
+echo '{"schema": "another"}' >"$data"
+expect 2 "its schema is not" "$pack/gpu-check" --out results.json
+cp kept.json "$data"
+cp "$pack/data/image-0.exr" kept.exr
+head -c 1000 kept.exr >"$pack/data/image-0.exr"
+run 1 "a damaged image" --backend gl-egl --section images
+check "is named" grep -q '^FINDING gl-egl, images: .*image-0.exr' said
+cp kept.exr "$pack/data/image-0.exr"
+
+# A layer, a driver, a device that is not there.
+VK_LAYER_PATH=/nonexistent run 0 "no validation layer" --backend vulkan --section validation
+holds "is told" '.sections[] | select(.section == "validation") | .status == "skipped" and (.reason | contains("no validation layer"))'
+export VK_ICD_FILENAMES=/nonexistent.json VK_DRIVER_FILES=/nonexistent.json
+run 0 "one backend without a driver" --section images
+holds "is told, and the other is checked" '(.sections[0] | .section == "device" and .status == "failed" and (.reason | contains("no driver"))) and
+  ([.sections[] | select(.backend == "gl-egl")] | length) == 2 and ([.sections[] | select(.backend == "vulkan")] | length) == 1'
+expect 2 "nothing could be checked: vulkan: no driver" "$pack/gpu-check" --out results.json --backend vulkan
+unset VK_ICD_FILENAMES VK_DRIVER_FILES
+expect 2 "nothing could be checked: vulkan: no device '99'" "$pack/gpu-check" --out results.json --backend vulkan --device 99
+expect 2 "--device needs --backend" "$pack/gpu-check" --device 0
+expect 2 "is not one of vulkan, gl-egl" "$pack/gpu-check" --backend null
+expect 2 "is not one of device, timer, images" "$pack/gpu-check" --section image
+expect 2 "is outside 10 .. 3600" "$pack/gpu-check" --seconds 5
+expect 2 "unknown flag --quick" "$pack/gpu-check" --quick
+expect 2 "check.json" "$pack/gpu-check" --data nowhere --out results.json
+expect 2 "nowhere/results.json" "$pack/gpu-check" --out nowhere/results.json
+check "help" "$pack/gpu-check" --help
+
+# A worker that crashes, one that hangs, and one that another loader than the system's would have started.
+mv "$pack/gpu-check-device" kept
+printf '#!/bin/sh\nkill -SEGV $$\n' >"$pack/gpu-check-device"
+chmod +x "$pack/gpu-check-device"
+expect 2 "crashed (signal 11, segmentation fault)" "$pack/gpu-check" --out results.json
+printf '#!/bin/sh\nexec sleep 1000\n' >"$pack/gpu-check-device"
+expect 2 "did nothing for" "$pack/gpu-check" --out results.json --seconds 10 --backend vulkan
+finish
