@@ -32,9 +32,12 @@ struct aob_causes aob_causes_now(void)
                                aob_causes_read_steal("/proc/stat")};
 }
 
+/* A steal counter goes back on some hosts, as after a move of the machine. */
 static int64_t difference(int64_t before, int64_t after)
 {
-    return before == AOB_CAUSE_UNKNOWN || after == AOB_CAUSE_UNKNOWN ? AOB_CAUSE_UNKNOWN : after - before;
+    if (before == AOB_CAUSE_UNKNOWN || after == AOB_CAUSE_UNKNOWN || after < before)
+        return AOB_CAUSE_UNKNOWN;
+    return after - before;
 }
 
 struct aob_causes aob_causes_between(const struct aob_causes *before, const struct aob_causes *after)

@@ -14,6 +14,7 @@ struct comparison {
     const char *names[2];   /* of its sides */
     const char *folders[2]; /* the runs that these are in: one and NULL, or two */
     const char *modules[2]; /* whose cases of those runs they are; NULL: all */
+    const char *maps;       /* the folder that the maps of what moved go to */
     struct aob_rows rows;
     const struct aob_row **sides[2];
     size_t counts[2];
@@ -71,11 +72,21 @@ static bool judge(struct comparison *c, struct aob_error *error)
     c->table = (struct aob_compared_table){.rows = &c->rows,
                                            .couples = &c->couples,
                                            .names = {c->names[0], c->names[1]},
-                                           .folder = folder_of(desc),
+                                           .folder = c->maps,
                                            .precision =
                                                desc->precision > 0 ? desc->precision : AOB_COMPARE_PRECISION,
                                            .same_program = same_program(c)};
     return aob_compared_judge(&c->table, error);
+}
+
+/* Of the old module, stored and measured again. What was measured of the two builds stands without it. */
+static bool judge_then(struct comparison *then)
+{
+    struct aob_error why = {{0}};
+    bool ok = judge(then, &why);
+    if (!ok)
+        aob_warn("the old module is not set against its stored run: %s", why.text);
+    return ok;
 }
 
 static void finish(struct comparison *c)
@@ -94,6 +105,7 @@ static bool write_out(const struct comparison *c, const struct comparison *then,
     aob_compared_draw(&c->table, c->desc->dispatch.program);
     aob_compared_print(&c->table, out);
     if (then) {
+        aob_compared_draw(&then->table, c->desc->dispatch.program);
         aob_text_add_line(out, "The old module, stored and measured again now:");
         aob_compared_print(&then->table, out);
     }
@@ -116,8 +128,10 @@ static enum aob_exit exit_code(const struct comparison *c)
 static enum aob_exit compare_runs(const struct aob_compare_desc *desc, struct aob_text *out,
                                   struct aob_error *error)
 {
-    struct comparison c = {
-        .desc = desc, .names = {desc->sides[0], desc->sides[1]}, .folders = {desc->sides[0], desc->sides[1]}};
+    struct comparison c = {.desc = desc,
+                           .names = {desc->sides[0], desc->sides[1]},
+                           .folders = {desc->sides[0], desc->sides[1]},
+                           .maps = folder_of(desc)};
     bool ok = judge(&c, error) && write_out(&c, NULL, out, error);
     enum aob_exit code = ok ? exit_code(&c) : AOB_EXIT_USAGE;
     finish(&c);
@@ -149,19 +163,24 @@ static enum aob_exit compare_builds(const struct aob_compare_desc *desc, const c
     if (identical)
         return tell_identical(desc, out, error);
     const char *folder = folder_of(desc);
+    char *then_maps = aob_path_join(folder, "then");
     struct comparison c = {.desc = desc,
                            .names = {desc->sides[0], desc->sides[1]},
                            .folders = {folder, NULL},
-                           .modules = {desc->sides[0], desc->sides[1]}};
+                           .modules = {desc->sides[0], desc->sides[1]},
+                           .maps = folder};
     struct comparison then = {.desc = desc,
                               .names = {stored, desc->sides[0]},
                               .folders = {stored, folder},
-                              .modules = {NULL, desc->sides[0]}};
-    bool ok = aob_builds_measure(desc, folder, error) && judge(&c, error) &&
-              (!stored || judge(&then, error)) && write_out(&c, stored ? &then : NULL, out, error);
+                              .modules = {NULL, desc->sides[0]},
+                              .maps = then_maps};
+    bool ok = aob_builds_measure(desc, folder, error) && judge(&c, error);
+    bool has_then = ok && stored && judge_then(&then);
+    ok = ok && write_out(&c, has_then ? &then : NULL, out, error);
     enum aob_exit code = ok ? exit_code(&c) : AOB_EXIT_USAGE;
     finish(&c);
     finish(&then);
+    free(then_maps);
     return code;
 }
 
@@ -182,6 +201,19 @@ static bool is_folder(const char *path)
     return stat(path, &info) == 0 && S_ISDIR(info.st_mode);
 }
 
+/* What is measured takes the place of what its folder held, so that must not be a side. */
+static bool is_spared(const struct aob_compare_desc *desc, struct aob_error *error)
+{
+    struct stat stored, folder;
+    if (stat(desc->sides[0], &stored) != 0 || stat(folder_of(desc), &folder) != 0)
+        return true;
+    return stored.st_dev != folder.st_dev || stored.st_ino != folder.st_ino ||
+           aob_fail(
+               error,
+               "%s is the run to compare with, and what is measured would take its place: give another --out",
+               desc->sides[0]);
+}
+
 static bool check(const struct aob_compare_desc *desc, struct aob_error *error)
 {
     for (int i = 0; i < 2; i++)
@@ -189,7 +221,7 @@ static bool check(const struct aob_compare_desc *desc, struct aob_error *error)
             return aob_fail(error, "%s: not found; compare takes folders of runs or module files",
                             desc->sides[i]);
     if (!is_folder(desc->sides[1]))
-        return aob_json_check(desc->json, error);
+        return is_spared(desc, error) && aob_json_check(desc->json, error);
     if (!is_folder(desc->sides[0]))
         return aob_fail(error, "%s is a module and %s is a run: name the old one, the run, first",
                         desc->sides[0], desc->sides[1]);

@@ -63,13 +63,14 @@ static bool is_valid(const struct aob_comparison *c, struct aob_judgement *j)
     return fail(j, line);
 }
 
-static enum aob_verdict judge_cost(const struct aob_ratio *r, double delta)
+/* A noise floor hides a difference; it is no reason to call two costs the same. */
+static enum aob_verdict judge_cost(const struct aob_ratio *r, double delta, double resolution)
 {
     if (r->low > 1 && r->ratio > 1 + delta)
         return AOB_VERDICT_SLOWER;
     if (r->high < 1 && r->ratio < 1 / (1 + delta))
         return AOB_VERDICT_FASTER;
-    if (r->low > 1 / (1 + delta) && r->high < 1 + delta)
+    if (r->low > 1 / (1 + resolution) && r->high < 1 + resolution)
         return AOB_VERDICT_SAME;
     return AOB_VERDICT_AMBIGUOUS;
 }
@@ -93,15 +94,20 @@ static void explain_cost(const struct aob_comparison *c, struct aob_judgement *j
     const char *floor = j->delta > c->resolution ? ", which is the noise floor" : "";
     double percent = 100 * j->delta;
     if (j->cost == AOB_VERDICT_SAME)
-        snprintf(j->reason, sizeof j->reason, "the whole interval lies within %.3g %%%s", percent, floor);
+        snprintf(j->reason, sizeof j->reason, "the whole interval lies within %.3g %%", 100 * c->resolution);
     else if (j->cost != AOB_VERDICT_AMBIGUOUS)
         snprintf(j->reason, sizeof j->reason, "the interval lies %s 1, and the ratio is beyond %.3g %%%s",
                  j->cost == AOB_VERDICT_SLOWER ? "above" : "below", percent, floor);
+    else if (isnan(j->rounds_needed) && *floor)
+        snprintf(
+            j->reason, sizeof j->reason,
+            "the difference lies within the noise floor of %.3g %%, and not within the %.3g %% asked for",
+            percent, 100 * c->resolution);
     else if (isnan(j->rounds_needed))
         snprintf(j->reason, sizeof j->reason,
-                 "the difference is about as large as the %.3g %% that it is judged by%s: ask for another "
+                 "the difference is about as large as the %.3g %% that it is judged by: ask for another "
                  "--precision",
-                 percent, floor);
+                 percent);
     else
         snprintf(j->reason, sizeof j->reason,
                  "the interval is too wide for %.3g %%%s: about %.0f rounds would decide", percent, floor,
@@ -137,7 +143,7 @@ struct aob_judgement aob_judge(const struct aob_comparison *c)
     struct aob_judgement j = {.cost = AOB_VERDICT_INVALID, .error = AOB_ERROR_EQUAL, .rounds_needed = NAN};
     j.delta = c->control.bounded ? fmax(c->resolution, aob_noise_floor(&c->control)) : c->resolution;
     if (is_valid(c, &j)) {
-        j.cost = judge_cost(&c->cost, j.delta);
+        j.cost = judge_cost(&c->cost, j.delta, c->resolution);
         if (j.cost == AOB_VERDICT_AMBIGUOUS)
             j.rounds_needed = rounds_needed(c, j.delta);
         explain_cost(c, &j);

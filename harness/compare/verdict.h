@@ -3,7 +3,7 @@
  * INVALID    its times cannot be compared, or too few of them were taken, or the control is no measurement
  * SLOWER     the interval of B / A lies above 1, and the ratio is beyond the difference that is asked for
  * FASTER     the same below 1
- * SAME       the whole interval lies within that difference
+ * SAME       the whole interval lies within `resolution`, whatever the noise floor
  * AMBIGUOUS  anything else
  * MOVED      the images differ. What the times say then is the cost of another image, which is never a speed-up: the
  *            case has moved on the plane of cost and error.

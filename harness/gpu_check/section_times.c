@@ -121,9 +121,10 @@ static bool run_times(const struct aob_section_job *job, struct aob_error *error
         aob_frame_finish(&stand->fixed);
         aob_canvas_finish(&stand->canvas);
     }
+    double known = isfinite(stand->spread) ? stand->spread : NAN; /* no control had an interval */
     if (ok)
-        aob_section_reply(job, json_pack("{s:s, s:s, s:f}", "item", "A/A", "status", AOB_CHECK_PASSED,
-                                         "spread", exp(stand->spread) - 1));
+        aob_section_reply(job, json_pack("{s:s, s:s, s:o}", "item", "A/A", "status", AOB_CHECK_PASSED,
+                                         "spread", aob_json_number(expm1(known))));
     aob_gpu_close(stand->gpu);
     free(stand);
     return ok;

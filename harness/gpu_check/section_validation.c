@@ -1,4 +1,5 @@
 #include <stdlib.h>
+#include <string.h>
 #include "base/memory.h"
 #include "section.h"
 #include "canvas.h"
@@ -36,8 +37,10 @@ static bool run_validation(const struct aob_section_job *job, struct aob_error *
 {
     struct aob_error cause = {{0}};
     (void)error;
-    if (!has_layer(job, &cause)) {
-        aob_section_say(job, "layer", AOB_CHECK_SKIPPED, cause.text);
+    if (!has_layer(job, &cause)) { /* or it has a message of the opening already */
+        bool missing = strstr(cause.text, "no validation layer");
+        aob_section_say(job, missing ? "layer" : "opening the device",
+                        missing ? AOB_CHECK_SKIPPED : AOB_CHECK_DISAGREES, cause.text);
         return true;
     }
     for (size_t i = 0; i < job->data.image_count; i++) {

@@ -134,7 +134,9 @@ static void finish_group(struct group *group, const struct aob_processes_desc *a
 static void time_group(struct group *group)
 {
     struct aob_run_block *block = group->block;
-    struct aob_processes_desc asked = aob_run_block_processes(block, group->places[0], group->count);
+    /* The seed is that of the first place, which the process that scored went by. */
+    struct aob_processes_desc asked =
+        aob_run_block_processes(block, group->first ? 0 : group->places[0], group->count);
     struct aob_processes measured;
     struct aob_error error = {{0}};
     asked.run = measure_process;

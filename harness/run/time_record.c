@@ -12,7 +12,7 @@ static json_t *bound_to_json(const struct aob_ratio *ratio, double bound)
 
 static void add_ratio(json_t *object, const struct aob_ratio *ratio)
 {
-    json_object_set_new(object, "ratio_to_ref", json_real(ratio->ratio));
+    json_object_set_new(object, "ratio_to_ref", aob_json_number(ratio->ratio));
     json_object_set_new(object, "ci_low", bound_to_json(ratio, ratio->low));
     json_object_set_new(object, "ci_high", bound_to_json(ratio, ratio->high));
 }

@@ -19,6 +19,7 @@ struct logs {
     double *all, *medians;
     size_t count, processes;
     double inverse; /* mean over processes of 1/rounds */
+    double squares; /* sum over processes of rounds squared */
 };
 
 static void logs_init(struct logs *logs, const struct aob_rounds *processes, size_t count)
@@ -35,6 +36,7 @@ static void logs_init(struct logs *logs, const struct aob_rounds *processes, siz
             next[r] = log(processes[p].cost[r] / processes[p].fixed[r]);
         logs->medians[p] = aob_median(next, rounds);
         logs->inverse += 1 / (double)(rounds * count);
+        logs->squares += (double)(rounds * rounds);
         next += rounds;
     }
 }
@@ -75,7 +77,8 @@ static double half_width(const struct logs *logs, const struct aob_rounds *proce
     double w2 = sigma * sigma * logs->inverse, s2 = variance_of_medians(logs);
     double share = s2 > w2 ? sqrt(1 - w2 / s2) : 0;
     double t = share > 0 ? (student(logs->processes - 1) - Z) * share : 0;
-    return sqrt(fmax(s2, w2) / (double)logs->processes) * (Z + t);
+    double equal = (double)logs->count * (double)logs->count / logs->squares;
+    return sqrt(fmax(s2, w2) / equal) * (Z + t);
 }
 
 struct aob_ratio aob_estimate_ratio(const struct aob_rounds *processes, size_t process_count)

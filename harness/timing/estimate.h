@@ -16,7 +16,8 @@ struct aob_rounds {
  *
  *     h = sqrt(max(s^2, w^2) / P) * (z + (t - z) sqrt(1 - w^2/s^2))
  *
- * P: processes. s^2: variance of the processes' medians. w^2: what rounds alone would make of it, (1.2533 sigma)^2 times
+ * P: processes; (sum n)^2 / sum n^2 of them where they have n rounds each, since the median follows those that have
+ * most. s^2: variance of the processes' medians. w^2: what rounds alone would make of it, (1.2533 sigma)^2 times
  * the mean of 1/rounds, with sigma = 1.4826 times the median distance of a round from its process's median. z = 1.96;
  * t: Student's, P - 1 degrees of freedom. The square root is the share of s that rounds do not explain; it counts as 0
  * where s < w. So three processes that agree as well as their rounds allow have a normal interval, and three that differ

@@ -34,15 +34,24 @@ static bool begins_process(const struct aob_round_list *rounds, size_t r)
 
 static struct aob_ratio ratio_of(const struct aob_round_list *rounds, size_t slot, int pass, size_t unit)
 {
-    size_t used = 0;
+    size_t used = 0, kept = 0;
+    int process = -1;
     double *fixed, *costs = pair(rounds, 0, slot, pass, unit, &fixed);
     struct aob_rounds *processes = AOB_NEW_ARRAY(struct aob_rounds, rounds->count);
     for (size_t r = 0; r < rounds->count; r++) {
-        if (begins_process(rounds, r))
-            processes[used++] = (struct aob_rounds){costs + r, fixed + r, 0};
+        if (isnan(costs[r])) /* the clock does not know this pass: it is short, or one of many in a submit */
+            continue;
+        costs[kept] = costs[r];
+        fixed[kept] = fixed[r];
+        if (rounds->items[r].process != process)
+            processes[used++] = (struct aob_rounds){costs + kept, fixed + kept, 0};
+        process = rounds->items[r].process;
         processes[used - 1].count++;
+        kept++;
     }
-    struct aob_ratio ratio = aob_estimate_ratio(processes, used);
+    struct aob_ratio ratio = {.ratio = NAN, .high = INFINITY};
+    if (used)
+        ratio = aob_estimate_ratio(processes, used);
     free(processes);
     free(costs);
     return ratio;

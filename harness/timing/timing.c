@@ -41,11 +41,25 @@ static struct aob_frame *slot_frame(const struct run *run, size_t slot)
 }
 
 /* A time that nobody took is 0 (gpu/gpu.h). */
-static struct aob_spent spent(const struct aob_gpu_time *time)
+static int64_t taken(int64_t ns)
 {
-    return (struct aob_spent){{[AOB_CLOCK_CPU] = time->cpu_ns,
-                               [AOB_CLOCK_WALL] = time->wall_ns,
-                               [AOB_CLOCK_DEVICE] = time->device_ns > 0 ? time->device_ns : AOB_NO_TIME}};
+    return ns > 0 ? ns : AOB_NO_TIME;
+}
+
+/* The host's clocks see the passes of one submit as a whole only, and the whole always. */
+static struct aob_spent spent_in_pass(const struct aob_gpu_time *time)
+{
+    return (struct aob_spent){{[AOB_CLOCK_CPU] = taken(time->cpu_ns),
+                               [AOB_CLOCK_WALL] = taken(time->wall_ns),
+                               [AOB_CLOCK_DEVICE] = taken(time->device_ns)}};
+}
+
+static struct aob_spent spent_in_frame(const struct aob_gpu_time *time)
+{
+    struct aob_spent spent = spent_in_pass(time);
+    spent.ns[AOB_CLOCK_CPU] = time->cpu_ns;
+    spent.ns[AOB_CLOCK_WALL] = time->wall_ns;
+    return spent;
 }
 
 static bool run_slot(const struct run *run, size_t slot, int frames, struct aob_slot *into,
@@ -58,12 +72,12 @@ static bool run_slot(const struct run *run, size_t slot, int frames, struct aob_
         return false;
     struct aob_causes after = run->source->causes(run->source->user);
     into->frames = frames;
-    into->whole = spent(&time.whole);
+    into->whole = spent_in_frame(&time.whole);
     into->causes = aob_causes_between(&before, &after);
     into->pass_count = 0;
     for (int p = 0; p < frame->graph.pass_count; p++)
         if (frame->passes[p])
-            into->passes[into->pass_count++] = spent(&time.passes[p]);
+            into->passes[into->pass_count++] = spent_in_pass(&time.passes[p]);
     return into->whole.ns[run->desc->clock] != AOB_NO_TIME ||
            aob_fail(error, "the device told no time by the %s clock", aob_clock_name(run->desc->clock));
 }

@@ -42,6 +42,8 @@ static void test_between(void **state)
     assert_int_equal(spent.steal_ticks, 50);
     before.steal_ticks = AOB_CAUSE_UNKNOWN;
     assert_int_equal(aob_causes_between(&before, &after).steal_ticks, AOB_CAUSE_UNKNOWN);
+    before.steal_ticks = 56; /* the host's counter went back */
+    assert_int_equal(aob_causes_between(&before, &after).steal_ticks, AOB_CAUSE_UNKNOWN);
 }
 
 /* A thread that sleeps gives its processor away once; pages that are touched first fault once each. */

@@ -168,7 +168,9 @@ check "they stay" grep -q "of an older version" "cache/$old"
 rm -r cache
 for i in 1 2 3 4 5 6; do
   rm -rf cache
-  for k in 1 2 3; do "${mesh[@]}" --json "shot$k.json" >/dev/null 2>"said$k" & pids[k]=$!; done
+  for k in 1 2 3; do # a lock each, as a wait for the others' would be told
+    AOBUDGET_LOCK=$folder/lock$k "${mesh[@]}" --json "shot$k.json" >/dev/null 2>"said$k" & pids[k]=$!
+  done
   if [ "$i" -lt 6 ]; then
     sleep 0."$i"
     kill -9 "${pids[1]}" "${pids[2]}" 2>/dev/null

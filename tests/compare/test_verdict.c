@@ -46,6 +46,11 @@ static void test_noise_floor(void **state)
     c.control = (struct aob_ratio){1, 0.99, 1.05, true};
     assert_int_equal(aob_judge(&c).verdict, AOB_VERDICT_AMBIGUOUS);
     assert_near(aob_judge(&c).delta, 0.05, 1e-12);
+    /* Within the floor, but beyond what is asked: it is not called the same. */
+    c.cost = (struct aob_ratio){1.015, 1.011, 1.019, true};
+    assert_int_equal(aob_judge(&c).verdict, AOB_VERDICT_SAME);
+    c.cost.high = 1.021;
+    assert_int_equal(aob_judge(&c).verdict, AOB_VERDICT_AMBIGUOUS);
     c.control = (struct aob_ratio){1, 1 / 1.05, 1.01, true};
     assert_near(aob_judge(&c).delta, 0.05, 1e-12);
     assert_contains(aob_judge(&c).reason, "noise floor");

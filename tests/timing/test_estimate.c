@@ -62,6 +62,20 @@ static void test_both_differ(void **state)
     assert_estimate(&r, 0, sqrt(s2 / 3) * (1.959964 + (4.3027 - 1.959964) * sqrt(1 - w2 / s2)));
 }
 
+/* Processes of 8, 2 and 2 rounds, without noise: 144/72 = 2 of them count. The median is the long one's. */
+static void test_unequal_rounds(void **state)
+{
+    (void)state;
+    const double row[3][ROUNDS] = {{-1, -1, -1, -1, -1, -1, -1, -1}, {0, 0}, {2, 2}};
+    const size_t counts[] = {8, 2, 2};
+    double cost[3][ROUNDS], fixed[3][ROUNDS];
+    struct aob_rounds each[3];
+    for (size_t p = 0; p < 3; p++)
+        each[p] = rounds_of(row[p], counts[p], cost[p], fixed[p]);
+    struct aob_ratio r = aob_estimate_ratio(each, 3);
+    assert_estimate(&r, -1, 4.3027 * sqrt(7.0 / 3 / 2));
+}
+
 /* One process tells its rounds' interval, six at least; a round of each process tells nothing of rounds. */
 static void test_few(void **state)
 {
@@ -126,7 +140,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_processes_differ),
                                        cmocka_unit_test(test_rounds_differ),
-                                       cmocka_unit_test(test_both_differ), cmocka_unit_test(test_few),
+                                       cmocka_unit_test(test_both_differ),
+                                       cmocka_unit_test(test_unequal_rounds),
+                                       cmocka_unit_test(test_few),
                                        cmocka_unit_test(test_covers_the_truth)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
