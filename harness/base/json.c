@@ -63,6 +63,16 @@ char *aob_json_line(const json_t *value, int digits)
     return json_dumps(value, JSON_COMPACT | JSON_REAL_PRECISION((size_t)digits) | JSON_ENCODE_ANY);
 }
 
+bool aob_json_send(int file, const json_t *value)
+{
+    char *line = aob_json_line(value, 17);
+    size_t size = strlen(line);
+    line[size++] = '\n'; /* in place of the end of the text */
+    bool ok = aob_file_send(file, line, size);
+    free(line);
+    return ok;
+}
+
 bool aob_json_write(const json_t *document, const char *path, struct aob_error *error)
 {
     char *text = json_dumps(document, JSON_INDENT(2) | JSON_REAL_PRECISION(9));

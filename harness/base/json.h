@@ -24,6 +24,10 @@ json_t *aob_json_path(const char *path);
  * free() it. */
 char *aob_json_line(const json_t *value, int digits);
 
+/* Writes the value into an open file as one line that keeps doubles exactly. False: it cannot be written, as to a pipe
+ * that nobody reads. */
+bool aob_json_send(int file, const json_t *value);
+
 /* Writes one indented document into a file, whole or not at all; "-" is standard output. */
 bool aob_json_write(const json_t *document, const char *path, struct aob_error *error);
 

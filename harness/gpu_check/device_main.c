@@ -6,7 +6,6 @@
 #include <string.h>
 #include <unistd.h>
 #include "base/clock.h"
-#include "base/file.h"
 #include "base/json.h"
 #include "section.h"
 
@@ -17,12 +16,8 @@ static const struct aob_section *const sections[] = {
 
 void aob_section_reply(const struct aob_section_job *job, json_t *item)
 {
-    char *line = aob_json_line(item, 17);
-    size_t size = strlen(line);
-    line[size++] = '\n';
-    if (!aob_file_send(job->reply, line, size))
+    if (!aob_json_send(job->reply, item))
         exit(AOB_EXIT_USAGE); /* nobody listens any more */
-    free(line);
     json_decref(item);
 }
 

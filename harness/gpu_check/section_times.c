@@ -28,7 +28,7 @@ static enum aob_clock choose_clock(const struct stand *stand)
 
 static void add_time(json_t *object, const struct aob_trial_time *time)
 {
-    json_object_set_new(object, "ms", json_real(time->ms));
+    json_object_set_new(object, "ms", aob_json_number(time->ms));
     json_object_set_new(object, "ms_low", aob_json_number(time->low));
     json_object_set_new(object, "ms_high", aob_json_number(time->high));
 }
@@ -41,11 +41,12 @@ static json_t *bound(const struct aob_ratio *ratio, double value)
 static json_t *passes_to_json(const struct aob_frame *frame, const struct aob_trial *trial)
 {
     json_t *passes = json_array();
+    size_t live = 0;
     for (int p = 0; p < frame->graph.pass_count; p++) {
-        if (!frame->passes[p] || isnan(trial->passes_share))
+        if (!frame->passes[p])
             continue;
         json_t *pass = json_pack("{s:s}", "name", frame->graph.passes[p].name);
-        add_time(pass, &trial->passes[p]);
+        add_time(pass, &trial->passes[live++]);
         json_array_append_new(passes, pass);
     }
     return passes;
@@ -80,11 +81,8 @@ static void time_technique(struct stand *stand, const struct aob_technique *tech
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_error cause = {{0}};
     struct aob_trial trial;
-    struct aob_trial_desc desc = {.fixed = &stand->fixed,
-                                  .frame = frame,
-                                  .clock = choose_clock(stand),
-                                  .ramps = !stand->gpu->info.software,
-                                  .seconds = seconds};
+    struct aob_trial_desc desc = {
+        .fixed = &stand->fixed, .frame = frame, .clock = choose_clock(stand), .seconds = seconds};
     if (aob_canvas_show(&stand->canvas, technique->name, NULL, NULL, frame, &cause) &&
         make_fixed(stand, &cause) && aob_trial_run(&desc, &trial, &cause))
         reply_time(stand, technique->name, frame, &trial);

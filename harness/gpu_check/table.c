@@ -65,6 +65,8 @@ static void add_interval(struct aob_text *text, const json_t *item, const char *
 static void print_pass(const json_t *pass, struct aob_text *out)
 {
     struct aob_text line = {0};
+    if (isnan(number_of(pass, "ms")))
+        return; /* the clock sees whole frames only */
     aob_text_add(&line, "    %-26s %10.4f ms", text_of(pass, "name"), number_of(pass, "ms"));
     add_interval(&line, pass, "ms_low", "ms_high");
     aob_text_add_line(out, "%s", line.data);

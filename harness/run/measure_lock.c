@@ -44,18 +44,24 @@ static int open_regular(const char *path, struct aob_error *error)
     return -1;
 }
 
-/* The file of the lock, open, and its path; -1 after a line. */
+int aob_measure_lock_open(const char *const *files, const char **path, struct aob_error *error)
+{
+    struct stat there;
+    for (const char *const *p = files; *p; p++) {
+        int file = open_regular(*p, error);
+        *path = *p;
+        if (file >= 0 && error)
+            *error->text = '\0'; /* of the first place */
+        if (file >= 0 || lstat(*p, &there) == 0)
+            return file;
+    }
+    return -1;
+}
+
 static int open_lock(const char **path, struct aob_error *error)
 {
     const char *own[] = {getenv("AOBUDGET_LOCK"), NULL};
-    int file = -1;
-    for (const char *const *p = own[0] ? own : places; *p && file < 0; p++) {
-        *path = *p;
-        file = open_regular(*p, error);
-    }
-    if (file >= 0 && error)
-        *error->text = '\0'; /* of the first place */
-    return file;
+    return aob_measure_lock_open(own[0] ? own : places, path, error);
 }
 
 bool aob_measure_lock_check(struct aob_error *error)

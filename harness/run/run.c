@@ -15,6 +15,7 @@
 #include "record.h"
 #include "reports/page/page.h"
 #include "store/run_folder.h"
+#include "timing/processes.h"
 
 /* One run, from its config to its page. */
 struct run {
@@ -78,17 +79,34 @@ static bool open_folder(struct run *run, struct aob_error *error)
     return ok;
 }
 
+/* Null, where no interval was reached, is not. */
+static bool is_precise(const struct run *run, const json_t *time)
+{
+    return aob_json_to_number(json_object_get(time, "precision")) <= run->sweep.config.precision;
+}
+
+/* A time that was asked to be no finer than this is not what is wanted now. One that was, and ran out of its seconds, would
+ * run out of them again. */
+static bool is_coarse(const struct run *run, const json_t *time)
+{
+    const double rounding = 1 + 1e-6; /* of a figure in the journal */
+    double asked = aob_json_to_number(json_object_get(time, "precision_wanted"));
+    return asked > run->sweep.config.precision * rounding && !is_precise(run, time);
+}
+
 static void count(struct run *run, const json_t *record)
 {
     const char *status = json_string_value(json_object_get(record, "status"));
     for (size_t i = 0; status && i < AOB_COUNT(status_names); i++)
         run->counts[i] += strcmp(status, status_names[i]) == 0;
-    const json_t *time = json_object_get(record, "time"), *precision = json_object_get(time, "precision");
-    double seconds = json_number_value(json_object_get(time, "seconds_needed"));
-    if (!precision || (json_is_number(precision) && !(seconds > 0)))
+    const json_t *time = json_object_get(record, "time");
+    if (!json_object_get(time, "precision") || is_precise(run, time))
         return;
+    double seconds = aob_json_to_number(json_object_get(time, "seconds"));
+    double reached = aob_json_to_number(json_object_get(time, "precision"));
     run->imprecise++;
-    run->seconds_needed = fmax(run->seconds_needed, seconds);
+    run->seconds_needed =
+        fmax(run->seconds_needed, aob_seconds_needed(seconds, reached, run->sweep.config.precision));
 }
 
 /* Below the run's folder: a file that is there and not known to be wrong. One that cannot be read may be good. */
@@ -112,9 +130,10 @@ static bool is_finished(const struct run *run, const json_t *record)
     if (strcmp(status, "invalid") == 0)
         return true;
     const struct aob_config *config = &run->sweep.config;
-    const json_t *error = json_object_get(record, "error");
-    if (strcmp(status, "ok") != 0 || (config->measure_time && !json_object_get(record, "time")) ||
-        (config->measure_error && !error))
+    const json_t *error = json_object_get(record, "error"), *time = json_object_get(record, "time");
+    if (strcmp(status, "ok") != 0 || (config->measure_time && !time) || (config->measure_error && !error))
+        return false;
+    if (config->measure_time && is_coarse(run, time))
         return false;
     return !config->images || (has_file(run, json_object_get(record, "image")) &&
                                (!error || has_file(run, json_object_get(error, "truth"))));

@@ -1,6 +1,6 @@
 /* The ratio of two costs from several processes. Rounds of one process share what that process was dealt: addresses,
  * page colours, the threads' places. So a process's own interval tells too little, and processes are what is sampled.
- * docs/measuring.md has the study that this rule comes from. Threads: pure functions. */
+ * docs/decisions/0024 has the study that this rule comes from. Threads: pure functions. */
 #ifndef AOB_TIMING_ESTIMATE_H
 #define AOB_TIMING_ESTIMATE_H
 #include <stddef.h>

@@ -39,8 +39,8 @@ struct aob_processes {
 };
 
 /* Runs processes until at least AOB_PROCESSES_LEAST are good and either the precision is reached or the seconds are
- * spent. A process gets a third of the seconds, at most one second a case (or a hundredth, where that is more): more
- * seconds buy more processes. False after the line of the last lost one if too few were good; aob_processes_finish
+ * spent. A process gets a third of the seconds, at most one second a case (or a hundredth, where that is more): so
+ * above three seconds more of them buy more processes. False after the line of the last lost one if too few were good; aob_processes_finish
  * frees in any case. */
 bool aob_processes_run(const struct aob_processes_desc *desc, struct aob_processes *result,
                        struct aob_error *error);

@@ -2,19 +2,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "base/file.h"
 #include "base/json.h"
 #include "scene/scene.h"
 #include "technique/param.h"
 
 void aob_worker_reply(struct aob_worker *worker, json_t *answer)
 {
-    char *line = aob_json_line(answer, 17);
-    size_t size = strlen(line);
-    line[size++] = '\n';
-    if (!aob_file_send(worker->reply, line, size))
+    if (!aob_json_send(worker->reply, answer))
         exit(AOB_EXIT_USAGE); /* nobody listens any more */
-    free(line);
     json_decref(answer);
 }
 

@@ -71,6 +71,18 @@ check "nothing is told" test "$(grep -c precise .stdout)" -eq 0
 check "three processes, twenty rounds each" test \
   "$(jq -c '.time | [.processes, .rounds, .seconds_needed, .precision < 1e-9]' exact/journal.jsonl | sort -u)" = '[3,60,null,true]'
 
+# Who asks for more precision than an earlier call did has the cases timed again, once: what runs out of its seconds would
+# do so again.
+"$program" run config.yaml --out finer --quiet --precision 50%
+check "coarse, and three" test "$(wc -l <finer/journal.jsonl)" -eq 3
+for lines in 6 6; do
+  "$program" run config.yaml --out finer --quiet --precision 0.1% --json finer.json
+  check "the finer wish is measured, once" test "$(wc -l <finer/journal.jsonl)" -eq "$lines"
+  check "and what it did not reach is told" test "$(jq .imprecise.cases finer.json)" -eq 3
+done
+"$program" run config.yaml --out finer --quiet --precision 50%
+check "a coarser wish is content" test "$(wc -l <finer/journal.jsonl)" -eq 6
+
 # What a precision is.
 for bad in 3 '3 %' 0.05% 60% -3% nan% % three%; do
   sed "s/seconds: 0.1/precision: \"$bad\"/" config.yaml >bad.yaml

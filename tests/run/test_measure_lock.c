@@ -200,11 +200,30 @@ static void test_only_a_regular_file(void **state)
     rmdir(path);
 }
 
+/* The second place serves where nothing lies at the first and nothing can. What is there and cannot be used may be held. */
+static void test_second_place(void **state)
+{
+    (void)state;
+    struct aob_error error = {{0}};
+    char *nowhere = aob_path_join(folder, "none/lock");
+    const char *const places[] = {nowhere, path, NULL}, *const twice[] = {path, nowhere, NULL}, *chosen;
+    int file = aob_measure_lock_open(places, &chosen, &error);
+    assert_true(file >= 0 && chosen == path && !*error.text);
+    close(file);
+    unlink(path);
+    assert_int_equal(symlink("/dev/null", path), 0);
+    assert_int_equal(aob_measure_lock_open(twice, &chosen, &error), -1);
+    assert_contains(error.text, "symbolic links");
+    assert_int_equal(aob_measure_lock_open(places, &chosen, NULL), -1);
+    unlink(path);
+    free(nowhere);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_waits_and_tells), cmocka_unit_test(test_removed_while_waiting),
+        cmocka_unit_test(test_waits_and_tells),        cmocka_unit_test(test_removed_while_waiting),
         cmocka_unit_test(test_content_is_not_trusted), cmocka_unit_test(test_is_for_everybody),
-        cmocka_unit_test(test_only_a_regular_file)};
+        cmocka_unit_test(test_only_a_regular_file),    cmocka_unit_test(test_second_place)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
