@@ -21,4 +21,13 @@ static inline double random_unit(uint32_t *state)
 {
     return (random_next(state) >> 8) / 16777216.0;
 }
+
+/* About normal, of mean 0 and variance 1: the sum of twelve even values. */
+static inline double random_normal(uint32_t *state)
+{
+    double sum = -6;
+    for (int i = 0; i < 12; i++)
+        sum += random_unit(state);
+    return sum;
+}
 #endif

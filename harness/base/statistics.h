@@ -13,6 +13,10 @@ double aob_quantile(const double *x, size_t n, double q);
  * 1/2) < k) <= 2.5 %. Returns false, with the whole range, for n < 6, where no such interval exists. */
 bool aob_median_interval(const double *x, size_t n, double *low, double *high);
 
+/* The two-sided quantile of Student's t: the |t| that is exceeded with probability `alpha`, 0 < alpha < 1. freedom >=
+ * 1. */
+double aob_student(double alpha, size_t freedom);
+
 /* The ratio of two costs from paired rounds is exp of the median of ln(a_i/b_i); its interval is the one above,
  * carried through exp. The pairing removes what both sides of a round share (drift, load). */
 struct aob_ratio {

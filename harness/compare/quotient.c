@@ -11,37 +11,6 @@ struct aob_ratio aob_quotient(const struct aob_ratio *b, const struct aob_ratio 
     return q;
 }
 
-/* P(|T| < t): the finite sums for whole degrees of freedom (Abramowitz and Stegun, 26.7.3 and 26.7.4). */
-static double within(double t, size_t freedom)
-{
-    double angle = atan(t / sqrt((double)freedom)), cosine = cos(angle), term = 1, sum = 0;
-    bool odd = freedom % 2;
-    if (freedom == 1)
-        return 2 / M_PI * angle;
-    if (odd)
-        term = cosine;
-    for (size_t k = odd ? 3 : 2; k <= freedom; k += 2) {
-        sum += term;
-        term *= cosine * cosine * (double)(k - 1) / (double)k;
-    }
-    return odd ? 2 / M_PI * (angle + sin(angle) * sum) : sin(angle) * sum;
-}
-
-double aob_student(double alpha, size_t freedom)
-{
-    double low = 0, high = 2;
-    while (within(high, freedom) < 1 - alpha && high < 1e12)
-        high *= 2;
-    for (int i = 0; i < 100; i++) {
-        double middle = 0.5 * (low + high);
-        if (within(middle, freedom) < 1 - alpha)
-            low = middle;
-        else
-            high = middle;
-    }
-    return high;
-}
-
 double aob_compare_alpha(size_t comparisons)
 {
     return AOB_COMPARE_ALPHA / (double)(comparisons ? comparisons : 1);

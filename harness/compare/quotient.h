@@ -10,10 +10,6 @@
  * Donner, Construction of confidence limits about effect measures, Statistics in Medicine 27, 2008, equation 6.) */
 struct aob_ratio aob_quotient(const struct aob_ratio *b, const struct aob_ratio *a);
 
-/* The two-sided quantile of Student's t: the |t| that is exceeded with probability `alpha`, 0 < alpha < 1. freedom >=
- * 1. */
-double aob_student(double alpha, size_t freedom);
-
 /* The level of a table of `comparisons` cases: whatever they are, one of its intervals misses the truth with a
  * probability of AOB_COMPARE_ALPHA at most (Bonferroni). */
 #define AOB_COMPARE_ALPHA 0.01

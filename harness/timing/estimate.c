@@ -5,15 +5,6 @@
 
 #define Z 1.959964
 
-/* Student's 97.5 % quantile. Beyond the table it nears the normal one as 2.43/f, within .002. */
-static double student(size_t degrees)
-{
-    static const double t[] = {INFINITY, 12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469,
-                               2.3646,   2.3060,  2.2622, 2.2281, 2.2010, 2.1788};
-    return degrees < AOB_COUNT(t) ? t[degrees]
-                                  : Z + 2.43 / (double)degrees + 2.0 / (double)(degrees * degrees);
-}
-
 /* ln(cost/fixed) of all rounds, process by process; each process's median. */
 struct logs {
     double *all, *medians;
@@ -61,36 +52,63 @@ static double deviation(const struct logs *logs, const struct aob_rounds *proces
     return sigma * sqrt(n / (n - (double)logs->processes));
 }
 
-static double variance_of_medians(const struct logs *logs)
+static double deviation_of_medians(const struct logs *logs)
 {
     double n = (double)logs->processes, mean = 0, sum = 0;
     for (size_t p = 0; p < logs->processes; p++)
         mean += logs->medians[p] / n;
     for (size_t p = 0; p < logs->processes; p++)
         sum += (logs->medians[p] - mean) * (logs->medians[p] - mean);
-    return sum / (n - 1);
+    return sqrt(sum / (n - 1));
 }
 
-static double half_width(const struct logs *logs, const struct aob_rounds *processes)
+/* pi/2 is the variance of a median in that of a mean, of many normal values. */
+double aob_scatter_of_median(double sigma, double rounds)
 {
-    double sigma = 1.2533 * deviation(logs, processes);
-    double w2 = sigma * sigma * logs->inverse, s2 = variance_of_medians(logs);
-    double share = s2 > w2 ? sqrt(1 - w2 / s2) : 0;
-    double t = share > 0 ? (student(logs->processes - 1) - Z) * share : 0;
-    double equal = (double)logs->count * (double)logs->count / logs->squares;
-    return sqrt(fmax(s2, w2) / equal) * (Z + t);
+    return sigma * sqrt(M_PI / 2 / rounds);
+}
+
+static bool scatter_of(const struct logs *logs, const struct aob_rounds *processes,
+                       struct aob_scatter *scatter)
+{
+    if (logs->processes < 2 || logs->count <= logs->processes)
+        return false;
+    scatter->round = deviation(logs, processes);
+    scatter->medians = deviation_of_medians(logs);
+    scatter->explained = aob_scatter_of_median(scatter->round, 1 / logs->inverse);
+    return true;
+}
+
+bool aob_estimate_scatter(const struct aob_rounds *processes, size_t process_count,
+                          struct aob_scatter *scatter)
+{
+    struct logs logs;
+    logs_init(&logs, processes, process_count);
+    bool ok = scatter_of(&logs, processes, scatter);
+    logs_finish(&logs);
+    return ok;
+}
+
+double aob_scatter_half_width(const struct aob_scatter *scatter, double equal, size_t process_count)
+{
+    double s = scatter->medians, w = scatter->explained;
+    double share = s > w ? sqrt(1 - w * w / (s * s)) : 0;
+    double t = share > 0 ? (aob_student(0.05, process_count - 1) - Z) * share : 0;
+    return fmax(s, w) / sqrt(equal) * (Z + t);
 }
 
 struct aob_ratio aob_estimate_ratio(const struct aob_rounds *processes, size_t process_count)
 {
     struct logs logs;
+    struct aob_scatter scatter;
     if (process_count == 1)
         return aob_paired_ratio(processes->cost, processes->fixed, processes->count);
     logs_init(&logs, processes, process_count);
     double middle = aob_median(logs.all, logs.count);
     struct aob_ratio ratio = {.ratio = exp(middle), .low = 0, .high = INFINITY};
-    if (logs.count > logs.processes) {
-        double h = half_width(&logs, processes);
+    if (scatter_of(&logs, processes, &scatter)) {
+        double equal = (double)logs.count * (double)logs.count / logs.squares;
+        double h = aob_scatter_half_width(&scatter, equal, process_count);
         ratio.low = exp(middle - h);
         ratio.high = exp(middle + h);
         ratio.bounded = true;

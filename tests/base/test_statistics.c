@@ -33,6 +33,22 @@ static void test_interval_against_table(void **state)
     assert_true(low == 1 && high == 5);
 }
 
+/* Student's t, two-sided (any printed table, such as Abramowitz and Stegun, table 26.10). */
+static void test_student_against_table(void **state)
+{
+    (void)state;
+    const struct {
+        double alpha;
+        size_t freedom;
+        double t;
+    } rows[] = {{0.05, 1, 12.706},  {0.05, 2, 4.303},  {0.05, 3, 3.182},   {0.05, 4, 2.776},
+                {0.05, 9, 2.262},   {0.05, 30, 2.042}, {0.05, 120, 1.980}, {0.01, 1, 63.657},
+                {0.01, 2, 9.925},   {0.01, 4, 4.604},  {0.01, 5, 4.032},   {0.01, 10, 3.169},
+                {0.001, 2, 31.599}, {0.001, 4, 8.610}, {0.001, 7, 5.408},  {0.001, 60, 3.460}};
+    for (size_t r = 0; r < sizeof rows / sizeof *rows; r++)
+        assert_near(aob_student(rows[r].alpha, rows[r].freedom), rows[r].t, 6e-4);
+}
+
 /* Skewed times with a drift that both sides share: the interval must cover the true ratio in about 95 % of
  * trials. */
 static void test_ratio_covers_the_truth(void **state)
@@ -59,8 +75,8 @@ static void test_ratio_covers_the_truth(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_median_and_quantile),
-                                       cmocka_unit_test(test_interval_against_table),
-                                       cmocka_unit_test(test_ratio_covers_the_truth)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_median_and_quantile), cmocka_unit_test(test_interval_against_table),
+        cmocka_unit_test(test_student_against_table), cmocka_unit_test(test_ratio_covers_the_truth)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

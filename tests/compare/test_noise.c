@@ -12,25 +12,16 @@ struct made {
     struct aob_rounds processes[PROCESSES];
 };
 
-/* Normal, of sd 1: the sum of twelve even values. */
-static double normal(uint32_t *seed)
-{
-    double sum = -6;
-    for (int i = 0; i < 12; i++)
-        sum += random_unit(seed);
-    return sum;
-}
-
 /* Levels of sd `between`, rounds of sd `within` about them, and a speed that both sides share and that changes slowly. */
 static struct made *make(double within, double between, double lag)
 {
     struct made *made = AOB_NEW(struct made);
     uint32_t seed = 99;
     for (int p = 0; p < PROCESSES; p++) {
-        double level = between * normal(&seed), speed = 0, own = 0;
+        double level = between * random_normal(&seed), speed = 0, own = 0;
         for (int r = 0; r < ROUNDS; r++) {
-            speed = 0.9 * speed + 0.1 * normal(&seed);
-            own = r ? lag * own + sqrt(1 - lag * lag) * normal(&seed) : normal(&seed);
+            speed = 0.9 * speed + 0.1 * random_normal(&seed);
+            own = r ? lag * own + sqrt(1 - lag * lag) * random_normal(&seed) : random_normal(&seed);
             made->fixed[p][r] = 2 * exp(speed);
             made->cost[p][r] = 3 * exp(speed + level + within * own);
         }

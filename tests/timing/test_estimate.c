@@ -87,15 +87,6 @@ static void test_few(void **state)
     assert_true(!single.bounded && fabs(log(single.ratio / 2) - 0.035) < 1e-9);
 }
 
-/* About normal, variance 1: twelve uniform numbers. */
-static double random_normal(uint32_t *seed)
-{
-    double sum = -6;
-    for (int i = 0; i < 12; i++)
-        sum += random_unit(seed);
-    return sum;
-}
-
 /* One of five rounds is disturbed four times as much. */
 static double random_round(uint32_t *seed)
 {
