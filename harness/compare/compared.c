@@ -113,6 +113,7 @@ static void judge(const struct aob_compared_table *table, struct aob_compared *i
 {
     item->judgement =
         aob_judge(&(struct aob_comparison){.cost = item->wide,
+                                           .lasting = aob_lasting_half_width(&item->cost.cost, table->alpha),
                                            .control = item->cost.control,
                                            .resolution = table->precision,
                                            .rounds = item->cost.rounds,

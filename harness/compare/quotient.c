@@ -24,3 +24,12 @@ struct aob_ratio aob_widen(const struct aob_ratio *ratio, size_t processes, doub
     return (struct aob_ratio){ratio->ratio, ratio->ratio * pow(ratio->low / ratio->ratio, factor),
                               ratio->ratio * pow(ratio->high / ratio->ratio, factor), true};
 }
+
+double aob_lasting_half_width(const struct aob_ratio *ratio, double alpha)
+{
+    enum { MANY = 1000 }; /* degrees of freedom, within .2 % of the normal quantile down to alpha 1e-4 */
+    if (!ratio->bounded)
+        return INFINITY;
+    double half = fmax(log(ratio->high / ratio->ratio), log(ratio->ratio / ratio->low));
+    return half * aob_student(alpha, MANY) / aob_student(0.05, MANY);
+}

@@ -18,4 +18,9 @@ double aob_compare_alpha(size_t comparisons);
 /* An interval of 95 % over `processes` at the level 1 - alpha: its ends move away from the ratio in proportion to
  * Student's quantiles with processes - 1 degrees of freedom. Unbounded for fewer than two processes. */
 struct aob_ratio aob_widen(const struct aob_ratio *ratio, size_t processes, double alpha);
+
+/* The half-width that an interval of 95 % would have at the level 1 - alpha, as a logarithm to its wider side, if what
+ * it is made of were known from many processes: the normal quantile in place of Student's. What it owes to few processes
+ * at 95 % is still in it, so it is an upper bound. INFINITY where it is not bounded. */
+double aob_lasting_half_width(const struct aob_ratio *ratio, double alpha);
 #endif

@@ -81,12 +81,16 @@ static double half_width(const struct aob_ratio *r)
     return fmax(log(r->high / r->ratio), log(r->ratio / r->low));
 }
 
-/* Widths shrink with the root of the rounds. Where it is as narrow already, the difference is about as large as what is
- * asked for, and rounds are not what it lacks. */
+/* Widths shrink with the root of the rounds, and faster while processes are few; as many again are the least that is
+ * foretold. Where it is as narrow already, the difference is about as large as what is asked for, and rounds are not what
+ * it lacks. */
 static double rounds_needed(const struct aob_comparison *c, double delta)
 {
-    double factor = half_width(&c->cost) / (0.5 * log1p(delta));
-    return factor > 1 ? ceil((double)c->rounds * factor * factor) : NAN;
+    double wanted = 0.5 * log1p(delta), width = half_width(&c->cost);
+    if (width <= wanted)
+        return NAN;
+    double factor = (c->lasting > 0 ? c->lasting : width) / wanted;
+    return ceil((double)c->rounds * fmax(c->lasting > 0 ? 2 : 1, factor * factor));
 }
 
 static void explain_cost(const struct aob_comparison *c, struct aob_judgement *j)

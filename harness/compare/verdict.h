@@ -35,12 +35,14 @@ enum { AOB_COMPARE_ROUNDS = 20, AOB_COMPARE_PROCESSES = 3 }; /* fewer have no ve
 struct aob_comparison {
     struct aob_ratio cost;    /* B / A, with the interval that decides (quotient.h) */
     struct aob_ratio control; /* the fixed pass against itself in the same blocks, 95 % */
+    double lasting; /* half-width of cost's interval, on logarithms, that few processes are not to blame for
+                                 (aob_lasting_half_width); 0: all of it */
     double resolution;        /* the difference that is asked for, a share: .02 */
     size_t rounds, processes; /* of the one that has fewer */
     const char *invalid;      /* why the times cannot be compared; NULL: they can */
     bool moved;               /* the images differ */
     double rmse_a, rmse_b;    /* against the same target; NAN: not known */
-    /* B lies beside A only because of what both do not share with the module: cause.h. NULL: nothing of that is known */
+    /* B lies beside A only because of what both do not share with the module: blame.h. NULL: nothing of that is known */
     const char *elsewhere;
 };
 

@@ -69,6 +69,18 @@ static void test_tables_of_equal_costs(void **state)
     assert_in_range(own, TABLES * CASES * 46 / 1000, TABLES * CASES * 54 / 1000); /* the 95 % before */
 }
 
+/* Normal quantiles of any printed table: 1.960 at 95 %, 2.576 at 99 %, 3.291 at 99.9 %. */
+static void test_lasting(void **state)
+{
+    (void)state;
+    struct aob_ratio r = {2, 2 * exp(-0.05), 2 * exp(0.04), true};
+    assert_near(aob_lasting_half_width(&r, 0.05), 0.05, 1e-12);
+    assert_near(aob_lasting_half_width(&r, 0.01), 0.05 * 2.576 / 1.960, 0.05 * 3e-3);
+    assert_near(aob_lasting_half_width(&r, 0.001), 0.05 * 3.291 / 1.960, 0.05 * 5e-3);
+    r.bounded = false;
+    assert_true(isinf(aob_lasting_half_width(&r, 0.01)));
+}
+
 static void test_no_interval(void **state)
 {
     (void)state;
@@ -84,8 +96,9 @@ static void test_no_interval(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_even_quotient), cmocka_unit_test(test_uneven_quotient),
-        cmocka_unit_test(test_tables_of_equal_costs), cmocka_unit_test(test_no_interval)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_even_quotient),
+                                       cmocka_unit_test(test_uneven_quotient),
+                                       cmocka_unit_test(test_tables_of_equal_costs),
+                                       cmocka_unit_test(test_lasting), cmocka_unit_test(test_no_interval)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -110,6 +110,12 @@ static void test_rounds_needed(void **state)
     double wanted = 0.5 * log(1.02);
     assert_near(j.rounds_needed, ceil(pow(1.96 * 1.2533 * sigma / wanted, 2)), 1);
     assert_contains(j.reason, "rounds would decide");
+    /* The same interval, a tenth of which more processes would take away: .9^2 of the rounds. Twice as many at least where
+     * nearly all of it is. */
+    c.lasting = half * 0.9;
+    assert_near(aob_judge(&c).rounds_needed, ceil(pow(1.96 * 1.2533 * sigma / wanted * 0.9, 2)), 1);
+    c.lasting = half / 100;
+    assert_near(aob_judge(&c).rounds_needed, 2 * n, 1e-9);
     /* Narrow enough, and still between: a difference of what is asked for is neither. */
     c = comparison(1.012, 1.0195, 1.027);
     j = aob_judge(&c);
