@@ -27,7 +27,7 @@ struct aob_run_block_reply {
 };
 
 /* One process: sends the job for the cases at these places and takes its answers. Where it times, the machine is locked
- * meanwhile (measure_lock.h). */
+ * meanwhile (timing/measure_lock.h). */
 struct aob_run_block_job {
     const size_t *places;
     size_t count;

@@ -6,10 +6,10 @@
 #include <stdint.h>
 #include "base/error.h"
 #include "dispatch.h"
-#include "measure_lock.h"
 #include "plan/plan.h"
 #include "state.h"
 #include "store/cache.h"
+#include "timing/measure_lock.h"
 
 struct aob_shares { /* seconds of wall time */
     double reference, measured, warmup, images;
