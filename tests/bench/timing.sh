@@ -1,6 +1,6 @@
 # Sourced by bench.sh: what the times of a run are worth. One block of six cases is recorded once, in a hundred processes, and
 # rules are applied to what was recorded; then it is measured anew five times in three processes each; then one case to a
-# precision of 1 %. It takes about seven minutes. Of what the device's clock and comparisons must show, the sections timer
+# precision of 1 %. It takes about twelve minutes. Of what the device's clock and comparisons must show, the sections timer
 # and compare have the rows.
 if wanted timing; then
   block() { # NAME SECONDS PRECISION TECHNIQUE...
@@ -12,13 +12,13 @@ if wanted timing; then
   times() { jq -r "select(.technique == \"$2\") | .time.$3" "$1/journal.jsonl"; } # RUN TECHNIQUE FIELD
   measure() { build/release/aobudget run "$folder/$1.yaml" --out "$folder/$2" --fresh --quiet; } # CONFIG RUN
 
-  block recorded 32 0.1% "${six[@]}" >"$folder/recorded.yaml"
+  block recorded 60 0.1% "${six[@]}" >"$folder/recorded.yaml"
   measure recorded recorded
   recorded=$(echo "$folder"/recorded/rounds/*.jsonl.zst)
   verdict=$(build/release/bench/bench_rounds "$recorded" 3 15 400)
   found() { sed -n "s/^$1 //p" <<<"$verdict"; }
   row "timing: recorded rounds" "$(found rounds)" "" ">=" 2000
-  row "timing: recorded processes" "$(found processes)"
+  row "timing: recorded processes" "$(found processes)" ""
   row "timing: intervals that cover, of 400 a slot" "$(found all)" % ">=" 90
   row "timing: intervals that cover, of 400 a slot" "$(found all)" % "<=" 98
   row "timing: the worst slot's" "$(sed -n 's/^slot_[0-9]* //p' <<<"$verdict" | sort -n | head -1)" % ">=" 90
@@ -48,7 +48,7 @@ if wanted timing; then
   [ "$quiet" = true ] && bar=3 || bar=6
   block spread 0.75 0.1% "${six[@]}" >"$folder/spread.yaml"
   for i in 1 2 3 4 5; do measure spread "spread-$i"; done
-  row "timing: processes of each of five runs" "$(times "$folder/spread-1" gtao processes)"
+  row "timing: processes of each of five runs" "$(times "$folder/spread-1" gtao processes)" ""
   for name in "${six[@]}"; do
     wide=$bar
     [ "$name" = none ] && wide=10
