@@ -64,9 +64,20 @@ mkdir -p shared/shaders/ab && echo stale >shared/shaders/ab/stale
 check "what a killed run left" "$program" run config.yaml --out shared --quiet
 check "is removed" test ! -e shared/shaders
 
-# The summary says in its one line what is less precise, and what would do.
+# The summary says in its one line what is less precise, and what would do: of figures that are planted in the journal.
 sed 's/seconds: 0.1/seconds: 0.01, precision: 0.1%/' config.yaml >coarse.yaml
-expect 0 " less precise than 0.1 %, for which seconds: " "$program" run coarse.yaml --out coarse
+check "a coarse run" "$program" run coarse.yaml --out coarse --quiet
+plant() { # NEEDED-BY-NONE WANTED: what none would need, and what all were asked for
+  jq -c ".time += {precision: 0.04, precision_wanted: $2, seconds_needed: ({none: $1, gtao: 12.34, alchemy: 7}[.technique])}" \
+    coarse/journal.jsonl >planted && cp planted coarse/journal.jsonl
+}
+plant 3 0.001
+expect 0 "; 3 less precise than 0.1 %, for which seconds: 13 would do; page" "$program" run coarse.yaml --out coarse
+plant '"inf"' 0.001
+expect 0 "; 3 less precise than 0.1 %, for which seconds: 13 would do in 2 of them; page" "$program" run coarse.yaml --out coarse --json coarse.json
+check "the longest of all is not known" jq -e '.imprecise == {cases: 3, seconds_needed: null}' coarse.json
+plant 3 0.0005 # of which nothing is foretold for .1 %
+expect 0 "; 3 less precise than 0.1 %; page" "$program" run coarse.yaml --out coarse
 sed 's/gl-osmesa/"null"/; s/seconds: 0.1/seconds: 1/' config.yaml >exact.yaml
 check "where nothing scatters" "$program" run exact.yaml --out exact --json exact.json
 check "nothing is told" test "$(grep -c precise .stdout)" -eq 0
