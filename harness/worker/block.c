@@ -85,7 +85,8 @@ static bool init_frame(struct aob_block *block, size_t index, const char **statu
     if (!aob_worker_values(technique, c->params, c->param_count, values, error) ||
         !(screen = use_screen(block, &options, error)) ||
         !aob_frame_init(frame, screen, technique, values, (enum aob_fetch)options.fetch, error)) {
-        *status = frame->unfit ? "unsupported" : "failed";
+        bool unfit = screen ? frame->unfit : block->screens[block->screen_count].unfit;
+        *status = unfit ? "unsupported" : "failed";
         return false;
     }
     block->setup_ms[block->frame_count] = seconds_since(start) * 1e3;
