@@ -1,8 +1,8 @@
 /* bench_forecast FILE SECONDS PRECISION TRIALS: whether the seconds that a short run foretells are those that it takes, on
  * recorded rounds. Each case by itself is timed anew by the scheduler's own rules, in processes that are drawn from the
  * recorded ones: to the precision (a share), TRIALS times, and for SECONDS, TRIALS times. A line "slot_N TOLD TOOK" each:
- * the median that the short runs foretell, of those that were not precise, and the median of what it took; "inf" where that
- * is more than LONG seconds, and "nan" where fewer than half of the short runs were not precise. */
+ * the median that the short runs foretell, of those that were not precise, and the median of what it took. NEVER stands for
+ * more than LONG seconds of the latter, and for "inf" of the former; "nan" where most of the short runs were precise. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +12,8 @@
 #include "timing/summary.h"
 #include "timing/timing.h"
 
-#define LONG 25.0 /* up to here all processes are of one length */
+#define LONG  25.0 /* up to here all processes are of one length */
+#define NEVER 1e9
 
 struct replay {
     struct aob_round_list recorded;
@@ -90,12 +91,12 @@ static void judge(struct replay *r, double seconds, size_t trials)
     for (size_t t = 0; t < trials; t++) {
         measure(r, LONG, &took[t], &foretold);
         if (!isnan(foretold))
-            took[t] = INFINITY;
+            took[t] = NEVER;
         measure(r, seconds, &spent, &foretold);
         if (!isnan(foretold))
-            told[used++] = foretold;
+            told[used++] = fmin(foretold, NEVER);
     }
-    printf("slot_%zu %.2f %.2f\n", r->slot, 2 * used >= trials ? aob_median(told, used) : NAN,
+    printf("slot_%zu %.3g %.3g\n", r->slot, 2 * used >= trials ? aob_median(told, used) : NAN,
            aob_median(took, trials));
     free(told);
     free(took);
