@@ -33,7 +33,6 @@ struct aob_run_block_job {
     size_t count;
     bool score;
     const struct aob_process_desc *process;
-    const char *clock; /* NULL: the worker chooses */
 };
 bool aob_run_block_send(struct aob_run_block *block, const struct aob_run_block_job *job,
                         struct aob_run_block_reply *reply, struct aob_error *error);

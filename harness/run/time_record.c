@@ -72,7 +72,8 @@ json_t *aob_time_record_create(const struct aob_time_record_desc *desc)
     const struct aob_block_timed_case *c = &desc->timed->cases[desc->at];
     struct aob_summary summary;
     aob_summarise(&desc->measured->rounds, AOB_SLOT_CASES + desc->at, &summary);
-    json_t *time = json_pack("{s:s}", "clock", aob_clock_name(desc->timed->clock));
+    json_t *time = json_pack("{s:s, s:o}", "clock", aob_clock_name(desc->timed->clock), "clock_reason",
+                             aob_json_text(desc->timed->clock_reason));
     add_times(time, &summary.whole);
     add_ratio(time, &summary.to_fixed);
     add_precision(time, desc, &summary.to_fixed);
