@@ -138,12 +138,13 @@ static bool is_open(const struct papers *papers, const char *name, const struct 
 static json_t *run_config(struct papers *papers, const char *name, const char *folder)
 {
     json_t *records = json_object_get(papers->ran, name);
-    for (int patience = 0; !records && patience < AOB_PAPERS_RUNS; patience++) {
+    int runs = papers->desc->quick ? 1 : AOB_PAPERS_RUNS;
+    for (int patience = 0; !records && patience < runs; patience++) {
         struct aob_error error = {{0}};
         json_t *found = run_once(papers, name, folder, patience, &error);
         const struct aob_paper_run run = {found, folder};
         json_object_set_new(papers->ran, name, found ? found : json_string(error.text));
-        if (!found || patience == AOB_PAPERS_RUNS - 1 || !is_open(papers, name, &run))
+        if (!found || patience == runs - 1 || !is_open(papers, name, &run))
             records = json_object_get(papers->ran, name);
     }
     return records;
