@@ -42,11 +42,11 @@ static const json_t *find_technique(const json_t *info, const struct aob_compare
 static bool find_config(struct aob_stored *stored, const char *run, const json_t *info,
                         struct aob_error *error)
 {
-    char hash[AOB_KEY_SIZE], *copy = aob_path_join(run, "config.yaml");
+    char hash[AOB_KEY_SIZE], *copy = aob_path_join(run, "run.config.yaml");
     bool there = *text_of(info, "config") && aob_file_exists(copy);
     bool ok = there && aob_hash_file(copy, hash, error);
     if (!there)
-        aob_fail(error, "%s has no copy of its config, config.yaml", run);
+        aob_fail(error, "%s has no copy of its config, run.config.yaml", run);
     else if (ok && strcmp(hash, text_of(info, "config_hash")) != 0)
         ok = aob_fail(error, "%s is not the config that the run was measured with", copy);
     if (ok) {

@@ -1,4 +1,4 @@
-/* The folder of a run: journal.jsonl, run.json (which run it is), config.yaml (a copy of its config), images/, truths/, rounds/,
+/* The folder of a run: journal.jsonl, run.json (which run it is), run.config.yaml (a copy of its config), images/, truths/, rounds/,
  * report/. */
 #ifndef AOB_STORE_RUN_FOLDER_H
 #define AOB_STORE_RUN_FOLDER_H

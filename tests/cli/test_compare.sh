@@ -162,7 +162,7 @@ measure: {time: false, images: false}
 reference: {spp: 8, thickness: 0.3}
 EOC
 check "a run" "$program" run far/own.yaml --out own --quiet
-check "keeps its config" cmp own/config.yaml far/own.yaml
+check "keeps its config" cmp own/run.config.yaml far/own.yaml
 check "and where that lay" test "$(jq -r .config own/run.json)" = "$PWD/far/own.yaml"
 code 1 "$program" compare own "$modules/passes11.so" --out again --json own.json
 check "each of its cases is SLOWER, of the same keys, targets and options" jq -e --slurpfile stored own/journal.jsonl '
@@ -188,11 +188,11 @@ sed 's/, module: sub.old.so//; s/, {file.*}\]/]/' far/own.yaml >given.yaml
 check "a run with --module" "$program" run given.yaml --module "$modules/passes10.so" --out given --quiet
 code 1 "$program" compare given "$modules/passes11.so" --out again --json given.json
 check "is measured again with it" jq -e '(.cases | length) == 1 and all(.cases[]; .verdict == "SLOWER")' given.json
-echo '# changed' >>given/config.yaml
-expect 2 "given/config.yaml is not the config that the run was measured with: name the cases with --config FILE" \
+echo '# changed' >>given/run.config.yaml
+expect 2 "given/run.config.yaml is not the config that the run was measured with: name the cases with --config FILE" \
   "$program" compare given "$modules/passes11.so" --out again
-rm given/config.yaml
-expect 2 "given has no copy of its config, config.yaml: name the cases with --config FILE" "$program" compare given "$modules/passes11.so" --out again
+rm given/run.config.yaml
+expect 2 "given has no copy of its config, run.config.yaml: name the cases with --config FILE" "$program" compare given "$modules/passes11.so" --out again
 mv far/sub/old.so far/sub/gone.so
 expect 2 "the module of own: $PWD/far/sub/old.so: cannot open" "$program" compare own "$modules/passes11.so" --out again
 cp "$modules/loop16.so" far/sub/old.so
