@@ -6,7 +6,7 @@
  * it is AOB_ERROR_SIGMAS of its standard errors away from 0. Where both images are compared with one truth its noise is common
  * to both, and leaves only 2 s d / sqrt(N) with d the RMS difference of the images. (Both are the variance of a mean of
  * products: of error and noise, 4 e^2 s^2 / N, and of the noise's square beside its estimate, 4 s^4 / N. The noise is taken
- * to be as strong in each of the N pixels; docs/decisions/0030 has what real truths make of that.)
+ * to be as strong in each of the N pixels; docs/decisions/0032 has what real truths make of that.)
  *
  * Pure functions; no state. */
 #ifndef AOB_COMPARE_ERROR_CHANGE_H
