@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "again.h"
 #include "base/sealed.h"
 #include "config/config_builds.h"
 #include "info.h"
@@ -38,7 +39,8 @@ static bool read_config(struct run *run, struct aob_error *error)
 {
     const struct aob_run_desc *desc = run->desc;
     struct aob_config *config = &run->sweep.config;
-    if (!aob_config_read(config, desc->config, error) ||
+    if (!(desc->again ? aob_run_again_read(desc->again, desc->config, config, error)
+                      : aob_config_read(config, desc->config, error)) ||
         (desc->builds && !aob_config_take_builds(config, desc->builds, error)))
         return false;
     for (size_t i = 0; i < config->size_count; i++)
@@ -73,8 +75,10 @@ static bool open_folder(struct run *run, struct aob_error *error)
     char *path =
         run->desc->out ? aob_strdup(run->desc->out) : aob_path_join("results", run->sweep.config.name);
     /* The document may go there too; an earlier run is discarded only when it can be written. */
+    const struct aob_config *config = &run->sweep.config;
     bool ok = aob_folder_create(path, error) && aob_json_check(run->desc->json, error) &&
-              aob_run_folder_open(&run->folder, path, run->info, run->desc->fresh, error);
+              aob_run_folder_open(&run->folder, path, run->info, run->desc->fresh, error) &&
+              aob_run_folder_keep_config(&run->folder, config->text, config->size, error);
     free(path);
     return ok;
 }
@@ -383,6 +387,7 @@ enum aob_exit aob_run(const struct aob_run_desc *desc, struct aob_error *error)
 {
     struct run run = {.desc = desc, .start_ns = aob_clock_wall_ns()};
     bool ok = read_config(&run, error) && aob_sweep_expand(&run.sweep, &desc->dispatch, error) &&
+              (!desc->again || aob_run_again_choose(desc->again, &run.sweep, error)) &&
               describe(&run, error) && apply_filter(&run, error) && open_folder(&run, error) &&
               measure(&run, error) && (desc->no_page || write_report(&run, error)) &&
               print_summary(&run, error);

@@ -108,8 +108,9 @@ if wanted gpu-check; then
   code=0
   "$folder/gpu-check/gpu-check" --out "$folder/gpu-check.json" >/dev/null || code=$?
   row "gpu-check: duration" "$(number "$folder/gpu-check.json" seconds)" s "<=" 300
-  row "gpu-check: exit code" "$code" "" "<=" 0
-  row "gpu-check: what was cut" "$(grep -c '"status": "cut"' "$folder/gpu-check.json" || true)" items
+  row "gpu-check: exit code" "$code" ""
+  row "gpu-check: findings" "$(jq '.findings | length' "$folder/gpu-check.json")" lines "<=" 0
+  row "gpu-check: what was cut" "$(jq '[.sections[].items[] | select(.status == "cut")] | length' "$folder/gpu-check.json")" items
 fi
 
 if wanted mutants; then
