@@ -6,7 +6,8 @@
 
 struct aob_curve {
     size_t count;
-    uint64_t *lines;  /* of the cache, rising; a curve of every size holds those at which something changes, from 1 on */
+    uint64_t *
+        lines; /* of the cache, rising; a curve of every size holds those at which something changes, from 1 on */
     uint64_t *misses; /* the last: those that miss in a cache of any size */
 };
 

@@ -9,5 +9,6 @@ struct aob_lines_desc {
     uint32_t sets, ways;
     enum aob_index index;
 };
-bool aob_lines_simulate(const struct aob_lines_desc *desc, struct aob_misses *misses, struct aob_error *error);
+bool aob_lines_simulate(const struct aob_lines_desc *desc, struct aob_misses *misses,
+                        struct aob_error *error);
 #endif

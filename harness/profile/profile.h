@@ -11,18 +11,19 @@
 
 enum { AOB_PROFILE_MAX_LEVEL = 4, AOB_PROFILE_MAX_FACT = 64 };
 
-enum aob_layout {       /* how the texels of a plane lie in memory */
-    AOB_LAYOUT_LINEAR,  /* rows, each beginning at a multiple of 256 bytes */
-    AOB_LAYOUT_MORTON,  /* tiles of 8 x 8 texels, row by row; within one the bits of x and y alternate */
-    AOB_LAYOUT_BLOCK_LINEAR, /* NVIDIA's: GOBs of 64 bytes x 8 rows, piled up to blocks of `block_height` */
-    AOB_LAYOUT_COUNT
+enum aob_layout {                    /* how the texels of a plane lie in memory */
+                  AOB_LAYOUT_LINEAR, /* rows, each beginning at a multiple of 256 bytes */
+                  AOB_LAYOUT_MORTON, /* tiles of 8 x 8 texels, row by row; within one the bits of x and y alternate */
+                  AOB_LAYOUT_BLOCK_LINEAR, /* NVIDIA's: GOBs of 64 bytes x 8 rows, piled up to blocks of `block_height` */
+                  AOB_LAYOUT_COUNT
 };
 
 struct aob_profile_level {
-    char name[16];   /* "L1" */
-    uint64_t size;   /* bytes of one */
-    uint32_t line;   /* bytes; a power of two */
-    uint32_t sector; /* bytes that a miss brings: the line, or a power of two below it; never less than the level before
+    char name[16]; /* "L1" */
+    uint64_t size; /* bytes of one */
+    uint32_t line; /* bytes; a power of two */
+    uint32_t
+        sector; /* bytes that a miss brings: the line, or a power of two below it; never less than the level before
                       * brings */
     uint32_t ways;
     uint32_t sets; /* size / line / ways */

@@ -8,7 +8,8 @@
 #include <stdint.h>
 #include "curve.h"
 
-struct aob_reuse *aob_reuse_create(uint32_t numbers, uint32_t sectors); /* all numbers are below it; 0 sectors means 1 */
+struct aob_reuse *aob_reuse_create(uint32_t numbers,
+                                   uint32_t sectors); /* all numbers are below it; 0 sectors means 1 */
 void aob_reuse_destroy(struct aob_reuse *reuse);
 void aob_reuse_access(struct aob_reuse *reuse, const uint32_t *numbers, size_t count);
 

@@ -18,8 +18,9 @@ enum aob_curve_kind {
 
 struct aob_simulation_desc {
     const struct aob_profile *profile; /* borrowed, until the simulation is destroyed */
-    enum aob_curve_kind curve; /* of the first level; without one capacity and conflict are not told apart either */
-    bool map;                  /* of misses by pixel */
+    enum aob_curve_kind
+        curve; /* of the first level; without one capacity and conflict are not told apart either */
+    bool map;  /* of misses by pixel */
     enum aob_flight map_flight; /* that the map is of */
 };
 
@@ -31,7 +32,7 @@ void aob_simulation_destroy(struct aob_simulation *simulation);
 struct aob_trace_sink aob_simulation_sink(struct aob_simulation *simulation);
 
 /* After the last pass has ended. It belongs to the simulation. */
-const struct aob_cache_result *aob_simulation_result(struct aob_simulation *simulation);
+const struct aob_cache_result *aob_simulation_result(const struct aob_simulation *simulation);
 
 /* Several sinks as one, such as several profiles over one capture. The struct is borrowed. */
 struct aob_trace_fan {

@@ -11,8 +11,8 @@
 enum { AOB_STACK_MAX_SIZE = 40 };
 
 struct aob_stack_desc {
-    uint32_t numbers; /* all are below it */
-    uint32_t sectors; /* of a line; 0 means 1 */
+    uint32_t numbers;      /* all are below it */
+    uint32_t sectors;      /* of a line; 0 means 1 */
     const uint32_t *sizes; /* in lines, rising, from 1; at most AOB_STACK_MAX_SIZE */
     size_t size_count;
 };
@@ -21,6 +21,7 @@ struct aob_stack *aob_stack_create(const struct aob_stack_desc *desc);
 void aob_stack_destroy(struct aob_stack *stack);
 void aob_stack_access(struct aob_stack *stack, const uint32_t *numbers, size_t count);
 
-uint64_t aob_stack_misses(const struct aob_stack *stack, size_t size); /* of the size with that place in `sizes` */
-uint64_t aob_stack_cold(const struct aob_stack *stack);                /* first uses: what no size saves */
+uint64_t aob_stack_misses(const struct aob_stack *stack,
+                          size_t size);                 /* of the size with that place in `sizes` */
+uint64_t aob_stack_cold(const struct aob_stack *stack); /* first uses: what no size saves */
 #endif

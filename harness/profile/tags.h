@@ -11,10 +11,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum aob_index {     /* which set a line lies in */
-    AOB_INDEX_MODULO, /* line modulo sets */
-    AOB_INDEX_XOR,    /* line ^ line >> b ^ line >> 2b, modulo sets, which are 2^b */
-    AOB_INDEX_COUNT
+enum aob_index {                   /* which set a line lies in */
+                 AOB_INDEX_MODULO, /* line modulo sets */
+                 AOB_INDEX_XOR,    /* line ^ line >> b ^ line >> 2b, modulo sets, which are 2^b */
+                 AOB_INDEX_COUNT
 };
 
 /* How the ways of a set are searched. All give the same answers. */
@@ -24,7 +24,7 @@ enum aob_tags_path {
     AOB_TAGS_SSE41,    /* up to 4 ways in one register */
     AOB_TAGS_AVX2,     /* up to 16 in one or two */
     AOB_TAGS_AVX512,   /* up to 16 in one */
-    AOB_TAGS_LIST,     /* a linked list a set, and the place of each line: any number of ways, and sectors */
+    AOB_TAGS_LIST,     /* a linked list a set, and a table of all lines: any number of ways, and sectors */
     AOB_TAGS_PATH_COUNT
 };
 
@@ -33,8 +33,7 @@ struct aob_tags_desc {
     uint32_t ways;    /* of a set */
     uint32_t sectors; /* of a line: a power of two up to 32; 0 means 1 */
     enum aob_index index;
-    uint32_t numbers; /* those of lines or sectors are below it; 0: any up to UINT32_MAX. Only AOB_TAGS_LIST wants to
-                       * know, and takes 4 bytes for each that was met */
+    uint32_t numbers; /* all that come are below it */
     enum aob_tags_path path;
 };
 
@@ -49,9 +48,15 @@ void aob_tags_destroy(struct aob_tags *tags);
 void aob_tags_clear(struct aob_tags *tags); /* empty again */
 
 /* Uses the numbers one after the other, and returns how many missed. `missed` takes their places in `numbers`, rising; it
- * has room for `count`, or is NULL. Where there is one set, no line is UINT32_MAX. */
+ * has room for `count`, or is NULL. */
 size_t aob_tags_access(struct aob_tags *tags, const uint32_t *numbers, size_t count, uint32_t *missed);
 
+/* The same with the set of each as the caller says: of numbers that only name the lines, which have others in memory. */
+size_t aob_tags_access_in(struct aob_tags *tags, const uint32_t *numbers, const uint32_t *sets, size_t count,
+                          uint32_t *missed);
+
+/* The set of each line in such a cache. */
+void aob_index_sets(const struct aob_tags_desc *desc, const uint32_t *lines, size_t count, uint32_t *sets);
 const char *aob_index_name(enum aob_index index);             /* "modulo", "xor" */
 bool aob_index_find(const char *name, enum aob_index *index); /* false: there is no such index */
 #endif
