@@ -23,13 +23,15 @@ struct aob_gather {
     uint32_t asked_mask, stamp;
 };
 
+static const struct aob_trace_plane no_plane;
+
 struct aob_gather *aob_gather_create(const struct aob_gather_desc *desc)
 {
     struct aob_gather *gather = AOB_NEW(struct aob_gather);
     gather->desc = *desc;
     gather->order = aob_order_create(desc->profile);
     gather->shift = (uint32_t)__builtin_ctz(desc->profile->levels[0].sector);
-    gather->last = desc->pass->planes;
+    gather->last = desc->pass->plane_count ? desc->pass->planes : &no_plane;
     gather->lane_pixels = AOB_NEW_ARRAY(uint32_t, (size_t)gather->order.lanes);
     return gather;
 }
@@ -61,7 +63,7 @@ static void make_room(struct aob_gather *gather, int slots)
         return;
     size_t words = (size_t)gather->order.lanes * (size_t)slots;
     uint32_t table = 4;
-    while (table < 2 * (uint32_t)slots)
+    while (table < 4 * (uint32_t)slots)
         table *= 2;
     gather->slots = slots;
     gather->words = AOB_NEW_ARRAY(uint32_t, words + 1);
@@ -73,13 +75,14 @@ static void make_room(struct aob_gather *gather, int slots)
     gather->asked_mask = table - 1;
 }
 
-static inline bool asks_again(struct aob_gather *gather, uint32_t word)
+/* The table is passed by value: what is written elsewhere cannot change it, as far as a compiler knows. */
+static inline bool asks_again(struct asked *asked, uint32_t mask, struct asked key)
 {
-    uint32_t at = (word * 2654435761u >> 8) & gather->asked_mask;
-    for (; gather->asked[at].stamp == gather->stamp; at = (at + 1) & gather->asked_mask)
-        if (gather->asked[at].word == word)
+    uint32_t at = (key.word * 2654435761u >> 8) & mask;
+    for (; asked[at].stamp == key.stamp; at = (at + 1) & mask)
+        if (asked[at].word == key.word)
             return true;
-    gather->asked[at] = (struct asked){word, gather->stamp};
+    asked[at] = key;
     return false;
 }
 
@@ -94,13 +97,18 @@ static void next_stamp(struct aob_gather *gather)
 /* An invocation becomes the next lane. */
 static void add_lane(struct aob_gather *gather, const uint32_t *words, uint32_t pixel)
 {
-    uint32_t *out = gather->words + gather->lanes;
+    uint32_t *out = gather->words + gather->lanes, *busy = gather->busy;
     uint64_t fetches = 0, distinct = 0;
     next_stamp(gather);
-    for (int s = 0; s < gather->slots; s++, out += gather->order.lanes) {
-        bool used = words[s] != AOB_TRACE_NONE, first = used && !asks_again(gather, words[s]);
-        *out = first ? words[s] : AOB_TRACE_NONE;
-        gather->busy[s] += used;
+    struct asked *asked = gather->asked;
+    uint32_t mask = gather->asked_mask, stamp = gather->stamp;
+    int slots = gather->slots, lanes = gather->order.lanes;
+    for (int s = 0; s < slots; s++, out += lanes) {
+        uint32_t word = words[s];
+        bool used = word != AOB_TRACE_NONE;
+        bool first = used && !asks_again(asked, mask, (struct asked){word, stamp});
+        *out = first ? word : AOB_TRACE_NONE;
+        busy[s] += used;
         fetches += used;
         distinct += first;
     }
@@ -133,57 +141,91 @@ static bool find_plane(struct aob_gather *gather, uint32_t texel)
     return false;
 }
 
-static inline uint32_t number_at(const struct aob_gather *gather, const struct aob_placed *placed, uint32_t x,
-                                 uint32_t y)
+/* Where the words of a plane lie. It stays in registers while one word after the other is of the same plane. */
+struct place {
+    struct aob_trace_plane plane;
+    struct aob_placed placed;
+    uint32_t shift; /* log2 of the bytes of a number */
+    uint64_t bytes; /* of a texel */
+};
+
+static void go_to_plane(const struct aob_gather *gather, struct place *place)
 {
-    return (uint32_t)(aob_layout_address(placed, x, y) >> gather->shift);
+    place->plane = *gather->last;
+    place->placed = gather->desc.placed->levels[gather->last->texture][gather->last->level];
+    place->bytes = (uint64_t)gather->desc.placed->bytes[gather->last->texture];
+    place->shift = gather->shift;
 }
 
-/* Writes the numbers of a word's texels, up to four, and returns how many. */
-static inline uint32_t expand(struct aob_gather *gather, uint32_t word, uint32_t *out)
+static inline uint32_t number_at(const struct place *place, uint32_t x, uint32_t y)
 {
-    const struct aob_trace_plane *plane = gather->last;
-    const struct aob_placed *placed = &gather->desc.placed->levels[plane->texture][plane->level];
-    uint32_t width = (uint32_t)plane->width, texel = (word & ~AOB_TRACE_BILINEAR) - plane->first;
-    uint32_t y = texel / width, x = texel - y * width, count = 0;
-    out[count++] = number_at(gather, placed, x, y);
-    if (!(word & AOB_TRACE_BILINEAR))
-        return count;
-    bool right = x + 1 < width, below = y + 1 < (uint32_t)plane->height;
+    return (uint32_t)(aob_layout_address(&place->placed, x, y) >> place->shift);
+}
+
+/* Writes the numbers of the other texels of a bilinear word, up to three, and returns how many. */
+static uint32_t add_neighbours(const struct place *place, uint32_t x, uint32_t y, uint32_t *out)
+{
+    bool right = x + 1 < (uint32_t)place->plane.width, below = y + 1 < (uint32_t)place->plane.height;
+    uint32_t count = 0;
     if (right)
-        out[count++] = number_at(gather, placed, x + 1, y);
+        out[count++] = number_at(place, x + 1, y);
     if (below)
-        out[count++] = number_at(gather, placed, x, y + 1);
+        out[count++] = number_at(place, x, y + 1);
     if (right && below)
-        out[count++] = number_at(gather, placed, x + 1, y + 1);
+        out[count++] = number_at(place, x + 1, y + 1);
     return count;
 }
 
-static bool add_word(struct aob_gather *gather, uint32_t word, uint32_t pixel, uint32_t *at,
-                     struct aob_error *error)
+static inline uint32_t expand(const struct place *place, uint32_t word, uint32_t *out)
 {
-    uint32_t texel = word & ~AOB_TRACE_BILINEAR;
-    if (!holds(gather->last, texel) && !find_plane(gather, texel))
-        return aob_fail(error, "pass '%s': its trace names texel %u, which none of its textures has",
-                        gather->desc.pass->name, texel);
-    uint32_t count = expand(gather, word, gather->numbers + *at);
-    for (uint32_t i = 0; gather->pixels && i < count; i++)
-        gather->pixels[*at + i] = pixel;
+    uint32_t width = (uint32_t)place->plane.width, texel = (word & ~AOB_TRACE_BILINEAR) - place->plane.first;
+    uint32_t y = texel / width, x = texel - y * width;
+    *out = number_at(place, x, y);
+    return word & AOB_TRACE_BILINEAR ? 1 + add_neighbours(place, x, y, out + 1) : 1;
+}
+
+static bool fail_word(const struct aob_gather *gather, uint32_t texel, struct aob_error *error)
+{
+    return aob_fail(error, "pass '%s': its trace names texel %u, which none of its textures has",
+                    gather->desc.pass->name, texel);
+}
+
+/* What all lanes ask for in one fetch becomes numbers from gather->numbers[*at] on. */
+static bool emit_slot(struct aob_gather *gather, const uint32_t *words, uint32_t *at, struct aob_error *error)
+{
+    struct place place;
+    uint32_t *numbers = gather->numbers + *at, *pixels = gather->pixels ? gather->pixels + *at : NULL;
+    uint32_t count = 0;
+    uint64_t bytes = 0;
+    go_to_plane(gather, &place);
+    for (int lane = 0; lane < gather->order.lanes; lane++) {
+        uint32_t word = words[lane], texel = word & ~AOB_TRACE_BILINEAR;
+        if (word == AOB_TRACE_NONE)
+            continue;
+        if (!holds(&place.plane, texel)) {
+            if (!find_plane(gather, texel))
+                return fail_word(gather, texel, error);
+            go_to_plane(gather, &place);
+        }
+        uint32_t added = expand(&place, word, numbers + count);
+        for (uint32_t i = 0; pixels && i < added; i++)
+            pixels[count + i] = gather->lane_pixels[lane];
+        count += added;
+        bytes += added * place.bytes;
+    }
     *at += count;
-    gather->desc.counts->bytes_asked += count * (uint64_t)gather->desc.placed->bytes[gather->last->texture];
+    gather->desc.counts->bytes_asked += bytes;
     return true;
 }
 
 static bool emit(struct aob_gather *gather, int unit, struct aob_error *error)
 {
     struct aob_cache_pass *counts = gather->desc.counts;
-    const uint32_t *words = gather->words;
     uint32_t at = 0;
     for (int s = 0; s < gather->slots; s++) {
         gather->start[s] = at;
-        for (int lane = 0; lane < gather->order.lanes; lane++, words++)
-            if (*words != AOB_TRACE_NONE && !add_word(gather, *words, gather->lane_pixels[lane], &at, error))
-                return false;
+        if (!emit_slot(gather, gather->words + (size_t)s * (size_t)gather->order.lanes, &at, error))
+            return false;
         counts->lanes_busy += gather->busy[s];
         counts->lanes_issued += gather->busy[s] ? (uint64_t)gather->order.lanes : 0;
         gather->busy[s] = 0;

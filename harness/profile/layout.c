@@ -79,3 +79,27 @@ bool aob_layout_place(const struct aob_profile *profile, const struct aob_trace_
     placed->size = at;
     return true;
 }
+
+static bool has_level(const struct aob_trace_frame *frame, int texture, int level)
+{
+    return texture >= 0 && texture < frame->texture_count && level >= 0 &&
+           level < frame->textures[texture].levels;
+}
+
+bool aob_layout_judge(const struct aob_trace_frame *frame, const struct aob_trace_pass *pass,
+                      struct aob_error *error)
+{
+    for (int p = 0; p < pass->plane_count; p++) {
+        const struct aob_trace_plane *plane = &pass->planes[p];
+        if (!has_level(frame, plane->texture, plane->level) ||
+            plane->width != level_side(frame->textures[plane->texture].width, plane->level) ||
+            plane->height != level_side(frame->textures[plane->texture].height, plane->level))
+            return aob_fail(error, "pass '%s': plane %d of its trace is no level of a texture of the frame",
+                            pass->name, p);
+    }
+    for (int w = 0; w < pass->write_count; w++)
+        if (!has_level(frame, pass->writes[w].texture, pass->writes[w].level))
+            return aob_fail(error, "pass '%s': target %d of its trace is no level of a texture of the frame",
+                            pass->name, w);
+    return true;
+}

@@ -33,6 +33,10 @@ struct aob_placed_frame {
 bool aob_layout_place(const struct aob_profile *profile, const struct aob_trace_frame *frame,
                       struct aob_placed_frame *placed, struct aob_error *error);
 
+/* False with a line if a plane or a target of the pass is no level of the frame's textures, or of another size. */
+bool aob_layout_judge(const struct aob_trace_frame *frame, const struct aob_trace_pass *pass,
+                      struct aob_error *error);
+
 /* One level of such a size, from `base` on. */
 struct aob_placed aob_layout_level(const struct aob_profile *profile, int bytes, int width, int height,
                                    uint64_t base);

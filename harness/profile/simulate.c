@@ -258,7 +258,8 @@ static bool begin(void *self, const struct aob_trace_frame *frame, const struct 
 {
     struct aob_simulation *simulation = self;
     struct aob_cache_result *result = &simulation->result;
-    if (!simulation->frame && !begin_frame(simulation, frame, error))
+    if ((!simulation->frame && !begin_frame(simulation, frame, error)) ||
+        !aob_layout_judge(frame, pass, error))
         return false;
     begin_caches(simulation);
     simulation->pass = *pass;

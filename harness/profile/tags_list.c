@@ -5,6 +5,10 @@
 #include "base/memory.h"
 #include "tags_kernel.h"
 
+enum {
+    AHEAD = 16
+}; /* accesses that the table is fetched before its use: those of many units do not fit in a cache */
+
 struct way {
     uint32_t newer, older;  /* of the ring; the latest one's newer is the oldest */
     uint32_t line, sectors; /* a bit for each that is here */
@@ -94,6 +98,8 @@ size_t aob_tags_list_access(struct aob_tags_list *list, const struct aob_tags_ac
 {
     size_t misses = 0;
     for (size_t i = 0; i < accesses->count; i++) {
+        size_t soon = i + AHEAD < accesses->count ? i + AHEAD : i;
+        __builtin_prefetch(&list->place[accesses->lines[soon] >> list->sector_shift]);
         uint32_t line = accesses->lines[i] >> list->sector_shift, *latest = &list->latest[accesses->sets[i]];
         uint32_t sector = 1u << (accesses->lines[i] - (line << list->sector_shift)), w = list->place[line];
         if (w)

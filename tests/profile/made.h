@@ -7,7 +7,7 @@
 /* Two units, tiles of 8 x 8, warps of 8 x 4, linear; one level of 4 ways of 64-byte lines, hashed. */
 static inline struct aob_profile made_profile(void)
 {
-    return (struct aob_profile){.name = (char *)(uintptr_t)"made",
+    return (struct aob_profile){.name = (char *)(uintptr_t) "made",
                                 .units = 2,
                                 .in_flight = 3,
                                 .tile = {8, 8},
@@ -27,11 +27,12 @@ static inline struct aob_profile made_profile(void)
                                 .level_count = 1};
 }
 
-static inline void made_texture(struct aob_trace_frame *frame, const char *name, enum aob_format format, int width,
-                                int height, int levels)
+static inline void made_texture(struct aob_trace_frame *frame, const char *name, enum aob_format format,
+                                int width, int height, int levels)
 {
     struct aob_trace_texture *texture = &frame->textures[frame->texture_count++];
-    *texture = (struct aob_trace_texture){.format = format, .width = width, .height = height, .levels = levels};
+    *texture =
+        (struct aob_trace_texture){.format = format, .width = width, .height = height, .levels = levels};
     snprintf(texture->name, sizeof texture->name, "%s", name);
 }
 
@@ -39,7 +40,8 @@ static inline void made_texture(struct aob_trace_frame *frame, const char *name,
 static inline struct aob_trace_pass made_pass(const struct aob_trace_frame *frame, int width, int height)
 {
     struct aob_trace_pass pass = {.name = "made", .width = width, .height = height, .plane_count = 1};
-    pass.planes[0] = (struct aob_trace_plane){.width = frame->textures[0].width, .height = frame->textures[0].height};
+    pass.planes[0] =
+        (struct aob_trace_plane){.width = frame->textures[0].width, .height = frame->textures[0].height};
     return pass;
 }
 

@@ -38,8 +38,9 @@ static void compare_all(const struct stream *stream, uint32_t numbers, uint32_t 
         for (uint32_t i = 0; i < SIZES; i++) {
             uint64_t plain = plain_associative(stream, sizes[i], sectors);
             if (aob_stack_misses(stack, i) != plain || aob_curve_at(&curve, sizes[i]) != plain)
-                fail_msg("%u lines, %u sectors: list %zu, stack %zu, every size %zu", sizes[i], sectors, (size_t)plain,
-                         (size_t)aob_stack_misses(stack, i), (size_t)aob_curve_at(&curve, sizes[i]));
+                fail_msg("%u lines, %u sectors: list %zu, stack %zu, every size %zu", sizes[i], sectors,
+                         (size_t)plain, (size_t)aob_stack_misses(stack, i),
+                         (size_t)aob_curve_at(&curve, sizes[i]));
         }
         assert_int_equal(aob_stack_cold(stack), curve.misses[curve.count - 1]);
         aob_stack_destroy(stack);
@@ -92,7 +93,8 @@ static void test_window(void **state)
     struct aob_curve curve = curve_of(&stream, LINES, 1);
     uint64_t before = UINT64_MAX;
     for (uint32_t size = 1; size < 2 * LINES; size = size * 3 / 2 + 1) {
-        struct aob_tags *tags = aob_tags_create(&(struct aob_tags_desc){.sets = 1, .ways = size, .numbers = LINES, .path = AOB_TAGS_LIST});
+        struct aob_tags *tags = aob_tags_create(
+            &(struct aob_tags_desc){.sets = 1, .ways = size, .numbers = LINES, .path = AOB_TAGS_LIST});
         uint64_t misses = aob_tags_access(tags, stream.items, stream.count, NULL);
         assert_int_equal(aob_curve_at(&curve, size), misses);
         assert_true(misses <= before); /* a larger cache of this kind holds all that a smaller one does */
@@ -170,8 +172,9 @@ static void test_sum(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_size), cmocka_unit_test(test_sectors),      cmocka_unit_test(test_powers),
-        cmocka_unit_test(test_window),     cmocka_unit_test(test_closed_forms), cmocka_unit_test(test_uniform),
+        cmocka_unit_test(test_every_size),   cmocka_unit_test(test_sectors),
+        cmocka_unit_test(test_powers),       cmocka_unit_test(test_window),
+        cmocka_unit_test(test_closed_forms), cmocka_unit_test(test_uniform),
         cmocka_unit_test(test_sum),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -50,13 +50,17 @@ static void open_rig(struct rig *rig, int width, int height)
 
 static void begin(struct rig *rig)
 {
-    rig->gather = aob_gather_create(&(struct aob_gather_desc){&rig->profile, &rig->placed, &rig->pass, &rig->counts, true, &rig->seen, see});
+    rig->gather = aob_gather_create(&(struct aob_gather_desc){&rig->profile, &rig->placed, &rig->pass,
+                                                              &rig->counts, true, &rig->seen, see});
 }
 
 static void gather(struct rig *rig, const uint32_t *words, int slots)
 {
     struct aob_error error = {{0}};
-    struct aob_trace_band band = {.rows = rig->pass.height, .count = (size_t)(rig->pass.width * rig->pass.height), .slots = slots, .words = words};
+    struct aob_trace_band band = {.rows = rig->pass.height,
+                                  .count = (size_t)(rig->pass.width * rig->pass.height),
+                                  .slots = slots,
+                                  .words = words};
     begin(rig);
     assert_true(aob_gather_band(rig->gather, &band, &error));
     assert_true(aob_gather_end(rig->gather, &error));
@@ -96,7 +100,8 @@ static void test_quads_and_tiles(void **state)
 static void test_blocks(void **state)
 {
     (void)state;
-    static const uint32_t begins[8] = {0, 32, 4, 36, 64, 96, 68, 100}, first[8] = {0, 1, 16, 17, 2, 3, 18, 19};
+    static const uint32_t begins[8] = {0, 32, 4, 36, 64, 96, 68, 100},
+                          first[8] = {0, 1, 16, 17, 2, 3, 18, 19};
     struct rig *rig = AOB_NEW(struct rig);
     uint32_t words[SIDE * SIDE];
     for (uint32_t i = 0; i < SIDE * SIDE; i++)
@@ -209,7 +214,8 @@ static void test_fragments(void **state)
     assert_int_equal(rig->seen.count, 3);
     for (uint32_t i = 0; i < COUNT; i++) {
         assert_int_equal(rig->seen.warps[i / 32].numbers[i % 32], i);
-        assert_int_equal(rig->seen.warps[i / 32].pixels[i % 32], (pixels[i] >> 16) * SIDE + (pixels[i] & 0xffff));
+        assert_int_equal(rig->seen.warps[i / 32].pixels[i % 32],
+                         (pixels[i] >> 16) * SIDE + (pixels[i] & 0xffff));
         assert_int_equal(rig->seen.warps[i / 32].unit, i / 32 % 2);
     }
     assert_int_equal(rig->counts.invocations, COUNT);
@@ -241,8 +247,9 @@ static void test_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_quads_and_tiles), cmocka_unit_test(test_blocks),   cmocka_unit_test(test_edges),
-        cmocka_unit_test(test_asked_twice),     cmocka_unit_test(test_bilinear), cmocka_unit_test(test_fragments),
+        cmocka_unit_test(test_quads_and_tiles), cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_edges),           cmocka_unit_test(test_asked_twice),
+        cmocka_unit_test(test_bilinear),        cmocka_unit_test(test_fragments),
         cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -65,7 +65,8 @@ static void test_morton(void **state)
 /* The formula of the Tegra X1 Technical Reference Manual, as it is printed there, with divisions. */
 static uint64_t printed(uint64_t x, uint64_t y, uint64_t gobs, uint64_t height)
 {
-    uint64_t gob = y / (8 * height) * 512 * height * gobs + x / 64 * 512 * height + y % (8 * height) / 8 * 512;
+    uint64_t gob =
+        y / (8 * height) * 512 * height * gobs + x / 64 * 512 * height + y % (8 * height) / 8 * 512;
     return gob + x % 64 / 32 * 256 + y % 8 / 2 * 64 + x % 32 / 16 * 32 + y % 2 * 16 + x % 16;
 }
 
@@ -122,11 +123,35 @@ static void test_frame(void **state)
     free(placed);
 }
 
+/* A capture whose planes are not those of its frame is refused. */
+static void test_judged(void **state)
+{
+    (void)state;
+    struct aob_error error = {{0}};
+    struct aob_trace_frame frame = {.texture_count = 0};
+    made_texture(&frame, "depth", AOB_R32F, 200, 101, 3);
+    struct aob_trace_pass pass = made_pass(&frame, 10, 10);
+    assert_true(aob_layout_judge(&frame, &pass, &error));
+    pass.planes[0] = (struct aob_trace_plane){.width = 50, .height = 25, .level = 2};
+    assert_true(aob_layout_judge(&frame, &pass, &error));
+    pass.planes[0].height = 26;
+    assert_false(aob_layout_judge(&frame, &pass, &error));
+    assert_contains(error.text, "plane 0");
+    pass.planes[0] = (struct aob_trace_plane){.width = 25, .height = 12, .level = 3};
+    assert_false(aob_layout_judge(&frame, &pass, &error));
+    pass.plane_count = 0;
+    pass.write_count = 1;
+    pass.writes[0].texture = 1;
+    assert_false(aob_layout_judge(&frame, &pass, &error));
+    assert_contains(error.text, "target 0");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_one_place_each), cmocka_unit_test(test_linear),  cmocka_unit_test(test_morton),
         cmocka_unit_test(test_block_linear),   cmocka_unit_test(test_formats), cmocka_unit_test(test_frame),
+        cmocka_unit_test(test_judged),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,7 +12,8 @@ static uint32_t plain_index(const struct aob_tags_desc *desc, uint32_t line)
 {
     uint64_t wide = line;
     uint32_t b = log2_of(desc->sets);
-    return desc->index == AOB_INDEX_MODULO ? line % desc->sets : (uint32_t)((wide ^ (wide >> b) ^ (wide >> b >> b)) % desc->sets);
+    return desc->index == AOB_INDEX_MODULO ? line % desc->sets
+                                           : (uint32_t)((wide ^ (wide >> b) ^ (wide >> b >> b)) % desc->sets);
 }
 
 /* What a path says, access by access, is what a list a set says. */
@@ -28,8 +29,8 @@ static void compare(const struct aob_tags_desc *desc, const struct stream *strea
         bool says = !(at < count && missed[at] == i);
         at += !says;
         if (hit != says)
-            fail_msg("path %d, %u sets, %u ways, index %d: access %zu of line %u", desc->path, desc->sets, desc->ways,
-                     desc->index, i, line);
+            fail_msg("path %d, %u sets, %u ways, index %d: access %zu of line %u", desc->path, desc->sets,
+                     desc->ways, desc->index, i, line);
     }
     assert_int_equal(at, count);
     aob_tags_clear(tags);
@@ -51,7 +52,11 @@ static void test_paths(void **state)
         for (size_t w = 0; w < AOB_COUNT(ways); w++)
             for (size_t s = 0; s < AOB_COUNT(sets); s++)
                 for (int index = 0; index < AOB_INDEX_COUNT; index++) {
-                    struct aob_tags_desc desc = {.sets = sets[s], .ways = ways[w], .index = (enum aob_index)index, .numbers = 3000, .path = (enum aob_tags_path)path};
+                    struct aob_tags_desc desc = {.sets = sets[s],
+                                                 .ways = ways[w],
+                                                 .index = (enum aob_index)index,
+                                                 .numbers = 3000,
+                                                 .path = (enum aob_tags_path)path};
                     bool power = (desc.sets & (desc.sets - 1)) == 0;
                     if ((!power && index == AOB_INDEX_XOR) || !aob_tags_can(&desc))
                         continue;
@@ -92,7 +97,12 @@ static void test_sectors(void **state)
     for (uint32_t sectors = 2; sectors <= 32; sectors *= 2)
         for (uint32_t ways = 1; ways <= 7; ways += 3)
             for (uint32_t sets = 4; sets <= 16; sets *= 4)
-                compare(&(struct aob_tags_desc){.sets = sets, .ways = ways, .sectors = sectors, .index = AOB_INDEX_XOR, .numbers = 4000}, &stream);
+                compare(&(struct aob_tags_desc){.sets = sets,
+                                                .ways = ways,
+                                                .sectors = sectors,
+                                                .index = AOB_INDEX_XOR,
+                                                .numbers = 4000},
+                        &stream);
     free(stream.items);
 }
 
@@ -105,7 +115,11 @@ static void test_large_numbers(void **state)
         stream.items[i] = UINT32_MAX - 1 - stream.items[i] * 1234567;
     for (int path = AOB_TAGS_BEST; path < AOB_TAGS_LIST; path++)
         for (uint32_t sets = 1; sets <= 1u << 20; sets *= 32) {
-            struct aob_tags_desc desc = {.sets = sets, .ways = 4, .index = AOB_INDEX_XOR, .numbers = UINT32_MAX, .path = (enum aob_tags_path)path};
+            struct aob_tags_desc desc = {.sets = sets,
+                                         .ways = 4,
+                                         .index = AOB_INDEX_XOR,
+                                         .numbers = UINT32_MAX,
+                                         .path = (enum aob_tags_path)path};
             if (aob_tags_can(&desc) && sets <= 1024)
                 compare(&desc, &stream);
             uint32_t place, line = 0xdeadbeef;
@@ -135,7 +149,8 @@ static void test_pieces(void **state)
 
 static size_t misses(struct stream stream, uint32_t sets, uint32_t ways)
 {
-    struct aob_tags *tags = aob_tags_create(&(struct aob_tags_desc){.sets = sets, .ways = ways, .numbers = 200000});
+    struct aob_tags *tags =
+        aob_tags_create(&(struct aob_tags_desc){.sets = sets, .ways = ways, .numbers = 200000});
     size_t count = aob_tags_access(tags, stream.items, stream.count, NULL);
     aob_tags_destroy(tags);
     free(stream.items);
@@ -160,9 +175,9 @@ static void test_closed_forms(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_paths),         cmocka_unit_test(test_paths_are_offered),
-        cmocka_unit_test(test_sectors),       cmocka_unit_test(test_large_numbers),
-        cmocka_unit_test(test_pieces),        cmocka_unit_test(test_closed_forms),
+        cmocka_unit_test(test_paths),   cmocka_unit_test(test_paths_are_offered),
+        cmocka_unit_test(test_sectors), cmocka_unit_test(test_large_numbers),
+        cmocka_unit_test(test_pieces),  cmocka_unit_test(test_closed_forms),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
