@@ -2,8 +2,10 @@
  * as the profile says, gives each texel its address, and sends it through the levels, once with one warp in flight and
  * once with the most.
  *
- * Memory does not grow with the number of samples. It is at most, in bytes: for each unit 12 for each line of the pass's
- * textures (with a curve 24 more for each of two orders), 4 for each line of the caches, and 4 x warp x in_flight x slots.
+ * Memory does not grow with the number of samples, but with the textures of the frame and with the profile: for each
+ * cache and each of the two orders at most 4 bytes for each line of the textures (16 with a curve of powers of two, 34 with
+ * one of every size), a bit for each of their sectors, and 16 for each line of the cache; and for each unit 16 bytes for
+ * each texel that the warps in flight ask for. The first part is compared with the machine's memory before a frame begins.
  * Threads: one at a time for each object. */
 #ifndef AOB_PROFILE_SIMULATE_H
 #define AOB_PROFILE_SIMULATE_H

@@ -47,16 +47,18 @@ static struct aob_tags_way find_way(const struct aob_tags_desc *desc, enum aob_t
     return aob_tags_simd(path, desc->ways);
 }
 
-static const enum aob_tags_path by_speed[] = {AOB_TAGS_SSE41, AOB_TAGS_AVX512, AOB_TAGS_AVX2,
-                                              AOB_TAGS_PORTABLE, AOB_TAGS_LIST};
-
 bool aob_tags_can(const struct aob_tags_desc *desc)
 {
     return desc->path == AOB_TAGS_BEST || desc->path == AOB_TAGS_LIST || find_way(desc, desc->path).kernel;
 }
 
+/* By speed. A set of up to eight ways takes half of what AVX-512 loads, and so half of the host's cache. */
 static struct aob_tags_desc choose(struct aob_tags_desc desc)
 {
+    static const enum aob_tags_path few[] = {AOB_TAGS_SSE41, AOB_TAGS_AVX2, AOB_TAGS_PORTABLE, AOB_TAGS_LIST};
+    static const enum aob_tags_path many[] = {AOB_TAGS_AVX512, AOB_TAGS_AVX2, AOB_TAGS_PORTABLE,
+                                              AOB_TAGS_LIST};
+    const enum aob_tags_path *by_speed = desc.ways <= 8 ? few : many;
     for (size_t i = 0; desc.path == AOB_TAGS_BEST; i++) {
         struct aob_tags_desc tried = desc;
         tried.path = by_speed[i];
