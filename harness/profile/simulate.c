@@ -145,15 +145,16 @@ static struct aob_cache_pass *current(struct aob_simulation *simulation)
     return &simulation->result.passes[simulation->result.pass_count - 1];
 }
 
-static void make_room(struct numbers *work, size_t count, bool pixels)
+static void make_room(struct aob_simulation *simulation, size_t count)
 {
-    if (count <= work->room)
+    struct numbers *work = &simulation->work;
+    if (count < work->room)
         return;
-    work->room = count;
-    work->items = aob_realloc(work->items, count, sizeof *work->items);
-    work->missed = aob_realloc(work->missed, count, sizeof *work->missed);
-    if (pixels)
-        work->pixels = aob_realloc(work->pixels, count, sizeof *work->pixels);
+    work->room = count + 1; /* never nothing: copies of nothing need a place as well */
+    work->items = aob_realloc(work->items, work->room, sizeof *work->items);
+    work->missed = aob_realloc(work->missed, work->room, sizeof *work->missed);
+    if (simulation->desc.map)
+        work->pixels = aob_realloc(work->pixels, work->room, sizeof *work->pixels);
 }
 
 static void mark_pixels(struct aob_simulation *simulation, enum aob_flight flight, const uint32_t *pixels,
@@ -172,7 +173,7 @@ static void use(struct aob_simulation *simulation, enum aob_flight flight, int u
     const struct aob_profile *profile = simulation->desc.profile;
     struct aob_cache_pass *pass = current(simulation);
     struct numbers *work = &simulation->work;
-    make_room(work, count, false);
+    make_room(simulation, count);
     for (int l = 0; l < profile->level_count; l++) {
         int shared = profile->levels[l].units ? profile->levels[l].units : profile->units;
         count = aob_level_access(simulation->caches[l][flight][unit / shared], numbers, count, work->missed,
@@ -194,7 +195,7 @@ static void take_turns(struct aob_simulation *simulation, int unit)
     struct pending *pending = &simulation->pending[unit];
     struct numbers *work = &simulation->work;
     size_t at = 0, stride = (size_t)pending->start_slots + 1;
-    make_room(work, pending->count, pending->pixels != NULL);
+    make_room(simulation, pending->count);
     for (size_t s = 0; s + 1 < stride; s++)
         for (int w = 0; w < pending->warps; w++) {
             const size_t *start = pending->start + (size_t)w * stride + s;
@@ -218,9 +219,9 @@ static void begin_pending(struct pending *pending, const struct aob_profile *pro
 
 static void grow_pending(struct pending *pending, size_t count, bool pixels)
 {
-    if (pending->count + count <= pending->room)
+    if (pending->count + count < pending->room)
         return;
-    pending->room = 2 * (pending->count + count);
+    pending->room = 2 * (pending->count + count) + 1;
     pending->numbers = aob_realloc(pending->numbers, pending->room, sizeof *pending->numbers);
     if (pixels)
         pending->pixels = aob_realloc(pending->pixels, pending->room, sizeof *pending->pixels);

@@ -107,11 +107,19 @@ void aob_tags_clear(struct aob_tags *tags)
         memset(tags->tags, 0xff, (size_t)tags->desc.sets * tags->way.stride * sizeof *tags->tags);
 }
 
+/* The remainder without a division: Lemire, Kaser, Kurz: Faster Remainder by Direct Computation (2019). Exact for all
+ * 32-bit numbers and more than one set. */
 static void modulo_sets(uint32_t sets, const uint32_t *lines, size_t count, uint32_t *out)
 {
-    bool power = (sets & (sets - 1)) == 0;
+    uint64_t inverse = UINT64_MAX / sets + 1;
     for (size_t i = 0; i < count; i++)
-        out[i] = power ? lines[i] & (sets - 1) : lines[i] % sets;
+        out[i] = (uint32_t)((unsigned __int128)(inverse * lines[i]) * sets >> 64);
+}
+
+static void low_sets(uint32_t sets, const uint32_t *lines, size_t count, uint32_t *out)
+{
+    for (size_t i = 0; i < count; i++)
+        out[i] = lines[i] & (sets - 1);
 }
 
 static void xor_sets(uint32_t sets, const uint32_t *lines, size_t count, uint32_t *out)
@@ -127,6 +135,8 @@ void aob_index_sets(const struct aob_tags_desc *desc, const uint32_t *lines, siz
 {
     if (desc->index == AOB_INDEX_XOR)
         xor_sets(desc->sets, lines, count, sets);
+    else if ((desc->sets & (desc->sets - 1)) == 0)
+        low_sets(desc->sets, lines, count, sets);
     else
         modulo_sets(desc->sets, lines, count, sets);
 }

@@ -1,5 +1,6 @@
-/* A ring of ways a set, in order of their last use, and a table that says where each line is: a step costs the same
- * however many ways there are. A line that comes new takes the oldest way, which then is the latest by turning the ring. */
+/* A ring of ways a set, in order of their last use, and a table that says in which way each line was last: a step costs the
+ * same however many ways there are. Whether a line is still there, its way tells. A line that comes new takes the oldest
+ * way, which then is the latest by turning the ring. */
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
@@ -18,7 +19,7 @@ struct aob_tags_list {
     uint32_t sector_shift;
     struct way *ring; /* sets x ways */
     uint32_t *latest; /* of each set */
-    uint32_t *place;  /* of each line its way + 1; 0: it is not here */
+    uint32_t *place;  /* of each line the way that it had; if that holds another line, it is not here */
 };
 
 static size_t count_lines(const struct aob_tags_desc *desc)
@@ -35,6 +36,7 @@ struct aob_tags_list *aob_tags_list_create(const struct aob_tags_desc *desc)
     list->sector_shift = (uint32_t)__builtin_ctz(desc->sectors ? desc->sectors : 1);
     list->ring = AOB_NEW_ARRAY(struct way, list->sets * list->ways);
     list->latest = AOB_NEW_ARRAY(uint32_t, list->sets);
+    list->place = AOB_NEW_ARRAY(uint32_t, list->lines);
     return list;
 }
 
@@ -48,11 +50,8 @@ void aob_tags_list_destroy(struct aob_tags_list *list)
     free(list);
 }
 
-/* Fresh zeros cost memory only where lines are met. */
 void aob_tags_list_clear(struct aob_tags_list *list)
 {
-    free(list->place);
-    list->place = AOB_NEW_ARRAY(uint32_t, list->lines);
     for (size_t s = 0; s < list->sets; s++) {
         uint32_t first = (uint32_t)(s * list->ways), last = first + (uint32_t)list->ways - 1;
         for (uint32_t w = first; w <= last; w++)
@@ -68,9 +67,9 @@ double aob_tags_list_bytes(const struct aob_tags_desc *desc)
            (double)count_lines(desc) * sizeof(uint32_t);
 }
 
-static void make_latest(struct aob_tags_list *list, uint32_t *latest, uint32_t w)
+static inline void make_latest(struct way *ring, uint32_t *latest, uint32_t w)
 {
-    struct way *ring = list->ring, *way = &ring[w];
+    struct way *way = &ring[w];
     uint32_t first = *latest, last = ring[first].newer;
     *latest = w;
     if (w == first || w == last)
@@ -82,33 +81,31 @@ static void make_latest(struct aob_tags_list *list, uint32_t *latest, uint32_t w
     ring[last].older = ring[first].newer = w;
 }
 
-static uint32_t replace_oldest(struct aob_tags_list *list, uint32_t *latest, uint32_t line)
+static inline uint32_t replace_oldest(struct way *ring, uint32_t *latest, uint32_t line)
 {
-    uint32_t w = *latest = list->ring[*latest].newer;
-    struct way *way = &list->ring[w];
-    if (way->line != AOB_TAGS_EMPTY)
-        list->place[way->line] = 0;
-    way->line = line;
-    way->sectors = 0;
-    list->place[line] = w + 1;
+    uint32_t w = *latest = ring[*latest].newer;
+    ring[w].line = line;
+    ring[w].sectors = 0;
     return w;
 }
 
 size_t aob_tags_list_access(struct aob_tags_list *list, const struct aob_tags_accesses *accesses)
 {
-    size_t misses = 0;
-    for (size_t i = 0; i < accesses->count; i++) {
-        size_t soon = i + AHEAD < accesses->count ? i + AHEAD : i;
-        __builtin_prefetch(&list->place[accesses->lines[soon] >> list->sector_shift]);
-        uint32_t line = accesses->lines[i] >> list->sector_shift, *latest = &list->latest[accesses->sets[i]];
-        uint32_t sector = 1u << (accesses->lines[i] - (line << list->sector_shift)), w = list->place[line];
-        if (w)
-            make_latest(list, latest, --w);
+    struct way *ring = list->ring;
+    uint32_t *place = list->place, *missed = accesses->missed, shift = list->sector_shift;
+    const uint32_t *numbers = accesses->lines;
+    size_t misses = 0, count = accesses->count;
+    for (size_t i = 0; i < count; i++) {
+        __builtin_prefetch(&place[numbers[i + AHEAD < count ? i + AHEAD : i] >> shift]);
+        uint32_t line = numbers[i] >> shift, *latest = &list->latest[accesses->sets[i]], w = place[line];
+        uint32_t sector = 1u << (numbers[i] - (line << shift));
+        if (ring[w].line == line)
+            make_latest(ring, latest, w);
         else
-            w = replace_oldest(list, latest, line);
-        accesses->missed[misses] = accesses->first + (uint32_t)i;
-        misses += !(list->ring[w].sectors & sector);
-        list->ring[w].sectors |= sector;
+            place[line] = w = replace_oldest(ring, latest, line);
+        missed[misses] = accesses->first + (uint32_t)i;
+        misses += !(ring[w].sectors & sector);
+        ring[w].sectors |= sector;
     }
     return misses;
 }
