@@ -18,7 +18,10 @@ struct aob_screen {
         *normal; /* one texture where they are packed together; normal may be NULL */
     const struct aob_geometry
         *geometry; /* uploaded; set by the owner; NULL: a capture, or nothing needs it */
+    bool unfit;    /* after a refusal: the device lacks something that the encoding needs (unsupported) */
 };
+
+/* False leaves nothing behind but `unfit`. */
 bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struct aob_gbuffer *gbuffer,
                      const struct aob_options *options, struct aob_error *error);
 void aob_screen_finish(struct aob_screen *screen);
@@ -32,7 +35,9 @@ struct aob_frame {
     struct aob_gpu_program *programs[AOB_MAX_PASS];
     struct aob_gpu_pass *passes[AOB_MAX_PASS]; /* NULL where pruned */
     size_t memory_bytes;                       /* of the technique's own textures */
-    bool unfit; /* after a refusal: the scene is not for this technique, or too large (unsupported) */
+    bool
+        unfit; /* after a refusal: the scene is not for this technique, or too large, or the device lacks something that it
+                   needs (unsupported) */
 };
 
 /* Builds the graph (module code runs here), compiles and allocates. False leaves nothing behind but `unfit`. */

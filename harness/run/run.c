@@ -15,7 +15,6 @@
 #include "record.h"
 #include "reports/page/page.h"
 #include "store/run_folder.h"
-#include "timing/processes.h"
 
 /* One run, from its config to its page. */
 struct run {
@@ -28,7 +27,8 @@ struct run {
     size_t stored;         /* records of this time */
     size_t counts[4];      /* by status, in status_names' order, of the cases in this run's plan */
     size_t imprecise;      /* of them, those whose time is less precise than was wanted, */
-    double seconds_needed; /* and what the worst of them would need; 0: none knows */
+    size_t foretold;       /* of those, the ones for which some seconds would do, */
+    double seconds_needed; /* and what the worst of these would need */
     struct aob_error store_error;
     int64_t start_ns;
 };
@@ -94,6 +94,16 @@ static bool is_coarse(const struct run *run, const json_t *time)
     return asked > run->sweep.config.precision * rounding && !is_precise(run, time);
 }
 
+/* A record foretells the precision that it was asked for, and no other. */
+static double seconds_needed(const struct run *run, const json_t *time)
+{
+    const double rounding = 1e-6;
+    double asked = aob_json_to_number(json_object_get(time, "precision_wanted"));
+    if (!(fabs(asked / run->sweep.config.precision - 1) <= rounding))
+        return NAN;
+    return aob_json_to_number(json_object_get(time, "seconds_needed"));
+}
+
 static void count(struct run *run, const json_t *record)
 {
     const char *status = json_string_value(json_object_get(record, "status"));
@@ -102,11 +112,12 @@ static void count(struct run *run, const json_t *record)
     const json_t *time = json_object_get(record, "time");
     if (!json_object_get(time, "precision") || is_precise(run, time))
         return;
-    double seconds = aob_json_to_number(json_object_get(time, "seconds"));
-    double reached = aob_json_to_number(json_object_get(time, "precision"));
     run->imprecise++;
-    run->seconds_needed =
-        fmax(run->seconds_needed, aob_seconds_needed(seconds, reached, run->sweep.config.precision));
+    double needed = seconds_needed(run, time);
+    if (!isfinite(needed))
+        return;
+    run->foretold++;
+    run->seconds_needed = fmax(run->seconds_needed, needed);
 }
 
 /* Below the run's folder: a file that is there and not known to be wrong. One that cannot be read may be good. */
@@ -309,15 +320,18 @@ static bool write_report(struct run *run, struct aob_error *error)
     return ok && aob_run_folder_describe(&run->folder, run->info, error);
 }
 
-/* "; 3 are less precise than 3 %, seconds: 12 would do". Two digits of an estimate are enough. */
+/* "; 3 less precise than 3 %, for which seconds: 12 would do". Two digits of an estimate are enough. */
 static void add_imprecise(const struct run *run, struct aob_text *text)
 {
     if (!run->imprecise)
         return;
     aob_text_add(text, "; %zu less precise than %g %%", run->imprecise, 100 * run->sweep.config.precision);
-    double step = run->seconds_needed > 0 ? pow(10, floor(log10(run->seconds_needed)) - 1) : 0;
-    if (step > 0)
-        aob_text_add(text, ", for which seconds: %g would do", ceil(run->seconds_needed / step) * step);
+    if (!run->foretold)
+        return;
+    double step = pow(10, floor(log10(run->seconds_needed)) - 1);
+    aob_text_add(text, ", for which seconds: %g would do", ceil(run->seconds_needed / step) * step);
+    if (run->foretold < run->imprecise)
+        aob_text_add(text, " in %zu of them", run->foretold);
 }
 
 static json_t *summary_to_json(const struct run *run)
@@ -325,7 +339,7 @@ static json_t *summary_to_json(const struct run *run)
     json_t *counts = json_object();
     for (size_t i = 0; i < AOB_COUNT(status_names); i++)
         json_object_set_new(counts, status_names[i], json_integer((json_int_t)run->counts[i]));
-    double seconds = run->seconds_needed > 0 ? run->seconds_needed : NAN;
+    double seconds = run->foretold && run->foretold == run->imprecise ? run->seconds_needed : NAN;
     return json_pack("{s:s, s:s, s:i, s:o, s:{s:i, s:o}, s:O}", "name", run->sweep.config.name, "folder",
                      run->folder.path, "cases", (int)run->sweep.plan.case_count, "status", counts,
                      "imprecise", "cases", (int)run->imprecise, "seconds_needed", aob_json_number(seconds),

@@ -77,14 +77,18 @@ static bool init_frame(struct aob_block *block, size_t index, const char **statu
     struct aob_options options;
     const struct aob_screen *screen = NULL;
     const struct aob_technique *technique = aob_registry_open(&block->registry, &c->technique, error);
-    int64_t start = aob_clock_wall_ns();
     *status = "failed";
     if (!technique)
         return false;
     aob_param_pack(aob_option_params, AOB_OPTION_COUNT, c->options, &options, sizeof options);
-    if (!aob_worker_values(technique, c->params, c->param_count, values, error) ||
-        !(screen = use_screen(block, &options, error)) ||
-        !aob_frame_init(frame, screen, technique, values, (enum aob_fetch)options.fetch, error)) {
+    if (!aob_worker_values(technique, c->params, c->param_count, values, error))
+        return false;
+    if (!(screen = use_screen(block, &options, error))) {
+        *status = block->screens[block->screen_count].unfit ? "unsupported" : "failed";
+        return false;
+    }
+    int64_t start = aob_clock_wall_ns();
+    if (!aob_frame_init(frame, screen, technique, values, (enum aob_fetch)options.fetch, error)) {
         *status = frame->unfit ? "unsupported" : "failed";
         return false;
     }

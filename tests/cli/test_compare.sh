@@ -95,6 +95,14 @@ cp -r old_again other
 jq -c '.fingerprint.driver = "another"' old_again/journal.jsonl >other/journal.jsonl
 code 3 "$program" compare old other --json other.json
 check "another driver is INVALID" jq -e 'all(.cases[]; .verdict == "INVALID" and (.reason | contains("driver")))' other.json
+cp -r old_again lying
+jq -c '.time.clock_reason = "it lies"' old_again/journal.jsonl >lying/journal.jsonl
+for sides in "lying old_again A" "old_again lying B"; do
+  read -r a b side <<<"$sides"
+  code 3 "$program" compare $a $b --json lying.json
+  check "a clock of $side that failed its test is INVALID" jq -e --arg why "the clock of $side's device cannot be trusted: it lies" \
+    'all(.cases[]; .verdict == "INVALID" and (.reason | contains($why)))' lying.json
+done
 cp -r new partial
 head -n 3 new/journal.jsonl >partial/journal.jsonl
 code 1 "$program" compare old partial

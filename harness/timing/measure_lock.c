@@ -9,25 +9,42 @@
 #include <time.h>
 #include <unistd.h>
 #include "base/file.h"
+#include "base/text.h"
 
 static const char *const places[] = {"/run/lock/aobudget-measure.lock", "/tmp/aobudget-measure.lock", NULL};
 
-/* Without O_CREAT first: in a folder that anybody may write to, Linux refuses to open another user's file with it
- * (fs.protected_regular). A file that may only be read can be locked as well. Everybody shall be able to lock what is
- * created, whatever the umask. */
-static int open_file(const char *path)
+/* Everybody shall be able to lock it, whatever the umask, from the moment that it has its name: so it is made under another
+ * one, and linked. False with errno, which is EEXIST if somebody was faster. */
+static bool create_file(const char *path)
+{
+    struct aob_text name = {0};
+    aob_text_add(&name, "%s.XXXXXX", path);
+    int file = mkostemp(name.data, O_CLOEXEC);
+    bool ok = file >= 0 && fchmod(file, 0666) == 0 && link(name.data, path) == 0;
+    int cause = errno;
+    if (file >= 0) {
+        unlink(name.data);
+        close(file);
+    }
+    aob_text_finish(&name);
+    errno = cause;
+    return ok;
+}
+
+/* Without O_CREAT: in a folder that anybody may write to, Linux refuses to open another user's file with it
+ * (fs.protected_regular). A file that may only be read can be locked as well. */
+static int open_existing(const char *path)
 {
     const int flags = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
     int file = open(path, O_RDWR | flags);
-    if (file < 0 && errno == EACCES)
-        file = open(path, O_RDONLY | flags);
-    if (file < 0 && errno == ENOENT) {
-        file = open(path, O_RDWR | O_CREAT | O_EXCL | flags, 0666);
-        if (file >= 0)
-            fchmod(file, 0666);
-        else if (errno == EEXIST)
-            file = open(path, O_RDWR | flags);
-    }
+    return file < 0 && errno == EACCES ? open(path, O_RDONLY | flags) : file;
+}
+
+static int open_file(const char *path)
+{
+    int file = open_existing(path);
+    if (file < 0 && errno == ENOENT && (create_file(path) || errno == EEXIST))
+        file = open_existing(path);
     return file;
 }
 
@@ -98,17 +115,41 @@ static void sign(int file)
         return; /* a full disk: the lock holds without a name */
 }
 
-static bool lock_file(struct aob_measure_lock *lock, const char *path)
+static bool wait_for(struct aob_measure_lock *lock, int file, const char *path)
 {
-    if (flock(lock->file, LOCK_EX | LOCK_NB) == 0)
+    if (flock(file, LOCK_EX | LOCK_NB) == 0)
         return true;
     if (errno == EWOULDBLOCK && !lock->told)
         tell(lock->file, path);
     lock->told = true;
     int got;
-    while ((got = flock(lock->file, LOCK_EX)) != 0 && errno == EINTR)
+    while ((got = flock(file, LOCK_EX)) != 0 && errno == EINTR)
         continue;
     return got == 0;
+}
+
+/* -1 where there can be none: then it is anybody's turn. */
+static int open_turn(const char *path)
+{
+    struct aob_text name = {0};
+    aob_text_add(&name, "%s.turn", path);
+    int turn = open_regular(name.data, NULL);
+    aob_text_finish(&name);
+    return turn;
+}
+
+/* Who has measured and wants to again finds the turn taken by the first of those who wait, and queues behind them. */
+static bool lock_in_turn(struct aob_measure_lock *lock, const char *path)
+{
+    int turn = open_turn(path);
+    bool ok = (turn < 0 || wait_for(lock, turn, path)) && wait_for(lock, lock->file, path);
+    int cause = errno;
+    if (turn >= 0) {
+        flock(turn, LOCK_UN); /* a child that was just started may still have the file */
+        close(turn);
+    }
+    errno = cause;
+    return ok;
 }
 
 /* The file may have been removed while it was waited for, as old files in /tmp are; who comes next locks another then. */
@@ -126,7 +167,7 @@ bool aob_measure_lock_take(struct aob_measure_lock *lock, struct aob_error *erro
         lock->file = open_lock(&path, error);
         if (lock->file < 0)
             return false;
-        if (!lock_file(lock, path)) {
+        if (!lock_in_turn(lock, path)) {
             aob_fail(error, "%s: cannot lock: %s", path, strerror(errno));
             close(lock->file);
             return false;
@@ -143,7 +184,7 @@ bool aob_measure_lock_take(struct aob_measure_lock *lock, struct aob_error *erro
 void aob_measure_lock_release(struct aob_measure_lock *lock)
 {
     if (lock->held) {
-        flock(lock->file, LOCK_UN); /* a child that was just started may still have the file */
+        flock(lock->file, LOCK_UN); /* as above */
         close(lock->file);
     }
     lock->held = false;

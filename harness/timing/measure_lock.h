@@ -2,9 +2,12 @@
  * of a timed block runs (the first of a block scores its images too), and not while views are traced or pages drawn. It is
  * a file that is locked and never removed: /run/lock/aobudget-measure.lock, or in /tmp where that folder takes no file of
  * ours; AOBUDGET_LOCK names another. Whoever ends without giving it back, by a crash or a signal, has given it back.
- * Threads: one. */
-#ifndef AOB_RUN_MEASURE_LOCK_H
-#define AOB_RUN_MEASURE_LOCK_H
+ *
+ * A program that measures in many processes takes the lock for each of them. Between two of them another one that waits has
+ * it: who waits holds a second file's lock (the first's name and .turn), which everybody needs to take the first. Where
+ * that file cannot be made, only the turns are lost. Threads: one. */
+#ifndef AOB_TIMING_MEASURE_LOCK_H
+#define AOB_TIMING_MEASURE_LOCK_H
 #include <stdbool.h>
 #include "base/error.h"
 
