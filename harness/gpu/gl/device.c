@@ -47,6 +47,16 @@ void aob_gl_describe(PFNGLGETSTRINGPROC get, struct aob_gpu_device *device)
     device->device_class = device->software ? "cpu" : "gpu";
 }
 
+/* A program that cannot write to a storage buffer has no block for one. */
+static size_t storage_bytes(const struct gl_api *api)
+{
+    GLint blocks = 0;
+    GLint64 bytes = 0;
+    api->GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
+    api->GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    return blocks > 0 && bytes > 0 ? (size_t)bytes / 4 * 4 : 0;
+}
+
 static void describe(struct gl *gl)
 {
     struct aob_gpu_info *info = &gl->base.info;
@@ -57,6 +67,7 @@ static void describe(struct gl *gl)
     info->device_class = gl->device.device_class;
     gl->api.GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->max_texture_size);
     gl->api.GetIntegerv(GL_MAX_IMAGE_UNITS, &gl->max_image_units);
+    info->storage_bytes = storage_bytes(&gl->api);
 }
 
 static void create_stamps(struct gl *gl)
