@@ -11,11 +11,11 @@
 const char *const aob_glsl_screen_triangle = aob_text_gpu_screen_triangle;
 
 static const char *const prefix[] = {
-    [AOB_GLSL_VULKAN] = "#version 450\n"
+    [AOB_GLSL_VULKAN] = "#version 450\n#extension GL_EXT_control_flow_attributes : require\n"
                         "#define BIND(n) set = 0, binding = n\n"
                         "#define BIND_STORAGE set = 0, binding = 32\n"
                         "#define VERTEX_ID gl_VertexIndex\n",
-    [AOB_GLSL_OPENGL] = "#version 450\n"
+    [AOB_GLSL_OPENGL] = "#version 450\n#extension GL_EXT_control_flow_attributes : require\n"
                         "#define BIND(n) binding = n\n"
                         "#define BIND_STORAGE binding = 0\n"
                         "#define VERTEX_ID gl_VertexID\n",
