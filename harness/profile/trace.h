@@ -12,12 +12,15 @@
 #include "base/error.h"
 
 enum {
-    AOB_TRACE_BAND_ROWS = 64, /* a band begins at a multiple of it, so tiles of up to 64 rows lie whole in one */
-    AOB_TRACE_MAX_TEXTURE = AOB_MAX_TEXTURE + 4, /* the graph's, and depth, normal and triangles of the screen */
-    AOB_TRACE_MAX_PLANE = 96,
+    AOB_TRACE_BAND_ROWS =
+        64, /* a band begins at a multiple of it, so tiles of up to 64 rows lie whole in one */
+    AOB_TRACE_MAX_TEXTURE =
+        AOB_MAX_TEXTURE + 4,   /* the graph's, and depth, normal and triangles of the screen */
+    AOB_TRACE_MAX_PLANE = 112, /* levels of AOB_MAX_IN inputs and of an own depth, depth, normal */
 };
-#define AOB_TRACE_NONE UINT32_MAX      /* the slot was not used */
-#define AOB_TRACE_BILINEAR 0x80000000u /* the word is the upper left one of 2 x 2 texels, which end at the plane's edge */
+#define AOB_TRACE_NONE UINT32_MAX /* the slot was not used */
+#define AOB_TRACE_BILINEAR                                                                                   \
+    0x80000000u /* the word is the upper left one of 2 x 2 texels, which end at the plane's edge */
 
 struct aob_trace_texture { /* one of the frame, whatever passes read or write it */
     char name[48];         /* the graph's name for it; "depth", "normal" and "triangles" are the screen's */
@@ -47,11 +50,13 @@ struct aob_trace_pass {
 /* Invocations of a pass. Without fragments they are those of rows row .. row + rows - 1, left to right, then downward.
  * With fragments they come in the order of their triangles, any number in each band. */
 struct aob_trace_band {
-    int row, rows;          /* without fragments: a multiple of AOB_TRACE_BAND_ROWS; that many, fewer in the last band */
+    int row,
+        rows; /* without fragments: a multiple of AOB_TRACE_BAND_ROWS; that many, fewer in the last band */
     size_t count;           /* of invocations */
     const uint32_t *pixels; /* of fragments: x | y << 16; else NULL */
     int slots;              /* words of an invocation, the same in all bands of a pass; may be 0 */
-    const uint32_t *words;  /* count x slots: in the order in which the invocation fetched, then AOB_TRACE_NONE */
+    const uint32_t
+        *words; /* count x slots: in the order in which the invocation fetched, then AOB_TRACE_NONE */
 };
 
 struct aob_trace_frame {
