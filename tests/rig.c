@@ -80,8 +80,8 @@ const char *aob_rig_text(const char *technique, const char *name)
     exit(1);
 }
 
-static void set_params(const struct aob_technique *technique, const char *params, void *values,
-                       struct aob_options *options)
+void aob_rig_params(const struct aob_technique *technique, const char *params, void *values,
+                    struct aob_options *options)
 {
     double numbers[AOB_MAX_PARAM], chosen[AOB_OPTION_COUNT];
     char copy[512], *rest = copy;
@@ -130,7 +130,7 @@ void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *nam
     const struct aob_technique *technique = builtin(name);
     unsigned char values[4 * AOB_MAX_PARAM];
     struct aob_options options;
-    set_params(technique, params, values, &options);
+    aob_rig_params(technique, params, values, &options);
     options.fetch = (int32_t)fetch;
     aob_rig_probe(rig, gpu, technique, values, &options, pixels);
 }
@@ -144,7 +144,7 @@ void aob_rig_definition(const struct aob_rig *rig, const char *name, const char 
     struct aob_error error = {{0}};
     unsigned char values[4 * AOB_MAX_PARAM];
     struct aob_options options;
-    set_params(technique, params, values, &options);
+    aob_rig_params(technique, params, values, &options);
     if (!aob_definition_tabulate(technique, values, &table, &error) || !table.claims)
         give_up(name, &error);
     struct aob_visibility_term term = {.radius = (double)table.radius,

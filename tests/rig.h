@@ -36,6 +36,10 @@ void aob_rig_finish(struct aob_rig *rig);
 void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique, const char *params,
                  enum aob_fetch fetch, float *pixels);
 
+/* What such parameters make of a technique's values struct (4 * AOB_MAX_PARAM bytes), and of the options. */
+void aob_rig_params(const struct aob_technique *technique, const char *params, void *values,
+                    struct aob_options *options);
+
 /* Draws one frame of any technique, such as one that a test makes for the purpose. `values` is the technique's own
  * struct. */
 void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,

@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/half.h"
 #include "base/memory.h"
+#include "planes.h"
 #include "prelude.h"
 
 enum { MAX_BINDS = AOB_MAX_IN + 4 };
@@ -114,7 +115,8 @@ static bool create_textures(struct aob_frame *frame, struct aob_error *error)
                                                   .width = w,
                                                   .height = h,
                                                   .levels = texture->levels,
-                                                  .uses = texture_uses(&frame->graph, i, frame->fetch),
+                                                  .uses = texture_uses(&frame->graph, i, frame->fetch) |
+                                                          (frame->readable ? AOB_GPU_USE_READ_BACK : 0),
                                                   .texels = texels};
         frame->unfit = !aob_gpu_texture_fits(frame->screen->gpu, &desc, error);
         frame->textures[i] = aob_gpu_texture_create(frame->screen->gpu, &desc, error);
@@ -163,8 +165,9 @@ static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph
 
 static struct aob_prelude_desc prelude_of(const struct aob_frame *frame, int index)
 {
-    return (struct aob_prelude_desc){&frame->graph, &frame->graph.passes[index], frame->values,
-                                     &frame->screen->encoding, frame->fetch};
+    return (struct aob_prelude_desc){&frame->graph, &frame->graph.passes[index],
+                                     frame->values, &frame->screen->encoding,
+                                     frame->fetch,  frame->planes};
 }
 
 static bool create_program(struct aob_frame *frame, int index, struct aob_error *error)
@@ -206,7 +209,9 @@ static bool create_pass(struct aob_frame *frame, int index, struct aob_error *er
         .vertex_count = triangles ? pass->per_triangle * (uint32_t)frame->screen->geometry->count : 0,
         .blend = triangles ? AOB_GPU_ADD : AOB_GPU_REPLACE,
         .uniforms = block,
-        .uniform_size = aob_prelude_uniforms(&prelude, view, 0, block)};
+        .uniform_size = aob_prelude_uniforms(&prelude, view, 0, block),
+        .storage = frame->trace,
+        .in_parts = frame->trace};
     aob_graph_divided(view->width, view->height, aob_graph_target_divisor(&frame->graph, pass), &desc.width,
                       &desc.height);
     frame->unfit = !aob_gpu_pass_fits(frame->screen->gpu, &desc, error);
@@ -219,18 +224,22 @@ static bool create_pass(struct aob_frame *frame, int index, struct aob_error *er
     return frame->passes[index] || aob_fail_in(error, "pass '%s'", pass->name);
 }
 
-bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
-                    const struct aob_technique *technique, const void *values, enum aob_fetch fetch,
-                    struct aob_error *error)
+bool aob_frame_init_desc(struct aob_frame *frame, const struct aob_screen *screen,
+                         const struct aob_frame_desc *desc, struct aob_error *error)
 {
-    *frame = (struct aob_frame){.screen = screen, .fetch = fetch};
-    memcpy(frame->values, values, technique->values_size);
-    bool ok =
-        aob_graph_build(&frame->graph, technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, error);
-    if (!ok)
+    const struct aob_technique *technique = desc->technique;
+    *frame = (struct aob_frame){.screen = screen,
+                                .fetch = desc->fetch,
+                                .readable = desc->readable,
+                                .planes = desc->planes,
+                                .trace = desc->trace};
+    memcpy(frame->values, desc->values, technique->values_size);
+    if (!aob_graph_build(&frame->graph, technique, desc->values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED,
+                         error))
         return false;
-    ok = aob_geometry_serves(screen->geometry, &frame->graph, &screen->gbuffer->projection, error);
+    bool ok = aob_geometry_serves(screen->geometry, &frame->graph, &screen->gbuffer->projection, error);
     frame->unfit = !ok;
+    ok = ok && (!frame->planes || aob_planes_init(frame->planes, &frame->graph, screen, error));
     ok = ok && create_textures(frame, error);
     for (int i = 0; ok && i < frame->graph.pass_count; i++)
         if (frame->graph.passes[i].live)
@@ -240,6 +249,15 @@ bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
         aob_frame_finish(frame);
     }
     return ok;
+}
+
+bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
+                    const struct aob_technique *technique, const void *values, enum aob_fetch fetch,
+                    struct aob_error *error)
+{
+    return aob_frame_init_desc(
+        frame, screen, &(struct aob_frame_desc){.technique = technique, .values = values, .fetch = fetch},
+        error);
 }
 
 void aob_frame_finish(struct aob_frame *frame)

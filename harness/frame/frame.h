@@ -26,6 +26,7 @@ bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struc
                      const struct aob_options *options, struct aob_error *error);
 void aob_screen_finish(struct aob_screen *screen);
 
+struct aob_planes;
 struct aob_frame {
     const struct aob_screen *screen; /* must outlive it */
     struct aob_pass_graph graph;
@@ -35,10 +36,25 @@ struct aob_frame {
     struct aob_gpu_program *programs[AOB_MAX_PASS];
     struct aob_gpu_pass *passes[AOB_MAX_PASS]; /* NULL where pruned */
     size_t memory_bytes;                       /* of the technique's own textures */
+    bool readable;                             /* all textures can be read back, not outputs only */
+    struct aob_planes *planes;                 /* of a traced frame, or NULL, like the next */
+    const struct aob_gpu_buffer *trace;
     bool
         unfit; /* after a refusal: the scene is not for this technique, or too large, or the device lacks something that it
                    needs (unsupported) */
 };
+
+struct aob_frame_desc {
+    const struct aob_technique *technique;
+    const void *values; /* the technique's own struct */
+    enum aob_fetch fetch;
+    bool readable; /* as above */
+    /* For frame/trace.c: filled in, and outlives the frame; each pass writes what it reads to `trace`. */
+    struct aob_planes *planes;
+    const struct aob_gpu_buffer *trace;
+};
+bool aob_frame_init_desc(struct aob_frame *frame, const struct aob_screen *screen,
+                         const struct aob_frame_desc *desc, struct aob_error *error);
 
 /* Builds the graph (module code runs here), compiles and allocates. False leaves nothing behind but `unfit`. */
 bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,

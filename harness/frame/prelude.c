@@ -4,6 +4,7 @@
 #include "frame/texts.h"
 #include "geometry.h"
 #include "gpu/gpu.h"
+#include "planes.h"
 
 static const char *type_name(enum aob_format format)
 {
@@ -84,25 +85,59 @@ static void add_uniforms(const struct aob_technique *technique, struct aob_text 
     aob_text_add(text, "} param;\n");
 }
 
+bool aob_prelude_is_storage(enum aob_fetch fetch, enum aob_filter filter, int levels)
+{
+    return fetch == AOB_FETCH_STORAGE && filter == AOB_NEAREST && levels == 1;
+}
+
+/* Of a traced pass, uint aob_number_<name>(ivec2, int): what a texel of a level has as its number. */
+static void add_numbers(const struct aob_prelude_desc *desc, const char *name, int binding, int levels,
+                        struct aob_text *text)
+{
+    ptrdiff_t index = desc->pass - desc->graph->passes;
+    const struct aob_trace_pass *pass = &desc->planes->passes[index];
+    aob_text_add(text, "uint aob_number_%s(ivec2 p, int l) {\n    return ", name);
+    for (int l = 0; l < levels; l++) {
+        const struct aob_trace_plane *plane = &pass->planes[desc->planes->reads[index][binding][l]];
+        if (l < levels - 1)
+            aob_text_add(text, "l == %d ? ", l);
+        aob_text_add(text, "%uu + uint(p.y * %d + p.x)%s", plane->first, plane->width,
+                     l < levels - 1 ? " : " : ";\n}\n");
+    }
+}
+
+static void add_note(const struct aob_prelude_desc *desc, const char *name, const char *texel,
+                     struct aob_text *text)
+{
+    if (desc->planes)
+        aob_text_add(text, "aob_note(aob_number_%s(%s)); ", name, texel);
+}
+
 /* Declares image `name` and T aob_texel_<name>(ivec2), for coordinates that are inside it; of a sampled one of several
  * levels also T aob_texel_<name>(ivec2, int), for a level that it shows. */
-static void add_image(const char *name, enum aob_format format, int binding, bool storage, int levels,
-                      struct aob_text *text)
+static void add_image(const struct aob_prelude_desc *desc, const char *name, enum aob_format format,
+                      int binding, int levels, enum aob_filter filter, struct aob_text *text)
 {
     const char *type = type_name(format), *part = swizzle(format);
+    bool storage = aob_prelude_is_storage(desc->fetch, filter, levels);
+    if (desc->planes)
+        add_numbers(desc, name, binding, levels, text);
     if (storage)
-        aob_text_add(text,
-                     "layout(%s, BIND(%d)) uniform readonly image2D aob_image_%s;\n"
-                     "%s aob_texel_%s(ivec2 p) { return imageLoad(aob_image_%s, p).%s; }\n",
-                     aob_gpu_format_layout(format), binding, name, type, name, name, part);
+        aob_text_add(text, "layout(%s, BIND(%d)) uniform readonly image2D aob_image_%s;\n",
+                     aob_gpu_format_layout(format), binding, name);
     else
-        aob_text_add(text,
-                     "layout(BIND(%d)) uniform sampler2D aob_image_%s;\n"
-                     "%s aob_texel_%s(ivec2 p) { return texelFetch(aob_image_%s, p, 0).%s; }\n",
-                     binding, name, type, name, name, part);
-    if (levels > 1)
-        aob_text_add(text, "%s aob_texel_%s(ivec2 p, int l) { return texelFetch(aob_image_%s, p, l).%s; }\n",
-                     type, name, name, part);
+        aob_text_add(text, "layout(BIND(%d)) uniform sampler2D aob_image_%s;\n", binding, name);
+    aob_text_add(text, "%s aob_texel_%s(ivec2 p) { ", type, name);
+    add_note(desc, name, "p, 0", text);
+    aob_text_add(text,
+                 storage ? "return imageLoad(aob_image_%s, p).%s; }\n"
+                         : "return texelFetch(aob_image_%s, p, 0).%s; }\n",
+                 name, part);
+    if (levels == 1)
+        return;
+    aob_text_add(text, "%s aob_texel_%s(ivec2 p, int l) { ", type, name);
+    add_note(desc, name, "p, l", text);
+    aob_text_add(text, "return texelFetch(aob_image_%s, p, l).%s; }\n", name, part);
 }
 
 /* The last texel of a table, or of what the view fills of a target, whose texture may be larger. */
@@ -138,46 +173,53 @@ static void add_levels(const struct aob_graph_bind *bind, const struct aob_graph
                  type, name, bind->level_count - 1, texture->divisor << bind->level, name, type, name, name);
 }
 
+/* The sampler's own read of place `uv` of level `level`. */
+static void add_filtered(const struct aob_prelude_desc *desc, const char *name, const char *uv,
+                         const char *level, const char *part, struct aob_text *text)
+{
+    if (desc->planes)
+        aob_text_add(
+            text, "aob_note(aob_number_%s(aob_footprint(%s, textureSize(aob_image_%s, %s)), %s) | 0x%xu); ",
+            name, uv, name, level, level, AOB_TRACE_BILINEAR);
+    aob_text_add(text, "return textureLod(aob_image_%s, %s, float(%s)).%s;", name, uv, level, part);
+}
+
 /* A target may be larger than what the view fills of it; its edge is not the sampler's then. */
-static void add_sample(const struct aob_graph_bind *bind, const struct aob_graph_texture *texture,
-                       struct aob_text *text)
+static void add_sample(const struct aob_prelude_desc *desc, const struct aob_graph_bind *bind,
+                       const struct aob_graph_texture *texture, struct aob_text *text)
 {
     const char *type = type_name(texture->format), *name = bind->name, *part = swizzle(texture->format);
-    if (texture->align > 0)
+    if (texture->align > 0) {
         aob_text_add(
             text,
             "%s aob_sample_%s(vec2 uv, int level) {\n"
             "    int l = clamp(level, 0, %d);\n"
             "    vec2 size = vec2(aob_divided(%d << l)), whole = vec2(textureSize(aob_image_%s, l));\n"
-            "    return textureLod(aob_image_%s, clamp(uv * size, vec2(0.5), size - 0.5) / whole,"
-            " float(l)).%s;\n}\n"
-            "%s aob_sample_%s(vec2 uv) { return aob_sample_%s(uv, 0); }\n",
-            type, name, bind->level_count - 1, texture->divisor << bind->level, name, name, part, type, name,
-            name);
-    else
-        aob_text_add(text,
-                     "%s aob_sample_%s(vec2 uv) { return textureLod(aob_image_%s, uv, 0.0).%s; }\n"
-                     "%s aob_sample_%s(vec2 uv, int level) { return aob_sample_%s(uv); }\n",
-                     type, name, name, part, type, name, name);
-}
-
-bool aob_prelude_is_storage(enum aob_fetch fetch, enum aob_filter filter, int levels)
-{
-    return fetch == AOB_FETCH_STORAGE && filter == AOB_NEAREST && levels == 1;
+            "    vec2 at = clamp(uv * size, vec2(0.5), size - 0.5) / whole;\n    ",
+            type, name, bind->level_count - 1, texture->divisor << bind->level, name);
+        add_filtered(desc, name, "at", "l", part, text);
+        aob_text_add(text, "\n}\n%s aob_sample_%s(vec2 uv) { return aob_sample_%s(uv, 0); }\n", type, name,
+                     name);
+    } else {
+        aob_text_add(text, "%s aob_sample_%s(vec2 uv) { ", type, name);
+        add_filtered(desc, name, "uv", "0", part, text);
+        aob_text_add(text, " }\n%s aob_sample_%s(vec2 uv, int level) { return aob_sample_%s(uv); }\n", type,
+                     name, name);
+    }
 }
 
 static void add_input(const struct aob_prelude_desc *desc, int index, struct aob_text *text)
 {
     const struct aob_graph_bind *bind = &desc->pass->in[index];
     const struct aob_graph_texture *texture = &desc->graph->textures[bind->texture];
-    add_image(bind->name, texture->format, AOB_BINDING_FIRST_INPUT + index,
-              aob_prelude_is_storage(desc->fetch, bind->filter, bind->level_count), bind->level_count, text);
+    add_image(desc, bind->name, texture->format, AOB_BINDING_FIRST_INPUT + index, bind->level_count,
+              bind->filter, text);
     if (bind->level_count > 1)
         add_levels(bind, texture, text);
     else
         add_one_level(bind, texture, text);
     if (bind->filter == AOB_BILINEAR)
-        add_sample(bind, texture, text);
+        add_sample(desc, bind, texture, text);
 }
 
 static void add_own_depth(const struct aob_prelude_desc *desc, struct aob_text *text)
@@ -186,8 +228,7 @@ static void add_own_depth(const struct aob_prelude_desc *desc, struct aob_text *
     enum aob_format format = desc->graph->textures[desc->pass->depth].format;
     /* A half float's greatest value is what a device may make of AOB_SKY_Z. */
     const char *sky = format == AOB_R16F ? "z >= 65504.0 ? AOB_SKY_Z : z" : "z";
-    add_image("own_depth", format, AOB_BINDING_OWN_DEPTH,
-              aob_prelude_is_storage(desc->fetch, AOB_NEAREST, levels), levels, text);
+    add_image(desc, "own_depth", format, AOB_BINDING_OWN_DEPTH, levels, AOB_NEAREST, text);
     aob_text_add(
         text, "float aob_own_z(ivec2 q) {\n    float z = aob_texel_own_depth(q);\n    return %s;\n}\n", sky);
     if (levels > 1)
@@ -197,9 +238,10 @@ static void add_own_depth(const struct aob_prelude_desc *desc, struct aob_text *
                      sky);
 }
 
-static void add_depth(const struct aob_prelude_desc *desc, bool storage, struct aob_text *text)
+static void add_depth(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
-    add_image("depth", aob_encoding_depth_format(desc->encoding), AOB_BINDING_DEPTH, storage, 1, text);
+    add_image(desc, "depth", aob_encoding_depth_format(desc->encoding), AOB_BINDING_DEPTH, 1, AOB_NEAREST,
+              text);
     aob_encoding_write_depth(desc->encoding, text);
     if (desc->pass->depth >= 0)
         add_own_depth(desc, text);
@@ -208,21 +250,25 @@ static void add_depth(const struct aob_prelude_desc *desc, bool storage, struct 
     aob_text_add(text, "#define AOB_DEPTH_LEVELS %d\n%s", desc->pass->depth_levels, aob_text_frame_depth);
 }
 
-static void add_normal(const struct aob_prelude_desc *desc, bool storage, struct aob_text *text)
+static void add_normal(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
     bool derived = desc->encoding->normals == AOB_NORMALS_FROM_DEPTH;
     if (!derived) {
-        add_image("normal", aob_encoding_normal_format(desc->encoding), AOB_BINDING_NORMAL, storage, 1, text);
+        add_image(desc, "normal", aob_encoding_normal_format(desc->encoding), AOB_BINDING_NORMAL, 1,
+                  AOB_NEAREST, text);
         aob_encoding_write_normal(desc->encoding, text);
     }
     aob_text_add(text, "%s%s", derived ? aob_text_frame_normal_from_depth : aob_text_frame_normal_texture,
                  aob_text_frame_normal);
 }
 
-static void add_corners(const char *direction, struct aob_text *text)
+/* What the vertices hand on: the triangle's corners, and its number among all that are drawn to a trace. */
+static void add_corners(const struct aob_prelude_desc *desc, const char *direction, struct aob_text *text)
 {
     for (int k = 0; k < 3; k++)
         aob_text_add(text, "layout(location=%d) flat %s vec4 aob_corner_%d;\n", k, direction, k);
+    if (desc->planes)
+        aob_text_add(text, "layout(location=3) flat %s uint aob_primitive;\n", direction);
 }
 
 static void add_shader(const struct aob_technique *technique, const char *name, struct aob_text *text)
@@ -243,10 +289,12 @@ static void add_head(const struct aob_prelude_desc *desc, struct aob_text *text)
 
 void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
+    struct aob_prelude_desc plain = *desc;
+    plain.planes = NULL; /* its reads are not traced */
     add_head(desc, text);
     for (int i = 0; i < desc->pass->in_count; i++)
-        add_input(desc, i, text);
-    add_corners("out", text);
+        add_input(&plain, i, text);
+    add_corners(desc, "out", text);
     aob_text_add(text, "#define AOB_ROW %d\nlayout(BIND(%d)) uniform sampler2D aob_triangles;\n%s",
                  AOB_GEOMETRY_ROW, AOB_BINDING_TRIANGLES, aob_text_frame_triangle_vertex);
     add_shader(desc->graph->technique, desc->pass->vertex, text);
@@ -256,30 +304,45 @@ void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_te
                  "    aob_corner_0 = aob_triangle_texel(triangle, 0);\n"
                  "    aob_corner_1 = aob_triangle_texel(triangle, 1);\n"
                  "    aob_corner_2 = aob_triangle_texel(triangle, 2);\n"
-                 "    gl_Position = place(triangle, VERTEX_ID %% %u);\n}\n",
-                 desc->pass->per_triangle, desc->pass->per_triangle);
+                 "%s    gl_Position = place(triangle, VERTEX_ID %% %u);\n}\n",
+                 desc->pass->per_triangle, desc->planes ? "    aob_primitive = uint(VERTEX_ID / 3);\n" : "",
+                 desc->pass->per_triangle);
+}
+
+/* The body of a traced pass is a function that a main() of ours calls. */
+static void add_traced_shader(const struct aob_prelude_desc *desc, struct aob_text *text)
+{
+    aob_text_add(text, "%s#define main aob_body\n",
+                 desc->pass->draw == AOB_TRIANGLES ? aob_text_frame_trace_fragments
+                                                   : aob_text_frame_trace_screen);
+    add_shader(desc->graph->technique, desc->pass->shader, text);
+    aob_text_add(text, "\n#line 1 1\n#undef main\nvoid main() { aob_open(); aob_body(); aob_close(); }\n");
 }
 
 void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
     const struct aob_graph_pass *pass = desc->pass;
-    bool storage = desc->fetch == AOB_FETCH_STORAGE,
-         derived = desc->encoding->normals == AOB_NORMALS_FROM_DEPTH;
+    bool derived = desc->encoding->normals == AOB_NORMALS_FROM_DEPTH;
     add_head(desc, text);
+    if (desc->planes)
+        aob_text_add(text, "%s", aob_text_frame_trace);
     if (pass->reads & AOB_DEPTH || (pass->reads && derived))
-        add_depth(desc, storage, text);
+        add_depth(desc, text);
     if (pass->reads & AOB_NORMAL)
-        add_normal(desc, storage, text);
+        add_normal(desc, text);
     for (int i = 0; i < pass->in_count; i++)
         add_input(desc, i, text);
     for (int o = 0; o < pass->out_count; o++)
         aob_text_add(text, "layout(location=%d) out %s %s;\n", o,
                      type_name(desc->graph->textures[pass->out[o].texture].format), pass->out[o].name);
     if (pass->draw == AOB_TRIANGLES) {
-        add_corners("in", text);
+        add_corners(desc, "in", text);
         aob_text_add(text, "%s", aob_text_frame_triangle_fragment);
     }
-    add_shader(desc->graph->technique, pass->shader, text);
+    if (desc->planes)
+        add_traced_shader(desc, text);
+    else
+        add_shader(desc->graph->technique, pass->shader, text);
 }
 
 size_t aob_prelude_uniforms(const struct aob_prelude_desc *desc, const struct aob_projection *projection,

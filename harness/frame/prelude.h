@@ -25,17 +25,18 @@ enum aob_binding {
     AOB_BINDING_IMAGE_COUNT,                                     /* from here on never an image */
     AOB_BINDING_TRIANGLES = AOB_BINDING_IMAGE_COUNT,
     AOB_BINDING_LIGHT, /* reserved: a block */
-    AOB_BINDING_TRACE, /* reserved: the storage buffer that a trace of reads goes to. GL counts storage buffers apart, from
-                          0, and has at least 8: there it will be number 0 */
     AOB_BINDING_COUNT,
 };
 
+struct aob_planes;
 struct aob_prelude_desc {
     const struct aob_pass_graph *graph;
     const struct aob_graph_pass *pass;
     const void *values;                  /* the technique's own struct */
     const struct aob_encoding *encoding; /* of the screen */
     enum aob_fetch fetch;                /* of the reads that aob_prelude_is_storage is for */
+    const struct aob_planes
+        *planes; /* the pass writes down what it reads (frame/trace.h); NULL: it does not */
 };
 
 /* Whether a texture is read as a storage image: not if it is bilinear or shows several levels. */

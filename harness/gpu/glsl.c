@@ -11,11 +11,13 @@
 const char *const aob_glsl_screen_triangle = aob_text_gpu_screen_triangle;
 
 static const char *const prefix[] = {
-    [AOB_GLSL_VULKAN] = "#version 450\n"
+    [AOB_GLSL_VULKAN] = "#version 450\n#extension GL_EXT_control_flow_attributes : require\n"
                         "#define BIND(n) set = 0, binding = n\n"
+                        "#define BIND_STORAGE set = 0, binding = 32\n"
                         "#define VERTEX_ID gl_VertexIndex\n",
-    [AOB_GLSL_OPENGL] = "#version 450\n"
+    [AOB_GLSL_OPENGL] = "#version 450\n#extension GL_EXT_control_flow_attributes : require\n"
                         "#define BIND(n) binding = n\n"
+                        "#define BIND_STORAGE binding = 0\n"
                         "#define VERTEX_ID gl_VertexID\n",
 };
 
@@ -109,17 +111,47 @@ uint32_t *aob_glsl_compile(const char *text, enum aob_glsl_stage stage, enum aob
     return words;
 }
 
+enum {
+    HEADER_WORDS = 5,
+    OP_TYPE_POINTER = 32,
+    OP_VARIABLE = 59,
+    OP_DECORATE = 71,
+    DECORATION_BUFFER_BLOCK = 3,
+    DECORATION_BINDING = 33,
+    CLASS_STORAGE_BUFFER = 12,
+};
+
+/* Of an instruction of at least three operands, the operand `index` of the first whose operand `match` is `value`; 0:
+ * there is none, and no id is 0. */
+static uint32_t find_operand(const uint32_t *words, size_t word_count, uint32_t op, size_t match,
+                             uint32_t value, size_t index)
+{
+    for (size_t at = HEADER_WORDS; at < word_count && words[at] >> 16; at += words[at] >> 16)
+        if ((words[at] & 0xffff) == op && at + 3 < word_count && words[at + match] == value)
+            return words[at + index];
+    return 0;
+}
+
+/* The variable that is a storage buffer: by its class, or in SPIR-V 1.0 by a decoration of its type. 0: there is none. */
+static uint32_t find_storage(const uint32_t *words, size_t word_count)
+{
+    uint32_t variable = find_operand(words, word_count, OP_VARIABLE, 3, CLASS_STORAGE_BUFFER, 2);
+    uint32_t block = find_operand(words, word_count, OP_DECORATE, 2, DECORATION_BUFFER_BLOCK, 1);
+    uint32_t pointer = block ? find_operand(words, word_count, OP_TYPE_POINTER, 3, block, 1) : 0;
+    return pointer ? find_operand(words, word_count, OP_VARIABLE, 1, pointer, 2) : variable;
+}
+
 uint64_t aob_glsl_bindings(const uint32_t *words, size_t word_count)
 {
-    enum { HEADER_WORDS = 5, OP_DECORATE = 71, DECORATION_BINDING = 33 };
     uint64_t bindings = 0;
-    size_t at = HEADER_WORDS;
-    while (at < word_count && words[at] >> 16) {
+    uint32_t storage = find_storage(words, word_count);
+    for (size_t at = HEADER_WORDS; at < word_count && words[at] >> 16; at += words[at] >> 16) {
         bool is_binding =
             (words[at] & 0xffff) == OP_DECORATE && at + 3 < word_count && words[at + 2] == DECORATION_BINDING;
-        if (is_binding)
-            bindings |= (uint64_t)1 << (words[at + 3] < 63 ? words[at + 3] : 63);
-        at += words[at] >> 16;
+        if (is_binding && words[at + 1] == storage)
+            bindings |= (uint64_t)1 << AOB_GLSL_STORAGE;
+        else if (is_binding)
+            bindings |= (uint64_t)1 << (words[at + 3] < AOB_GLSL_STORAGE ? words[at + 3] : 63);
     }
     return bindings;
 }

@@ -1,6 +1,7 @@
 /* GLSL 4.50 to SPIR-V by glslang, for one of two clients from the same text.
  * The text must not say #version: it is put in front together with
  *   BIND(n)    the binding qualifier: set=0,binding=n for Vulkan, binding=n for GL
+ *   BIND_STORAGE  that of the one storage buffer that a program may declare, in place of BIND(n)
  *   VERTEX_ID  gl_VertexIndex or gl_VertexID
  *   dot, length, distance, normalize, reflect, mix
  *              as in GLSL, in sums of one fixed order: drivers that lower the built-ins differently for the
@@ -22,7 +23,9 @@ enum aob_glsl_stage { AOB_GLSL_VERTEX, AOB_GLSL_FRAGMENT };
 uint32_t *aob_glsl_compile(const char *text, enum aob_glsl_stage stage, enum aob_glsl_client client,
                            size_t *word_count, struct aob_error *error);
 
-/* Bit n: the words declare BIND(n); a binding beyond 62 sets bit 63. */
+/* Bit n: the words declare BIND(n), AOB_GLSL_STORAGE: BIND_STORAGE; a binding beyond 61 sets bit 63. The storage buffer
+ * has a number of its own on Vulkan, and is number 0 on OpenGL, which counts storage buffers apart. */
+enum { AOB_GLSL_STORAGE = 62, AOB_GLSL_STORAGE_BINDING = 32 /* on Vulkan */ };
 uint64_t aob_glsl_bindings(const uint32_t *words, size_t word_count);
 
 /* The vertex program of every pass without one of its own: one triangle that covers the target; the body of the text, as above. */

@@ -1,9 +1,11 @@
 #include "gpu.h"
 #include "backends.h"
 #include "base/text.h"
+#include "glsl.h"
 #include <string.h>
 
 enum { MAX_SIDE = 16384, MAX_UNIFORM_SIZE = 16384 };
+static const uint64_t STORAGE = (uint64_t)1 << AOB_GLSL_STORAGE; /* among a program's bindings */
 
 const struct aob_gpu_fns *const aob_gpu_backends[] = {
     &aob_gpu_vulkan, &aob_gpu_gl_egl, &aob_gpu_gl_osmesa, &aob_gpu_null, NULL,
@@ -108,7 +110,7 @@ static struct aob_gpu_program *create_program(struct aob_gpu *gpu, const char *v
     if (!gpu->fns->program_create(gpu, vertex, fragment, &program, error))
         return NULL;
     program->geometry = vertex;
-    if (!(program->bindings >> (AOB_GPU_MAX_BINDING + 1)))
+    if (!((program->bindings & ~STORAGE) >> (AOB_GPU_MAX_BINDING + 1)))
         return program;
     aob_fail(error, "%s: program with a BIND beyond %d", gpu->info.backend, AOB_GPU_MAX_BINDING);
     gpu->fns->program_destroy(gpu, program);
@@ -202,7 +204,7 @@ static bool check_levels(const char *name, const struct aob_gpu_pass_desc *desc,
     return true;
 }
 
-static bool check_bind(const char *name, const struct aob_gpu_bind *bind, uint32_t earlier,
+static bool check_bind(const char *name, const struct aob_gpu_bind *bind, uint64_t earlier,
                        struct aob_error *error)
 {
     static const char *const uses[] = {
@@ -228,7 +230,7 @@ static bool check_bind(const char *name, const struct aob_gpu_bind *bind, uint32
 
 static bool check_bindings(const char *name, const struct aob_gpu_pass_desc *desc, struct aob_error *error)
 {
-    uint32_t bound = 0;
+    uint64_t bound = desc->storage ? STORAGE : 0;
     if (!desc->uniforms != !desc->uniform_size || desc->uniform_size > MAX_UNIFORM_SIZE)
         return aob_fail(error, "%s: pass with a uniform block of %zu bytes%s: it must have 1..%d, or be none",
                         name, desc->uniform_size, desc->uniforms ? "" : " at NULL", MAX_UNIFORM_SIZE);
@@ -238,9 +240,11 @@ static bool check_bindings(const char *name, const struct aob_gpu_pass_desc *des
         if (!check_bind(name, &desc->binds[i], bound, error) ||
             !check_levels(name, desc, &desc->binds[i], error))
             return false;
-        bound |= 1u << desc->binds[i].binding;
+        bound |= (uint64_t)1 << desc->binds[i].binding;
     }
-    uint64_t unbound = desc->program->bindings & ~(uint64_t)bound;
+    uint64_t unbound = desc->program->bindings & ~bound;
+    if (unbound & STORAGE)
+        return aob_fail(error, "%s: pass without a storage buffer, which its program declares", name);
     if (unbound)
         return aob_fail(error, "%s: pass binds nothing at %d, which its program declares", name,
                         __builtin_ctzll(unbound));
@@ -268,8 +272,12 @@ static struct aob_gpu_pass *create_pass(struct aob_gpu *gpu, const struct aob_gp
     struct aob_gpu_pass *pass = NULL;
     whole.width = desc->width ? desc->width : target_width(desc->targets);
     whole.height = desc->height ? desc->height : target_height(desc->targets);
-    if (gpu->fns->pass_create(gpu, &whole, &pass, error))
-        pass->uniform_size = desc->uniform_size;
+    if (!gpu->fns->pass_create(gpu, &whole, &pass, error))
+        return NULL;
+    pass->uniform_size = desc->uniform_size;
+    pass->height = whole.height;
+    pass->vertex_count = desc->vertex_count;
+    pass->in_parts = desc->in_parts;
     return pass;
 }
 
@@ -298,4 +306,31 @@ bool aob_gpu_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, c
         return aob_fail(error, "%s: uniform block of %zu bytes for a pass that was made with %zu",
                         gpu->info.backend, size, pass->uniform_size);
     return gpu->fns->pass_set_uniforms(gpu, pass, block, error);
+}
+
+static bool check_part(const char *name, const struct aob_gpu_pass *pass, const struct aob_gpu_part *part,
+                       struct aob_error *error)
+{
+    if (!pass->in_parts)
+        return aob_fail(error, "%s: part of a pass that was made without in_parts", name);
+    if (part->row < 0 || part->rows < 0 || part->row > pass->height - part->rows)
+        return aob_fail(error, "%s: part of %d rows from %d: the pass has %d", name, part->rows, part->row,
+                        pass->height);
+    if (part->first_vertex % 3 || part->vertex_count % 3 || part->vertex_count > pass->vertex_count ||
+        part->first_vertex > pass->vertex_count - part->vertex_count)
+        return aob_fail(error, "%s: part of %u vertices from %u: the pass has %u, three a triangle", name,
+                        part->vertex_count, part->first_vertex, pass->vertex_count);
+    return true;
+}
+
+bool aob_gpu_pass_set_part(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const struct aob_gpu_part *part,
+                           struct aob_error *error)
+{
+    struct aob_gpu_part whole = *part;
+    if (!check_part(gpu->info.backend, pass, part, error))
+        return false;
+    whole.rows = part->rows ? part->rows : pass->height - part->row;
+    whole.vertex_count = part->vertex_count ? part->vertex_count : pass->vertex_count - part->first_vertex;
+    gpu->fns->pass_set_part(pass, &whole);
+    return true;
 }

@@ -14,6 +14,7 @@
 
 struct aob_gpu;
 struct aob_gpu_texture;
+struct aob_gpu_buffer;
 struct aob_gpu_program;
 struct aob_gpu_pass;
 
@@ -26,7 +27,8 @@ struct aob_gpu_info {    /* for the record's fingerprint; strings live as long a
                                  API does not say which */
     bool software;    /* a processor does the work: costs are its CPU time */
     bool timer;       /* it has a clock of its own; timing/timer.h finds out whether that tells the truth */
-    bool draws_nothing; /* the null backend: images are zero and no fault of a technique */
+    bool draws_nothing;   /* the null backend: images are zero and no fault of a technique */
+    size_t storage_bytes; /* of the largest storage buffer that fragment programs can write; 0: they cannot */
 };
 
 struct aob_gpu_desc {
@@ -45,9 +47,9 @@ struct aob_gpu_limits {
     uint32_t sampled, storage; /* textures that a pass binds as AOB_GPU_SAMPLED, as AOB_GPU_STORAGE */
     uint32_t vertex_sampled, vertex_storage; /* the same of a pass with a vertex text */
     uint32_t storage_bindings;               /* the bindings of storage images lie below it */
-    uint32_t resources;                      /* textures, targets and the uniform block of a pass together */
-    uint32_t storage_and_targets;            /* storage images and targets together */
-    bool lacks_depth;                        /* no pass can have a depth test */
+    uint32_t resources;           /* textures, targets, buffer and uniform block of a pass together */
+    uint32_t storage_and_targets; /* storage images, buffer and targets together */
+    bool lacks_depth;             /* no pass can have a depth test */
 };
 extern const struct aob_gpu_limits aob_gpu_no_limits; /* a pass can reach none of them */
 
@@ -131,6 +133,14 @@ struct aob_gpu_pass_desc {
     uint32_t vertex_count; /* three a triangle */
     bool depth_test;       /* against a float depth of the pass's own, cleared to 0: the greater wins */
     enum aob_gpu_blend blend;
+    /* For passes that write down what they do; zero for others. */
+    const struct aob_gpu_buffer *storage; /* at BIND_STORAGE; NULL: the program declares none */
+    bool in_parts;                        /* aob_gpu_pass_set_part is for it */
+};
+struct aob_gpu_part { /* of a pass: what the next runs draw, and clear if they clear */
+    int row, rows;    /* of its area; 0 rows: all of it */
+    uint32_t first_vertex,
+        vertex_count; /* three a triangle; VERTEX_ID counts from the pass's first; 0: all */
 };
 
 enum { AOB_GPU_MAX_LIST = AOB_MAX_PASS };
@@ -156,6 +166,13 @@ struct aob_gpu_fns {
     void (*texture_destroy)(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
     bool (*texture_read)(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                          struct aob_error *error);
+    bool (*buffer_create)(struct aob_gpu *gpu, size_t size, struct aob_gpu_buffer **buffer,
+                          struct aob_error *error);
+    void (*buffer_destroy)(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer);
+    bool (*buffer_write)(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer, size_t offset, size_t size,
+                         const void *bytes, struct aob_error *error);
+    bool (*buffer_read)(struct aob_gpu *gpu, const struct aob_gpu_buffer *buffer, size_t offset, size_t size,
+                        void *bytes, struct aob_error *error);
     bool (*program_create)(struct aob_gpu *gpu, const char *vertex /* NULL: the screen triangle */,
                            const char *fragment, struct aob_gpu_program **program, struct aob_error *error);
     void (*program_destroy)(struct aob_gpu *gpu, struct aob_gpu_program *program);
@@ -164,6 +181,7 @@ struct aob_gpu_fns {
     void (*pass_destroy)(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
     bool (*pass_set_uniforms)(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
                               struct aob_error *error);
+    void (*pass_set_part)(struct aob_gpu_pass *pass, const struct aob_gpu_part *part); /* no zeros in it */
     /* The whole list in one submit, `repeats` times. The times are zeros when it is called, and what it takes is added:
      * wall_ns and cpu_ns to `whole`; device_ns to `whole` and to each of `times` if the device runs lists and has a
      * timer. */
@@ -177,19 +195,26 @@ struct aob_gpu { /* first member of every backend's own struct */
     bool
         lists; /* aob_gpu_run puts many passes into a submit: it is no software device, or was opened as_gpu */
 };
-struct aob_gpu_texture { /* first member of each backend's own, as are the next two */
+struct aob_gpu_texture { /* first member of each backend's own, as are the next three */
     enum aob_format format;
     int width, height; /* of level 0 */
     int levels;
     uint32_t uses;
 };
+struct aob_gpu_buffer {
+    size_t size;
+};
 struct aob_gpu_program {
-    uint64_t bindings; /* bit n: it declares BIND(n), so a pass must bind it */
-    bool geometry;     /* it has a vertex text */
+    uint64_t
+        bindings;  /* bit n: it declares BIND(n), so a pass must bind it; AOB_GLSL_STORAGE: BIND_STORAGE */
+    bool geometry; /* it has a vertex text */
 };
 struct aob_gpu_pass {
     size_t uniform_size; /* 0: it has no block */
-    int64_t last_ns;     /* wall time of its last run, as its share of a list's; 0: it never ran */
+    int height;          /* of its area */
+    uint32_t vertex_count;
+    bool in_parts;
+    int64_t last_ns; /* wall time of its last run, as its share of a list's; 0: it never ran */
 };
 
 extern const struct aob_gpu_fns *const aob_gpu_backends[]; /* NULL-ended, in the order of `list backends` */
@@ -229,6 +254,15 @@ void aob_gpu_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *textur
 bool aob_gpu_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                           struct aob_error *error);
 
+/* A storage buffer of undefined content: 1..info.storage_bytes bytes, a multiple of four. What runs wrote into it can be
+ * read, what is written can be read by runs: between runs only. NULL after one line. */
+struct aob_gpu_buffer *aob_gpu_buffer_create(struct aob_gpu *gpu, size_t size, struct aob_error *error);
+void aob_gpu_buffer_destroy(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer);
+bool aob_gpu_buffer_write(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer, size_t offset, size_t size,
+                          const void *bytes, struct aob_error *error);
+bool aob_gpu_buffer_read(struct aob_gpu *gpu, const struct aob_gpu_buffer *buffer, size_t offset, size_t size,
+                         void *bytes, struct aob_error *error);
+
 /* A fragment program from whole GLSL 4.50 text (prelude included, with BIND(n) macros: see gpu/glsl.h), drawn
  * over the pass's area by one triangle. A compile error's first line, with its line number, is the reason. */
 struct aob_gpu_program *aob_gpu_program_create(struct aob_gpu *gpu, const char *glsl,
@@ -251,6 +285,11 @@ void aob_gpu_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
  * in no run's time. */
 bool aob_gpu_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block, size_t size,
                                struct aob_error *error);
+
+/* The part of a pass in_parts that the next runs draw; the rest of its targets keeps what it holds. Places in the image are
+ * those of the whole, and the pass is not compiled again. */
+bool aob_gpu_pass_set_part(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const struct aob_gpu_part *part,
+                           struct aob_error *error);
 
 /* The list of passes, `repeats` times, complete on return; each pass sees what those before it wrote. The times are sums
  * over the repeats. `times`: one for each place in the list, or NULL; `whole`: or NULL.

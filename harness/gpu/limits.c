@@ -54,6 +54,7 @@ static bool has_enough(const struct aob_gpu *gpu, const struct aob_gpu_pass_desc
     const struct aob_gpu_limits *limits = &gpu->limits;
     const struct counts counts = count_binds(desc);
     const uint32_t targets = (uint32_t)desc->target_count;
+    const uint32_t buffers = desc->storage ? 1 : 0;
     const bool vertex = desc->vertex_count;
     const struct {
         const char *what;
@@ -66,9 +67,11 @@ static bool has_enough(const struct aob_gpu *gpu, const struct aob_gpu_pass_desc
         {"sampled textures in its vertex text", vertex ? counts.sampled : 0, limits->vertex_sampled, other},
         {"storage images in its vertex text", vertex ? counts.storage : 0, limits->vertex_storage, sampled},
         {"bindings up to its last storage image", counts.bindings, limits->storage_bindings, sampled},
-        {"storage images and targets", counts.storage + targets, limits->storage_and_targets, sampled},
-        {"textures, targets and uniform blocks",
-         counts.sampled + counts.storage + targets + (desc->uniforms ? 1 : 0), limits->resources, other},
+        {"storage images, buffers and targets", counts.storage + buffers + targets,
+         limits->storage_and_targets, sampled},
+        {"textures, targets, buffers and uniform blocks",
+         counts.sampled + counts.storage + buffers + targets + (desc->uniforms ? 1 : 0), limits->resources,
+         other},
     };
     for (size_t i = 0; i < AOB_COUNT(rows); i++)
         if (rows[i].count > rows[i].most)

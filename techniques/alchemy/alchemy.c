@@ -80,7 +80,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    alchemy, .title = "Alchemy ambient obscurance", .revision = 4, .shaders = aob_shaders_alchemy,
+    alchemy, .title = "Alchemy ambient obscurance", .revision = 5, .shaders = aob_shaders_alchemy,
     .citation = "McGuire, Osman, Bukowski, Hennessy: The Alchemy Screen-Space Ambient Obscurance "
                 "Algorithm, HPG 2011",
     .summary =

@@ -52,7 +52,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    gtao, .title = "Ground-truth ambient occlusion", .revision = 3, .shaders = aob_shaders_gtao,
+    gtao, .title = "Ground-truth ambient occlusion", .revision = 4, .shaders = aob_shaders_gtao,
     .summary = "Visibility from horizons: in each slice about the view vector the highest elevation on both "
                "sides within the radius, then the closed-form integral of the cosine between them.",
     .notes = "Slices are even about the view vector, not in the image; taps below the tangent plane are "

@@ -197,7 +197,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    starcraft2_ssao, .title = "StarCraft II ambient occlusion", .revision = 2,
+    starcraft2_ssao, .title = "StarCraft II ambient occlusion", .revision = 3,
     .shaders = aob_shaders_starcraft2_ssao,
     .citation = "Filion: Principles and Practice of Screen Space Ambient Occlusion, Game "
                 "Programming Gems 8 (2010), 1.2",

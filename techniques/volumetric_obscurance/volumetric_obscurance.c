@@ -91,7 +91,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    volumetric_obscurance, .title = "Volumetric obscurance", .revision = 2,
+    volumetric_obscurance, .title = "Volumetric obscurance", .revision = 3,
     .shaders = aob_shaders_volumetric_obscurance,
     .summary =
         "The empty share of the half sphere above the surface point, by lines along the view that end at "

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, defaults, damaged, papers, timing, timer, compare, cache, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, cache, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -52,6 +52,17 @@ if wanted timer; then
       *) row "timer: $name" "$value" "$unit" ;;
     esac
   done <"$folder/timer"
+fi
+
+# The ceilings of a trace are 128 MiB on the device, which is this machine's memory too, and 512 MiB here.
+if wanted trace; then
+  while read -r name value unit; do
+    case $name in
+      words_missing) row "trace: $name" "$value" "$unit" "<=" 0 ;;
+      added_peak) row "trace: 4K x 64 samples, memory added" "$value" "$unit" "<=" 640 ;;
+      *) row "trace: 4K x 64 samples, $name" "$value" "$unit" ;;
+    esac
+  done < <(MESA_SHADER_CACHE_DISABLE=true build/release/bench/bench_trace)
 fi
 
 if wanted damaged; then

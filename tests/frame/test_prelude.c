@@ -168,9 +168,9 @@ static void test_bindings_are_apart(void **state)
 {
     (void)state;
     static const enum aob_binding single[] = {
-        AOB_BINDING_UNIFORMS, AOB_BINDING_DEPTH,  AOB_BINDING_NORMAL,   AOB_BINDING_OWN_DEPTH,
-        AOB_BINDING_VELOCITY, AOB_BINDING_ALBEDO, AOB_BINDING_MATERIAL, AOB_BINDING_TRIANGLES,
-        AOB_BINDING_LIGHT,    AOB_BINDING_TRACE};
+        AOB_BINDING_UNIFORMS,  AOB_BINDING_DEPTH,     AOB_BINDING_NORMAL,
+        AOB_BINDING_OWN_DEPTH, AOB_BINDING_VELOCITY,  AOB_BINDING_ALBEDO,
+        AOB_BINDING_MATERIAL,  AOB_BINDING_TRIANGLES, AOB_BINDING_LIGHT};
     uint32_t used = ((1u << AOB_MAX_IN) - 1) << AOB_BINDING_FIRST_INPUT;
     for (size_t i = 0; i < AOB_COUNT(single); i++) {
         assert_true((int)single[i] <= (int)AOB_GPU_MAX_BINDING);

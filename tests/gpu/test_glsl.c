@@ -63,6 +63,20 @@ static void compiles_the_screen_triangle(void **state)
     }
 }
 
+static void finds_the_storage_buffer(void **state)
+{
+    (void)state;
+    static const char text[] = "layout(std140, BIND(0)) uniform Block { float f; };\n"
+                               "layout(std430, BIND_STORAGE) buffer Words { uint words[]; };\n"
+                               "layout(location = 0) out float r;\nvoid main() { words[0] = 1u; r = f; }\n";
+    for (int client = AOB_GLSL_VULKAN; client <= AOB_GLSL_OPENGL; client++) {
+        size_t count;
+        uint32_t *words = compile(text, (enum aob_glsl_client)client, &count, NULL);
+        assert_true(aob_glsl_bindings(words, count) == ((uint64_t)1 << AOB_GLSL_STORAGE | 1));
+        free(words);
+    }
+}
+
 static void names_the_first_error_and_its_line(void **state)
 {
     (void)state;
@@ -104,7 +118,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(compiles_for_both_clients),          cmocka_unit_test(compiles_the_screen_triangle),
         cmocka_unit_test(names_the_first_error_and_its_line), cmocka_unit_test(refuses_junk),
-        cmocka_unit_test(gives_equal_words_for_equal_text),
+        cmocka_unit_test(gives_equal_words_for_equal_text),   cmocka_unit_test(finds_the_storage_buffer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

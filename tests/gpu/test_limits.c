@@ -72,9 +72,9 @@ static const struct {
     {offsetof(struct aob_gpu_limits, storage_bindings), 3, false,
      "pass with 3 bindings up to its last storage image: %s has 2 at most: use sampled reads"},
     {offsetof(struct aob_gpu_limits, storage_and_targets), 4, false,
-     "pass with 4 storage images and targets: %s has 3 at most: use sampled reads"},
+     "pass with 4 storage images, buffers and targets: %s has 3 at most: use sampled reads"},
     {offsetof(struct aob_gpu_limits, resources), 7, false,
-     "pass with 7 textures, targets and uniform blocks: %s has 6 at most: use another"},
+     "pass with 7 textures, targets, buffers and uniform blocks: %s has 6 at most: use another"},
 };
 
 static void expect_pass(const struct stand *stand, bool geometry, const char *line)

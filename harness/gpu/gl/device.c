@@ -47,6 +47,16 @@ void aob_gl_describe(PFNGLGETSTRINGPROC get, struct aob_gpu_device *device)
     device->device_class = device->software ? "cpu" : "gpu";
 }
 
+/* A program that cannot write to a storage buffer has no block for one. */
+static size_t storage_bytes(const struct gl_api *api)
+{
+    GLint blocks = 0;
+    GLint64 bytes = 0;
+    api->GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
+    api->GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    return blocks > 0 && bytes > 0 ? (size_t)bytes / 4 * 4 : 0;
+}
+
 static void describe(struct gl *gl)
 {
     struct aob_gpu_info *info = &gl->base.info;
@@ -55,6 +65,7 @@ static void describe(struct gl *gl)
     info->driver = gl->device.driver;
     info->software = gl->device.software;
     info->device_class = gl->device.device_class;
+    info->storage_bytes = storage_bytes(&gl->api);
 }
 
 static uint32_t limit(const struct gl *gl, GLenum name)

@@ -34,6 +34,9 @@
     X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                                                 \
     X(PFNGLNAMEDBUFFERSTORAGEPROC, NamedBufferStorage)                                                       \
     X(PFNGLNAMEDBUFFERSUBDATAPROC, NamedBufferSubData)                                                       \
+    X(PFNGLGETNAMEDBUFFERSUBDATAPROC, GetNamedBufferSubData)                                                 \
+    X(PFNGLMEMORYBARRIERPROC, MemoryBarrier)                                                                 \
+    X(PFNGLGETINTEGER64VPROC, GetInteger64v)                                                                 \
     X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                               \
     X(PFNGLCREATESHADERPROC, CreateShader)                                                                   \
     X(PFNGLDELETESHADERPROC, DeleteShader)                                                                   \
@@ -103,6 +106,11 @@ struct gl_texture {
     GLuint name;
 };
 
+struct gl_buffer {
+    struct aob_gpu_buffer base;
+    GLuint name;
+};
+
 struct gl_program {
     struct aob_gpu_program base;
     GLuint name;
@@ -138,6 +146,13 @@ bool aob_gl_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_des
 void aob_gl_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
 bool aob_gl_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                          struct aob_error *error);
+bool aob_gl_buffer_create(struct aob_gpu *gpu, size_t size, struct aob_gpu_buffer **buffer,
+                          struct aob_error *error);
+void aob_gl_buffer_destroy(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer);
+bool aob_gl_buffer_write(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer, size_t offset, size_t size,
+                         const void *bytes, struct aob_error *error);
+bool aob_gl_buffer_read(struct aob_gpu *gpu, const struct aob_gpu_buffer *buffer, size_t offset, size_t size,
+                        void *bytes, struct aob_error *error);
 bool aob_gl_program_create(struct aob_gpu *gpu, const char *vertex, const char *fragment,
                            struct aob_gpu_program **program, struct aob_error *error);
 void aob_gl_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program);
@@ -146,6 +161,7 @@ bool aob_gl_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
 void aob_gl_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
 bool aob_gl_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
                               struct aob_error *error);
+void aob_gl_pass_set_part(struct aob_gpu_pass *pass, const struct aob_gpu_part *part);
 bool aob_gl_run(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, struct aob_gpu_time *times,
                 struct aob_gpu_time *whole, struct aob_error *error);
 
@@ -156,7 +172,10 @@ void aob_gl_pass_draw(const struct gl *gl, const struct aob_gpu_pass *pass);
 #define AOB_GL_SLOTS                                                                                         \
     .environment = aob_gpu_driver_environment, .close = aob_gl_close, .format_lacks = aob_gl_lacks,          \
     .texture_create = aob_gl_texture_create, .texture_destroy = aob_gl_texture_destroy,                      \
-    .texture_read = aob_gl_texture_read, .program_create = aob_gl_program_create,                            \
+    .texture_read = aob_gl_texture_read, .buffer_create = aob_gl_buffer_create,                              \
+    .buffer_destroy = aob_gl_buffer_destroy, .buffer_write = aob_gl_buffer_write,                            \
+    .buffer_read = aob_gl_buffer_read, .program_create = aob_gl_program_create,                              \
     .program_destroy = aob_gl_program_destroy, .pass_create = aob_gl_pass_create,                            \
-    .pass_destroy = aob_gl_pass_destroy, .pass_set_uniforms = aob_gl_pass_set_uniforms, .run = aob_gl_run
+    .pass_destroy = aob_gl_pass_destroy, .pass_set_uniforms = aob_gl_pass_set_uniforms,                      \
+    .pass_set_part = aob_gl_pass_set_part, .run = aob_gl_run
 #endif

@@ -6,12 +6,14 @@
 
 struct gl_pass {
     struct aob_gpu_pass base;
-    GLuint framebuffer, uniforms, program, depth; /* depth 0: no test */
+    GLuint framebuffer, uniforms, storage, program, depth; /* depth 0: no test */
     struct aob_gpu_bind *binds;
     GLuint *views; /* by bind: of the levels that a sampled one shows, else 0 */
     size_t bind_count;
     GLint width, height;
-    bool part; /* the area is less than its targets */
+    GLint row, rows; /* that are drawn */
+    bool part;       /* the area is less than its targets, or may be drawn in parts */
+    GLint first_vertex;
     GLsizei vertices;
     bool add;
     GLint clears; /* targets */
@@ -30,8 +32,8 @@ static void create_framebuffer(const struct gl_api *api, const struct aob_gpu_pa
     }
     api->NamedFramebufferDrawBuffers(pass->framebuffer, (GLsizei)desc->target_count, buffers);
     pass->width = desc->width;
-    pass->height = desc->height;
-    pass->part = desc->width < aob_gpu_level_side(first->texture->width, first->level) ||
+    pass->height = pass->rows = desc->height;
+    pass->part = desc->in_parts || desc->width < aob_gpu_level_side(first->texture->width, first->level) ||
                  desc->height < aob_gpu_level_side(first->texture->height, first->level);
 }
 
@@ -79,6 +81,7 @@ static struct gl_pass *describe_pass(const struct aob_gpu_pass_desc *desc)
     for (size_t i = 0; i < desc->bind_count; i++)
         made->binds[i] = desc->binds[i];
     made->vertices = desc->vertex_count ? (GLsizei)desc->vertex_count : 3;
+    made->storage = desc->storage ? ((const struct gl_buffer *)desc->storage)->name : 0;
     made->add = desc->blend == AOB_GPU_ADD;
     made->clears = desc->program->geometry ? (GLint)desc->target_count : 0;
     return made;
@@ -160,13 +163,15 @@ void aob_gl_pass_bind(const struct gl *gl, const struct aob_gpu_pass *base)
     const struct gl_pass *pass = (const struct gl_pass *)base;
     gl->api.BindFramebuffer(GL_DRAW_FRAMEBUFFER, pass->framebuffer);
     gl->api.Viewport(0, 0, pass->width, pass->height);
-    gl->api.Scissor(0, 0, pass->width, pass->height);
+    gl->api.Scissor(0, pass->row, pass->width, pass->rows);
     set_switch(&gl->api, GL_SCISSOR_TEST, pass->part); /* clearing knows no viewport */
     gl->api.UseProgram(pass->program);
     set_switch(&gl->api, GL_DEPTH_TEST, pass->depth);
     set_switch(&gl->api, GL_BLEND, pass->add);
     if (pass->uniforms)
         gl->api.BindBufferBase(GL_UNIFORM_BUFFER, 0, pass->uniforms);
+    if (pass->storage)
+        gl->api.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, pass->storage);
     for (size_t i = 0; i < pass->bind_count; i++)
         bind_texture(gl, &pass->binds[i], pass->views[i]);
 }
@@ -175,5 +180,14 @@ void aob_gl_pass_draw(const struct gl *gl, const struct aob_gpu_pass *base)
 {
     const struct gl_pass *pass = (const struct gl_pass *)base;
     clear_targets(&gl->api, pass);
-    gl->api.DrawArrays(GL_TRIANGLES, 0, pass->vertices);
+    gl->api.DrawArrays(GL_TRIANGLES, pass->first_vertex, pass->vertices);
+}
+
+void aob_gl_pass_set_part(struct aob_gpu_pass *base, const struct aob_gpu_part *part)
+{
+    struct gl_pass *pass = (struct gl_pass *)base;
+    pass->row = part->row;
+    pass->rows = part->rows;
+    pass->first_vertex = (GLint)part->first_vertex;
+    pass->vertices = part->vertex_count ? (GLsizei)part->vertex_count : 3;
 }

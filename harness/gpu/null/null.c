@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NS_PER_TEXEL = 100 };
+enum { NS_PER_TEXEL = 100, STORAGE_BYTES = 128 << 20 };
 
 struct null_texture {
     struct aob_gpu_texture base;
@@ -15,7 +15,12 @@ struct null_pass {
     struct aob_gpu_pass base;
     struct aob_gpu_target targets[AOB_MAX_OUT];
     size_t target_count;
-    int width, height;
+    int width, row, rows;
+};
+
+struct null_buffer {
+    struct aob_gpu_buffer base;
+    unsigned char bytes[];
 };
 
 static struct null_texture *null_texture(const struct aob_gpu_texture *texture)
@@ -33,7 +38,8 @@ static struct aob_gpu *null_open(const struct aob_gpu_desc *desc, struct aob_err
                                       .device_class = "cpu",
                                       .software = true,
                                       .timer = true,
-                                      .draws_nothing = true};
+                                      .draws_nothing = true,
+                                      .storage_bytes = STORAGE_BYTES};
     gpu->limits = aob_gpu_no_limits;
     return aob_gpu_keep_single(gpu, desc, error);
 }
@@ -94,6 +100,40 @@ static bool null_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture 
     return true;
 }
 
+static bool null_buffer_create(struct aob_gpu *gpu, size_t size, struct aob_gpu_buffer **buffer,
+                               struct aob_error *error)
+{
+    (void)gpu;
+    (void)error;
+    struct null_buffer *made = aob_alloc(sizeof *made + size, 1);
+    *buffer = &made->base;
+    return true;
+}
+
+static void null_buffer_destroy(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer)
+{
+    (void)gpu;
+    free(buffer);
+}
+
+static bool null_buffer_write(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer, size_t offset, size_t size,
+                              const void *bytes, struct aob_error *error)
+{
+    (void)gpu;
+    (void)error;
+    memcpy(((struct null_buffer *)buffer)->bytes + offset, bytes, size);
+    return true;
+}
+
+static bool null_buffer_read(struct aob_gpu *gpu, const struct aob_gpu_buffer *buffer, size_t offset,
+                             size_t size, void *bytes, struct aob_error *error)
+{
+    (void)gpu;
+    (void)error;
+    memcpy(bytes, ((const struct null_buffer *)buffer)->bytes + offset, size);
+    return true;
+}
+
 static bool add_bindings(const char *text, enum aob_glsl_stage stage, uint64_t *bindings,
                          struct aob_error *error)
 {
@@ -135,7 +175,7 @@ static bool null_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc
     for (size_t i = 0; i < desc->target_count; i++)
         made->targets[i] = desc->targets[i];
     made->width = desc->width;
-    made->height = desc->height;
+    made->rows = desc->height;
     *pass = &made->base;
     return true;
 }
@@ -156,21 +196,28 @@ static bool null_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pas
     return true;
 }
 
-static void clear_area(const struct aob_gpu_target *target, int width, int height)
+static void null_pass_set_part(struct aob_gpu_pass *base, const struct aob_gpu_part *part)
+{
+    struct null_pass *pass = (struct null_pass *)base;
+    pass->row = part->row;
+    pass->rows = part->rows;
+}
+
+static void clear_area(const struct aob_gpu_target *target, const struct null_pass *pass)
 {
     const struct aob_gpu_texture *texture = target->texture;
     size_t texel = aob_gpu_texel_size(texture->format);
     size_t row = (size_t)aob_gpu_level_side(texture->width, target->level) * texel;
     unsigned char *texels = null_texture(texture)->texels + level_offset(texture, target->level);
-    for (int y = 0; y < height; y++)
-        memset(texels + (size_t)y * row, 0, (size_t)width * texel);
+    for (int y = pass->row; y < pass->row + pass->rows; y++)
+        memset(texels + (size_t)y * row, 0, (size_t)pass->width * texel);
 }
 
 static int64_t run_pass(const struct null_pass *pass)
 {
     for (size_t i = 0; i < pass->target_count; i++)
-        clear_area(&pass->targets[i], pass->width, pass->height);
-    return (int64_t)pass->target_count * pass->width * pass->height * NS_PER_TEXEL;
+        clear_area(&pass->targets[i], pass);
+    return (int64_t)pass->target_count * pass->width * pass->rows * NS_PER_TEXEL;
 }
 
 static bool null_run(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, struct aob_gpu_time *times,
@@ -200,10 +247,15 @@ const struct aob_gpu_fns aob_gpu_null = {
     .texture_create = null_texture_create,
     .texture_destroy = null_texture_destroy,
     .texture_read = null_texture_read,
+    .buffer_create = null_buffer_create,
+    .buffer_destroy = null_buffer_destroy,
+    .buffer_write = null_buffer_write,
+    .buffer_read = null_buffer_read,
     .program_create = null_program_create,
     .program_destroy = null_program_destroy,
     .pass_create = null_pass_create,
     .pass_destroy = null_pass_destroy,
     .pass_set_uniforms = null_pass_set_uniforms,
+    .pass_set_part = null_pass_set_part,
     .run = null_run,
 };

@@ -1,6 +1,7 @@
 #include "vk.h"
 #include "base/memory.h"
 #include "gpu/backends.h"
+#include "gpu/glsl.h"
 #include <string.h>
 
 static VkDescriptorType descriptor_type(enum aob_gpu_bind_kind kind)
@@ -21,7 +22,7 @@ static VkDescriptorSetLayoutBinding describe_binding(uint32_t binding, VkDescrip
 static bool create_layout(struct vk *vk, const struct aob_gpu_pass_desc *desc, struct vk_binds *binds,
                           struct aob_error *error)
 {
-    VkDescriptorSetLayoutBinding bindings[AOB_GPU_MAX_BINDING + 1];
+    VkDescriptorSetLayoutBinding bindings[AOB_GPU_MAX_BINDING + 2];
     uint32_t count = 0;
     bool geometry = desc->program->geometry;
     if (desc->uniforms)
@@ -29,6 +30,9 @@ static bool create_layout(struct vk *vk, const struct aob_gpu_pass_desc *desc, s
     for (size_t i = 0; i < desc->bind_count; i++)
         bindings[count++] =
             describe_binding(desc->binds[i].binding, descriptor_type(desc->binds[i].kind), geometry);
+    if (desc->storage)
+        bindings[count++] =
+            describe_binding(AOB_GLSL_STORAGE_BINDING, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, false);
     VkDescriptorSetLayoutCreateInfo set = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
                                            .bindingCount = count,
                                            .pBindings = bindings};
@@ -48,6 +52,7 @@ static bool allocate_set(struct vk *vk, struct vk_binds *binds, struct aob_error
         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
         {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, AOB_GPU_MAX_BINDING},
         {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, AOB_GPU_MAX_BINDING},
+        {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1},
     };
     VkDescriptorPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                        .maxSets = 1,
@@ -84,6 +89,19 @@ static bool write_texture(struct vk *vk, const struct aob_gpu_bind *bind, VkDesc
     return true;
 }
 
+static void write_buffer(struct vk *vk, VkBuffer buffer, VkDescriptorSet set, uint32_t binding,
+                         VkDescriptorType type)
+{
+    VkDescriptorBufferInfo whole = {.buffer = buffer, .range = VK_WHOLE_SIZE};
+    VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                  .dstSet = set,
+                                  .dstBinding = binding,
+                                  .descriptorCount = 1,
+                                  .descriptorType = type,
+                                  .pBufferInfo = &whole};
+    vkUpdateDescriptorSets(vk->device, 1, &write, 0, NULL);
+}
+
 static bool write_uniforms(struct vk *vk, const struct aob_gpu_pass_desc *desc, struct vk_binds *binds,
                            struct aob_error *error)
 {
@@ -92,13 +110,7 @@ static bool write_uniforms(struct vk *vk, const struct aob_gpu_pass_desc *desc, 
     if (!aob_vk_buffer_init(vk, size, VK_MEMORY_UNIFORMS, &binds->uniforms, error))
         return false;
     memcpy(binds->uniforms.map, desc->uniforms, desc->uniform_size);
-    VkDescriptorBufferInfo buffer = {.buffer = binds->uniforms.buffer, .range = VK_WHOLE_SIZE};
-    VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-                                  .dstSet = binds->set,
-                                  .descriptorCount = 1,
-                                  .descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-                                  .pBufferInfo = &buffer};
-    vkUpdateDescriptorSets(vk->device, 1, &write, 0, NULL);
+    write_buffer(vk, binds->uniforms.buffer, binds->set, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
     return true;
 }
 
@@ -107,13 +119,16 @@ bool aob_vk_binds_init(struct vk *vk, const struct aob_gpu_pass_desc *desc, stru
 {
     if (!create_layout(vk, desc, binds, error))
         return false;
-    if (!desc->uniforms && !desc->bind_count)
+    if (!desc->uniforms && !desc->bind_count && !desc->storage)
         return true;
     if (!allocate_set(vk, binds, error))
         return false;
     for (size_t i = 0; i < desc->bind_count; i++)
         if (!write_texture(vk, &desc->binds[i], binds->set, &binds->views[i], error))
             return false;
+    if (desc->storage)
+        write_buffer(vk, ((const struct vk_storage *)desc->storage)->buffer.buffer, binds->set,
+                     AOB_GLSL_STORAGE_BINDING, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     return !desc->uniforms || write_uniforms(vk, desc, binds, error);
 }
 

@@ -9,6 +9,7 @@ static bool create_device(struct vk *vk, struct aob_error *error)
     VkPhysicalDeviceFeatures has;
     vkGetPhysicalDeviceFeatures(vk->physical, &has);
     vk->extended_storage = has.shaderStorageImageExtendedFormats;
+    vk->fragment_stores = has.fragmentStoresAndAtomics;
     VkPhysicalDeviceVulkan13Features features13 = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
         .dynamicRendering = VK_TRUE,
@@ -22,8 +23,10 @@ static bool create_device(struct vk *vk, struct aob_error *error)
                                                         .queueFamilyIndex = vk->family,
                                                         .queueCount = 1,
                                                         .pQueuePriorities = &(float){1}},
-        .pEnabledFeatures = &(VkPhysicalDeviceFeatures){.shaderStorageImageExtendedFormats =
-                                                            has.shaderStorageImageExtendedFormats},
+        .pEnabledFeatures =
+            &(VkPhysicalDeviceFeatures){.shaderStorageImageExtendedFormats =
+                                            has.shaderStorageImageExtendedFormats,
+                                        .fragmentStoresAndAtomics = has.fragmentStoresAndAtomics},
     };
     if (!aob_vk_ok(vk, vkCreateDevice(vk->physical, &create, NULL, &vk->device), "create a device", error))
         return false;
@@ -88,12 +91,14 @@ static void read_limits(struct vk *vk)
 
 static void describe(struct vk *vk)
 {
-    vk->base.info = (struct aob_gpu_info){.backend = vk->base.fns->name,
-                                          .device = vk->chosen.name,
-                                          .driver = vk->chosen.driver,
-                                          .device_class = vk->chosen.device_class,
-                                          .software = vk->chosen.software,
-                                          .timer = vk->chosen.timer};
+    vk->base.info = (struct aob_gpu_info){
+        .backend = vk->base.fns->name,
+        .device = vk->chosen.name,
+        .driver = vk->chosen.driver,
+        .device_class = vk->chosen.device_class,
+        .software = vk->chosen.software,
+        .timer = vk->chosen.timer,
+        .storage_bytes = vk->fragment_stores ? vk->properties.limits.maxStorageBufferRange / 4 * 4 : 0};
 }
 
 struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_desc *desc,

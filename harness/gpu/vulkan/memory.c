@@ -19,6 +19,7 @@ static const struct {
     [VK_MEMORY_UNIFORMS] = {{DEVICE | HOST, 0}, {HOST, 0}, {HOST, 0}},
     [VK_MEMORY_UPLOAD] = {{HOST, DEVICE}, {HOST, 0}, {HOST, 0}},
     [VK_MEMORY_DOWNLOAD] = {{HOST | CACHED, DEVICE}, {HOST | CACHED, 0}, {HOST, 0}},
+    [VK_MEMORY_STORAGE] = {{HOST | CACHED, DEVICE}, {HOST | CACHED, 0}, {HOST, 0}},
 };
 
 static bool find_type(const VkPhysicalDeviceMemoryProperties *memory, uint32_t allowed,
@@ -63,6 +64,7 @@ bool aob_vk_buffer_init(struct vk *vk, size_t size, enum vk_memory_use use, stru
         [VK_MEMORY_UNIFORMS] = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
         [VK_MEMORY_UPLOAD] = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
         [VK_MEMORY_DOWNLOAD] = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+        [VK_MEMORY_STORAGE] = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
     };
     *buffer = (struct vk_buffer){0};
     VkBufferCreateInfo create = {

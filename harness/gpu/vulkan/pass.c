@@ -12,8 +12,8 @@ struct vk_pass {
     /* What a run records. */
     VkImageMemoryBarrier2 opening[AOB_MAX_OUT + 1], closing[AOB_MAX_OUT];
     VkRenderingAttachmentInfo outputs[AOB_MAX_OUT], cleared_depth;
-    uint32_t opening_count, target_count, vertex_count;
-    VkExtent2D area;
+    uint32_t opening_count, target_count, first_vertex, vertex_count;
+    VkRect2D area;
 };
 
 enum { FLUSH_EVERY = 8 };
@@ -37,13 +37,14 @@ static bool covers(const struct aob_gpu_pass_desc *desc, const struct aob_gpu_ta
            desc->height == aob_gpu_level_side(target->texture->height, target->level);
 }
 
-/* From rest to being drawn to. A level that is drawn whole need not keep what it held. */
+/* From rest to being drawn to. A level that every run draws whole need not keep what it held. */
 static void describe_opening(const struct aob_gpu_pass_desc *desc, struct vk_pass *pass)
 {
     for (size_t i = 0; i < desc->target_count; i++) {
         const struct aob_gpu_target *target = &desc->targets[i];
         const struct vk_texture *texture = (const struct vk_texture *)target->texture;
-        struct vk_state from = covers(desc, target) ? aob_vk_undefined(texture->rest) : texture->rest;
+        bool whole = covers(desc, target) && !desc->in_parts;
+        struct vk_state from = whole ? aob_vk_undefined(texture->rest) : texture->rest;
         pass->opening[pass->opening_count++] = aob_vk_move(
             texture->image.image, aob_vk_levels(target->level, 1), from, aob_vk_drawn(desc->blend));
     }
@@ -78,7 +79,7 @@ static void describe_attachments(const struct aob_gpu_pass_desc *desc, struct vk
 
 static void describe_draw(const struct aob_gpu_pass_desc *desc, struct vk_pass *pass)
 {
-    pass->area = (VkExtent2D){(uint32_t)desc->width, (uint32_t)desc->height};
+    pass->area.extent = (VkExtent2D){(uint32_t)desc->width, (uint32_t)desc->height};
     pass->target_count = (uint32_t)desc->target_count;
     pass->vertex_count = desc->vertex_count ? desc->vertex_count : 3;
     describe_opening(desc, pass);
@@ -91,7 +92,7 @@ void aob_vk_pass_record(const struct aob_gpu_pass *base, VkCommandBuffer command
     const struct vk_pass *pass = (const struct vk_pass *)base;
     VkRenderingInfo rendering = {
         .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-        .renderArea = {.extent = pass->area},
+        .renderArea = pass->area,
         .layerCount = 1,
         .colorAttachmentCount = pass->target_count,
         .pColorAttachments = pass->outputs,
@@ -103,7 +104,8 @@ void aob_vk_pass_record(const struct aob_gpu_pass *base, VkCommandBuffer command
     if (pass->binds.set)
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass->binds.layout, 0, 1,
                                 &pass->binds.set, 0, NULL);
-    vkCmdDraw(commands, pass->vertex_count, 1, 0, 0);
+    vkCmdSetScissor(commands, 0, 1, &pass->area);
+    vkCmdDraw(commands, pass->vertex_count, 1, pass->first_vertex, 0);
     vkCmdEndRendering(commands);
     aob_vk_record_moves(commands, pass->closing, pass->target_count);
 }
@@ -146,4 +148,13 @@ bool aob_vk_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, co
     (void)error;
     memcpy(((struct vk_pass *)pass)->binds.uniforms.map, block, pass->uniform_size);
     return true;
+}
+
+void aob_vk_pass_set_part(struct aob_gpu_pass *base, const struct aob_gpu_part *part)
+{
+    struct vk_pass *pass = (struct vk_pass *)base;
+    pass->area.offset.y = part->row;
+    pass->area.extent.height = (uint32_t)part->rows;
+    pass->first_vertex = part->first_vertex;
+    pass->vertex_count = part->vertex_count ? part->vertex_count : 3;
 }

@@ -61,17 +61,21 @@ static VkPipelineRenderingCreateInfo describe_targets(const struct aob_gpu_pass_
                                                desc->depth_test ? AOB_VK_DEPTH_FORMAT : VK_FORMAT_UNDEFINED};
 }
 
+static const VkPipelineDynamicStateCreateInfo any_scissor = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
+    .dynamicStateCount = 1,
+    .pDynamicStates = &(const VkDynamicState){VK_DYNAMIC_STATE_SCISSOR},
+};
+
 static VkPipelineViewportStateCreateInfo describe_area(const struct aob_gpu_pass_desc *desc,
-                                                       VkViewport *viewport, VkRect2D *scissor)
+                                                       VkViewport *viewport)
 {
-    *scissor = (VkRect2D){.extent = {(uint32_t)desc->width, (uint32_t)desc->height}};
     *viewport = (VkViewport){.width = (float)desc->width, .height = (float)desc->height, .maxDepth = 1};
     return (VkPipelineViewportStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
         .viewportCount = 1,
         .pViewports = viewport,
         .scissorCount = 1,
-        .pScissors = scissor,
     };
 }
 
@@ -86,9 +90,8 @@ bool aob_vk_pipeline_create(struct vk *vk, const struct aob_gpu_pass_desc *desc,
     VkFormat formats[AOB_MAX_OUT];
     VkPipelineColorBlendAttachmentState outputs[AOB_MAX_OUT];
     VkViewport viewport;
-    VkRect2D scissor;
     VkPipelineRenderingCreateInfo targets = describe_targets(desc, formats);
-    VkPipelineViewportStateCreateInfo area = describe_area(desc, &viewport, &scissor);
+    VkPipelineViewportStateCreateInfo area = describe_area(desc, &viewport);
     VkPipelineColorBlendStateCreateInfo output = describe_output(desc, outputs);
     VkGraphicsPipelineCreateInfo create = {
         .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
@@ -102,6 +105,7 @@ bool aob_vk_pipeline_create(struct vk *vk, const struct aob_gpu_pass_desc *desc,
         .pMultisampleState = &one_sample,
         .pDepthStencilState = desc->depth_test ? &greater_wins : NULL,
         .pColorBlendState = &output,
+        .pDynamicState = &any_scissor,
         .layout = layout,
     };
     return aob_vk_ok(vk, vkCreateGraphicsPipelines(vk->device, NULL, 1, &create, NULL, pipeline),

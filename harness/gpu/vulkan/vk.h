@@ -14,6 +14,7 @@ struct vk {
     VkPhysicalDeviceProperties properties;
     VkPhysicalDeviceMemoryProperties memory;
     uint32_t family;
+    bool fragment_stores;  /* fragment programs can write storage buffers */
     bool extended_storage; /* storage images of every format that the device has, not of GLSL ES's only */
     VkDevice device;
     VkQueue queue;
@@ -33,6 +34,11 @@ struct vk_buffer { /* mapped as long as it lives */
     VkBuffer buffer;
     VkDeviceMemory memory;
     void *map;
+};
+
+struct vk_storage { /* a storage buffer */
+    struct aob_gpu_buffer base;
+    struct vk_buffer buffer;
 };
 
 struct vk_image {
@@ -93,6 +99,7 @@ enum vk_memory_use {
     VK_MEMORY_UNIFORMS, /* written by the host between runs: the device's own where the host sees it, else the host's */
     VK_MEMORY_UPLOAD, /* written once by the host: the host's, so that what it sees of the device's stays free */
     VK_MEMORY_DOWNLOAD, /* read by the host: the host's, cached if there is such */
+    VK_MEMORY_STORAGE,  /* written by programs and read by the host: as DOWNLOAD */
 };
 bool aob_vk_memory_choose(const VkPhysicalDeviceMemoryProperties *memory, uint32_t allowed,
                           enum vk_memory_use use, uint32_t *type);
@@ -100,6 +107,15 @@ bool aob_vk_memory_choose(const VkPhysicalDeviceMemoryProperties *memory, uint32
 bool aob_vk_buffer_init(struct vk *vk, size_t size, enum vk_memory_use use, struct vk_buffer *buffer,
                         struct aob_error *error);
 void aob_vk_buffer_finish(struct vk *vk, struct vk_buffer *buffer);
+/* The table's slots for storage buffers. */
+bool aob_vk_storage_create(struct aob_gpu *gpu, size_t size, struct aob_gpu_buffer **buffer,
+                           struct aob_error *error);
+void aob_vk_storage_destroy(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer);
+bool aob_vk_storage_write(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer, size_t offset, size_t size,
+                          const void *bytes, struct aob_error *error);
+bool aob_vk_storage_read(struct aob_gpu *gpu, const struct aob_gpu_buffer *buffer, size_t offset, size_t size,
+                         void *bytes, struct aob_error *error);
+
 bool aob_vk_allocate(struct vk *vk, const VkMemoryRequirements *needs, enum vk_memory_use use,
                      VkDeviceMemory *memory, struct aob_error *error);
 
@@ -186,6 +202,7 @@ bool aob_vk_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
 void aob_vk_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass);
 bool aob_vk_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,
                               struct aob_error *error);
+void aob_vk_pass_set_part(struct aob_gpu_pass *pass, const struct aob_gpu_part *part);
 void aob_vk_pass_record(const struct aob_gpu_pass *pass, VkCommandBuffer commands);
 
 /* run.c: the slot, and what it needs of a device. */
