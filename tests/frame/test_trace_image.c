@@ -105,16 +105,24 @@ static bool check_settings(struct aob_gpu *gpu, const struct aob_rig *rig, const
     return same;
 }
 
-static bool check_backend(const struct rigs *rigs, const char *backend, bool all)
+/* The compiler behind the three drivers is one, so the many settings are tried on one of them. */
+static bool check_vulkan(const struct rigs *rigs)
 {
-    struct aob_gpu *gpu = aob_rig_gpu(backend);
+    struct aob_gpu *gpu = aob_rig_gpu("vulkan");
     bool same = check_all(gpu, &rigs->perspective, "fetch=sampled");
     same = check_all(gpu, &rigs->perspective, "fetch=storage") && same;
     same = check_all(gpu, &rigs->parallel, "fetch=sampled") && same;
-    if (all) {
-        same = check_settings(gpu, &rigs->perspective, settings, AOB_COUNT(settings)) && same;
-        same = check_settings(gpu, &rigs->parallel, encodings, AOB_COUNT(encodings)) && same;
-    }
+    same = check_settings(gpu, &rigs->perspective, settings, AOB_COUNT(settings)) && same;
+    same = check_settings(gpu, &rigs->parallel, encodings, AOB_COUNT(encodings)) && same;
+    aob_gpu_close(gpu);
+    return same;
+}
+
+static bool check_gl(const struct rigs *rigs, const char *backend)
+{
+    struct aob_gpu *gpu = aob_rig_gpu(backend);
+    bool same = check_all(gpu, &rigs->perspective, "fetch=sampled");
+    same = check_all(gpu, &rigs->parallel, "fetch=storage") && same;
     aob_gpu_close(gpu);
     return same;
 }
@@ -125,9 +133,9 @@ static void test_images_are_equal(void **state)
     struct rigs rigs;
     aob_rig_scene(&rigs.perspective, "cornell", "blocks", W, H, 4);
     init_parallel(&rigs.parallel);
-    bool same = check_backend(&rigs, "vulkan", true);
-    same = check_backend(&rigs, "gl-egl", true) && same;
-    same = check_backend(&rigs, "gl-osmesa", false) && same; /* it compiles as gl-egl does */
+    bool same = check_vulkan(&rigs);
+    same = check_gl(&rigs, "gl-egl") && same;
+    same = check_gl(&rigs, "gl-osmesa") && same;
     aob_rig_finish(&rigs.perspective);
     aob_rig_finish(&rigs.parallel);
     assert_true(same);
