@@ -7,7 +7,7 @@ _aobudget() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
   local words
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="list plan run shot report papers compare calibrate doctor --help --version"
+    words="list plan run shot report papers compare calibrate cache doctor --help --version"
   else
     case $previous in
       --technique) words=$(_aobudget_names techniques) ;;
@@ -17,7 +17,8 @@ _aobudget() {
       --handed) words="right left" ;;
       --backend) words=$(_aobudget_names backends) ;;
       --target-weighting) words="cosine uniform" ;;
-      list) words="techniques scenes backends" ;;
+      list) words="techniques scenes backends profiles" ;;
+      --index) words="modulo xor" ;;
       *)
         case $current in
           # A flag that was given another name stays in the help, to say so, and is not offered.

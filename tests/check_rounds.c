@@ -8,6 +8,7 @@
 #include "base/json.h"
 #include "store/journal.h"
 #include "timing/estimate.h"
+#include "timing/forecast.h"
 #include "timing/summary.h"
 
 static int differences;
@@ -16,7 +17,8 @@ static int differences;
 static void compare(const json_t *time, const char *name, double again)
 {
     double stored = aob_json_to_number(json_object_get(time, name));
-    bool same = isnan(again) ? isnan(stored) : fabs(stored - again) <= 1e-8 * fabs(again);
+    bool same = isfinite(again) ? fabs(stored - again) <= 1e-8 * fabs(again)
+                                : stored == again || (isnan(again) && isnan(stored));
     if (!same)
         differences += printf("%s: %.17g in the journal, %.17g again\n", name, stored, again) > 0;
 }
@@ -42,6 +44,9 @@ static void compare_record(const json_t *time, const struct aob_round_list *roun
         measured += aob_round_seconds(&rounds->items[r]);
     compare_times(time, &again.whole, &again.to_fixed);
     compare(time, "precision", again.to_fixed.bounded ? aob_estimate_half_width(&again.to_fixed) : NAN);
+    const struct aob_processes_desc asked = {
+        .precision = aob_json_to_number(json_object_get(time, "precision_wanted"))};
+    compare(time, "seconds_needed", aob_seconds_needed(rounds, slot, &asked));
     compare(time, "seconds", measured / (double)(rounds->items[0].slot_count - AOB_SLOT_CASES));
     compare(time, "rounds", (double)again.rounds);
     compare(time, "clean_rounds", (double)again.clean_rounds);

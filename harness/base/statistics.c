@@ -32,20 +32,17 @@ double aob_median(const double *x, size_t n)
     return aob_quantile(x, n, 0.5);
 }
 
-/* P(Bin(n, 1/2) <= k). */
-static double binomial_tail(size_t n, size_t k)
+/* P(Bin(n, 1/2) = k). */
+static double binomial(size_t n, size_t k)
 {
-    double sum = 0;
-    for (size_t i = 0; i <= k; i++)
-        sum += exp(lgamma((double)n + 1) - lgamma((double)i + 1) - lgamma((double)(n - i) + 1) -
-                   (double)n * log(2.0));
-    return sum;
+    return exp(lgamma((double)n + 1) - lgamma((double)k + 1) - lgamma((double)(n - k) + 1) -
+               (double)n * log(2.0));
 }
 
 bool aob_median_interval(const double *x, size_t n, double *low, double *high)
 {
-    size_t k = 0; /* P(Bin < k) = P(Bin <= k-1) */
-    while (k < n / 2 && binomial_tail(n, k) <= 0.025)
+    size_t k = 0; /* P(Bin < k) = P(Bin <= k - 1) */
+    for (double tail = binomial(n, 0); k < n / 2 && tail <= 0.025; tail += binomial(n, k))
         k++;
     double *s = sorted(x, n);
     size_t first = k ? k - 1 : 0;

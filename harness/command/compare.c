@@ -14,7 +14,8 @@ struct options {
     }
 static const struct aob_flag flags[] = {
     TEXT("precision", "P%", precision, "the difference that counts (2%)"),
-    TEXT("config", "FILE", config, "of two modules: the cases (atrium, 480x270, vulkan, defaults)"),
+    TEXT("config", "FILE", config,
+         "of modules: the cases (those of the run A; else atrium, 480x270, vulkan, defaults)"),
     TEXT("technique", "NAME", technique, "of two modules: this one only (all that both have)"),
     TEXT("seconds", "S", seconds, "of two modules: of timing a case, at most (6)"),
     TEXT("out", "DIR", out, "what is measured, and maps of what moved (results/compare)"),

@@ -26,28 +26,72 @@ static void find(struct checkup *checkup, const char *what, const char *name, bo
                                     says, "cure", ok || !cure ? "" : cure));
 }
 
-static void check_backend(struct checkup *checkup, const struct aob_gpu_fns *backend)
+/* What brings a driver of a backend; NULL: nothing does, as it draws nothing. */
+static const char *packages_of(const struct aob_gpu_fns *backend)
 {
     static const struct {
         const char *backend, *cure;
     } cures[] = {{"vulkan", "apt-get install libvulkan1 mesa-vulkan-drivers"},
                  {"gl-egl", "apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri"},
                  {"gl-osmesa", "apt-get install libosmesa6"}};
+    for (size_t i = 0; i < AOB_COUNT(cures); i++)
+        if (strcmp(cures[i].backend, backend->name) == 0)
+            return cures[i].cure;
+    return NULL;
+}
+
+static bool any(const json_t *devices, bool (*is)(const json_t *device))
+{
+    const json_t *device;
+    size_t at;
+    json_array_foreach(devices, at, device)
+    {
+        if (is(device))
+            return true;
+    }
+    return false;
+}
+
+static bool is_chosen(const json_t *device)
+{
+    return json_is_true(json_object_get(device, "chosen"));
+}
+
+static bool is_whole(const json_t *device)
+{
+    return !*json_string_value(json_object_get(device, "lacks"));
+}
+
+/* Of a backend whose device cannot be opened, by what it has without the user's choice. */
+static const char *cure_of(const struct checkup *checkup, const struct aob_gpu_fns *backend)
+{
+    struct aob_dispatch dispatch = *checkup->dispatch;
+    const char *cure = "another device (--device) or a newer driver";
+    dispatch.device = NULL;
+    json_t *devices = aob_dispatch_devices(&dispatch, backend->name, NULL);
+    if (any(devices, is_chosen))
+        cure = checkup->dispatch->device ? "choose a device that `aobudget list backends` shows" : cure;
+    else if (any(devices, is_whole)) /* a processor, which is not taken unasked (gpu/gpu.h) */
+        cure = "install that GPU's driver for EGL, or say --device as above";
+    else if (!json_array_size(devices))
+        cure = packages_of(backend);
+    json_decref(devices);
+    return cure;
+}
+
+static void check_backend(struct checkup *checkup, const struct aob_gpu_fns *backend)
+{
     struct aob_error error = {{0}};
     json_t *device = aob_dispatch_probe(checkup->dispatch, backend->name, &error);
     bool ok = device;
-    const char *cure = NULL;
-    for (size_t i = 0; i < AOB_COUNT(cures); i++)
-        if (strcmp(cures[i].backend, backend->name) == 0)
-            cure = cures[i].cure;
     struct aob_text says = {0};
     if (ok)
         aob_text_add(&says, "%s; %s", json_string_value(json_object_get(device, "device")),
                      json_string_value(json_object_get(device, "driver")));
     else
         aob_text_add(&says, "%s", error.text);
-    find(checkup, "backend", backend->name, ok, says.data, cure);
-    checkup->drawing += ok && cure; /* null draws nothing */
+    find(checkup, "backend", backend->name, ok, says.data, ok ? NULL : cure_of(checkup, backend));
+    checkup->drawing += ok && packages_of(backend);
     aob_text_finish(&says);
     json_decref(device);
 }
@@ -100,7 +144,7 @@ static void print_findings(const struct checkup *checkup, struct aob_text *out)
 static enum aob_exit verdict(const struct checkup *checkup, struct aob_error *error)
 {
     if (!checkup->drawing) {
-        aob_fail(error, "no backend that draws works: install a driver (see above)");
+        aob_fail(error, "no backend that draws works: the cures are above");
         return AOB_EXIT_USAGE;
     }
     return checkup->missing ? AOB_EXIT_PART : AOB_EXIT_OK;

@@ -3,6 +3,7 @@
 #include "base/json.h"
 #include "command.h"
 #include "gpu/gpu.h"
+#include "profile/profile.h"
 #include "scene/camera_json.h"
 #include "scene/scene.h"
 #include "scene/scene_folder.h"
@@ -210,6 +211,51 @@ static bool list_backends(struct aob_common *common, struct aob_error *error)
     return true;
 }
 
+static json_t *profile_to_json(const struct aob_profile *profile)
+{
+    json_t *facts = json_array();
+    for (size_t i = 0; i < profile->fact_count; i++) {
+        const struct aob_profile_fact *fact = &profile->facts[i];
+        json_array_append_new(facts, json_pack("{s:s, s:s, s:s, s:b}", "key", fact->key, "value", fact->value,
+                                               "source", fact->source, "confirmed", fact->confirmed));
+    }
+    return json_pack("{s:s, s:s, s:s, s:o}", "name", profile->name, "title", profile->title, "file",
+                     profile->path, "facts", facts);
+}
+
+static void print_profile(const struct aob_profile *profile, struct aob_text *out)
+{
+    aob_text_add_line(out, "%s: %s", profile->name, profile->title);
+    for (size_t i = 0; i < profile->fact_count; i++) {
+        const struct aob_profile_fact *fact = &profile->facts[i];
+        aob_text_add_line(out, "    %-18s %-12s %-10s %s", fact->key, fact->value,
+                          fact->confirmed ? "confirmed" : "unverified", fact->source);
+    }
+}
+
+static bool list_profiles(struct aob_common *common, struct aob_error *error)
+{
+    struct aob_profile_names names;
+    json_t *array = json_array();
+    bool ok = aob_profile_names(&names, error);
+    for (size_t i = 0; ok && i < names.count; i++) {
+        struct aob_profile profile;
+        ok = aob_profile_find(&profile, names.items[i], error);
+        if (ok && common->json)
+            json_array_append_new(array, profile_to_json(&profile));
+        else if (ok)
+            print_profile(&profile, &common->out);
+        if (ok)
+            aob_profile_finish(&profile);
+    }
+    aob_profile_names_finish(&names);
+    json_t *document = json_pack("{s:o}", "profiles", array);
+    if (ok && common->json)
+        return write_document(document, common->json, error);
+    json_decref(document);
+    return ok;
+}
+
 static enum aob_exit list(void *options, struct aob_error *error)
 {
     struct aob_common *common = options;
@@ -221,15 +267,17 @@ static enum aob_exit list(void *options, struct aob_error *error)
         ok = list_scenes(common, error);
     else if (strcmp(what, "backends") == 0)
         ok = list_backends(common, error);
+    else if (strcmp(what, "profiles") == 0)
+        ok = list_profiles(common, error);
     else
-        aob_fail(error, "list: '%s' is not one of techniques, scenes, backends", what);
+        aob_fail(error, "list: '%s' is not one of techniques, scenes, backends, profiles", what);
     return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
 }
 
 const struct aob_command aob_command_list = {
     .name = "list",
-    .help = "what there is: techniques, scenes, backends",
-    .usage = "techniques|scenes|backends [--device NAME|N] [--json FILE]",
+    .help = "what there is: techniques, scenes, backends, profiles",
+    .usage = "techniques|scenes|backends|profiles [--device NAME|N] [--json FILE]",
     .summary = "What there is, with parameters, units, bounds and geometry.",
     .modules = true,
     .devices = true,

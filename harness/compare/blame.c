@@ -9,13 +9,13 @@ static bool moved(enum aob_verdict verdict)
     return verdict == AOB_VERDICT_FASTER || verdict == AOB_VERDICT_SLOWER;
 }
 
-/* The median ratio of the couples of one key; 1 where there is none. */
+/* The median ratio of the couples of one build; 1 where there is none. */
 static double common_ratio(const struct aob_blame_couple *couples, size_t count, size_t *used)
 {
     double *ratios = AOB_NEW_ARRAY(double, count + 1);
     *used = 0;
     for (size_t i = 0; i < count; i++)
-        if (couples[i].same_key && couples[i].verdict != AOB_VERDICT_INVALID)
+        if (couples[i].same_build && couples[i].verdict != AOB_VERDICT_INVALID)
             ratios[(*used)++] = couples[i].cost.ratio;
     double median = *used ? aob_median(ratios, *used) : 1;
     free(ratios);
@@ -42,7 +42,7 @@ void aob_blame_find(const struct aob_blame_couple *couples, size_t count, bool s
         *blame = (struct aob_blame){{0}, false};
         if (!moved(couple->verdict))
             continue;
-        if (couple->same_key) {
+        if (couple->same_build) {
             blame->excused = same_program;
             aob_line_print(blame->text, sizeof blame->text,
                            same_program

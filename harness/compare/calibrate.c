@@ -6,9 +6,9 @@
 #include "base/memory.h"
 #include "config/config.h"
 #include "resolution.h"
-#include "run/measure_lock.h"
 #include "run/run.h"
 #include "store/journal.h"
+#include "timing/measure_lock.h"
 
 /* One calibration, from its run to its table. */
 struct calibration {

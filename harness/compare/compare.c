@@ -18,6 +18,7 @@ struct comparison {
     struct aob_rows rows;
     const struct aob_row **sides[2];
     size_t counts[2];
+    bool partial; /* a run lacks some of the cases that it planned */
     struct aob_couples couples;
     struct aob_compared_table table;
 };
@@ -41,12 +42,26 @@ static void choose_sides(struct comparison *c)
     }
 }
 
+/* A run that was stopped, or a journal that was cut: what it lacks cannot be seen from its cases. */
+static void judge_whole(struct comparison *c)
+{
+    for (size_t i = 0; i < c->rows.run_count; i++) {
+        const struct aob_run *run = &c->rows.runs[i];
+        if (run->cases >= run->planned)
+            continue;
+        c->partial = true;
+        aob_warn("%s: its journal has %zu of %zu cases; start the run again to measure the rest", run->folder,
+                 run->cases, run->planned);
+    }
+}
+
 static bool read_rows(struct comparison *c, struct aob_error *error)
 {
     if (!aob_rows_read(&c->rows, c->folders, c->folders[1] ? 2 : 1, error))
         return false;
     if (*aob_rows_damage(&c->rows))
         aob_warn("%s", aob_rows_damage(&c->rows));
+    judge_whole(c);
     choose_sides(c);
     const struct aob_side a = {c->sides[0], c->counts[0]}, b = {c->sides[1], c->counts[1]};
     aob_couples_find(&c->couples, &a, &b);
@@ -122,7 +137,8 @@ static bool write_out(const struct comparison *c, const struct comparison *then,
 static enum aob_exit exit_code(const struct comparison *c)
 {
     static const enum aob_exit codes[] = {AOB_EXIT_OK, AOB_EXIT_BAD, AOB_EXIT_PART};
-    return codes[aob_compared_outcome(&c->table)];
+    enum aob_exit code = codes[aob_compared_outcome(&c->table)];
+    return code == AOB_EXIT_OK && c->partial ? AOB_EXIT_PART : code;
 }
 
 static enum aob_exit compare_runs(const struct aob_compare_desc *desc, struct aob_text *out,
@@ -139,42 +155,54 @@ static enum aob_exit compare_runs(const struct aob_compare_desc *desc, struct ao
 }
 
 /* A copy is one build: its cases have one key, and there is no difference to look for. */
-static enum aob_exit tell_identical(const struct aob_compare_desc *desc, struct aob_text *out,
-                                    struct aob_error *error)
+static enum aob_exit tell_identical(const struct aob_compare_desc *desc, const char *old,
+                                    struct aob_text *out, struct aob_error *error)
 {
-    aob_text_add_line(out, "SAME: %s and %s are one build, byte for byte; nothing was measured",
-                      desc->sides[0], desc->sides[1]);
+    aob_text_add_line(out, "SAME: %s and %s are one build, byte for byte; nothing was measured", old,
+                      desc->sides[1]);
     if (!desc->json)
         return AOB_EXIT_OK;
-    json_t *document = json_pack("{s:o, s:o, s:b, s:[]}", "a", aob_json_text(desc->sides[0]), "b",
+    json_t *document = json_pack("{s:o, s:o, s:b, s:[]}", "a", aob_json_text(old), "b",
                                  aob_json_text(desc->sides[1]), "identical", true, "cases");
     bool ok = aob_json_write(document, desc->json, error);
     json_decref(document);
     return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
 }
 
-/* `stored`: the run that the old module is from; NULL: there is none. */
-static enum aob_exit compare_builds(const struct aob_compare_desc *desc, const char *stored,
+/* `stored`: of sides[0], which is a run; NULL: that is a module. */
+static bool measure(const struct aob_compare_desc *desc, const struct aob_stored *stored,
+                    struct aob_error *error)
+{
+    if (stored && !desc->config)
+        return aob_builds_measure_again(desc, stored, folder_of(desc), error);
+    struct aob_compare_desc now = *desc;
+    now.sides[0] = stored ? stored->file : desc->sides[0];
+    return aob_builds_measure(&now, folder_of(desc), error);
+}
+
+static enum aob_exit compare_builds(const struct aob_compare_desc *desc, const struct aob_stored *stored,
                                     struct aob_text *out, struct aob_error *error)
 {
+    const char *old = stored ? stored->file : desc->sides[0];
+    const char *name = stored && !desc->config ? stored->name : old; /* in what is measured now */
     bool identical;
-    if (!aob_builds_identical(desc, &identical, error))
+    if (!aob_builds_identical(old, desc->sides[1], &identical, error))
         return AOB_EXIT_USAGE;
     if (identical)
-        return tell_identical(desc, out, error);
+        return tell_identical(desc, old, out, error);
     const char *folder = folder_of(desc);
     char *then_maps = aob_path_join(folder, "then");
     struct comparison c = {.desc = desc,
-                           .names = {desc->sides[0], desc->sides[1]},
+                           .names = {old, desc->sides[1]},
                            .folders = {folder, NULL},
-                           .modules = {desc->sides[0], desc->sides[1]},
+                           .modules = {name, desc->sides[1]},
                            .maps = folder};
     struct comparison then = {.desc = desc,
-                              .names = {stored, desc->sides[0]},
-                              .folders = {stored, folder},
-                              .modules = {NULL, desc->sides[0]},
+                              .names = {desc->sides[0], old},
+                              .folders = {desc->sides[0], folder},
+                              .modules = {stored ? stored->name : NULL, name},
                               .maps = then_maps};
-    bool ok = aob_builds_measure(desc, folder, error) && judge(&c, error);
+    bool ok = measure(desc, stored, error) && judge(&c, error);
     bool has_then = ok && stored && judge_then(&then);
     ok = ok && write_out(&c, has_then ? &then : NULL, out, error);
     enum aob_exit code = ok ? exit_code(&c) : AOB_EXIT_USAGE;
@@ -187,11 +215,10 @@ static enum aob_exit compare_builds(const struct aob_compare_desc *desc, const c
 static enum aob_exit compare_with_stored(const struct aob_compare_desc *desc, struct aob_text *out,
                                          struct aob_error *error)
 {
-    struct aob_compare_desc now = *desc;
-    char *module = aob_builds_stored(desc, error);
-    now.sides[0] = module;
-    enum aob_exit code = module ? compare_builds(&now, desc->sides[0], out, error) : AOB_EXIT_USAGE;
-    free(module);
+    struct aob_stored stored = {0};
+    enum aob_exit code =
+        aob_stored_find(&stored, desc, error) ? compare_builds(desc, &stored, out, error) : AOB_EXIT_USAGE;
+    aob_stored_finish(&stored);
     return code;
 }
 

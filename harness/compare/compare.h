@@ -9,9 +9,10 @@
 
 struct aob_compare_desc {
     struct aob_dispatch dispatch;
-    const char *sides[2];  /* A and B: folders of runs, or module files */
-    const char *folder;    /* what is measured and the maps of what moved go here; NULL: results/compare */
-    const char *config;    /* of two modules: the cases; NULL: those of AOB_COMPARE_SCENE at defaults */
+    const char *sides[2]; /* A and B: folders of runs, or module files */
+    const char *folder;   /* what is measured and the maps of what moved go here; NULL: results/compare */
+    const char *
+        config; /* of modules: the cases; NULL: those of the run, or those of AOB_COMPARE_SCENE at defaults */
     const char *technique; /* of two modules: this one only; NULL: all that both have */
     double precision;      /* the difference that counts, a share; 0: AOB_COMPARE_PRECISION */
     double seconds;        /* of two modules: of timing a case, at most; 0: AOB_COMPARE_SECONDS */

@@ -1,9 +1,12 @@
 #include "compared.h"
+#include <dirent.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "plane.h"
 #include "quotient.h"
 #include "reports/page/gallery.h"
 
@@ -29,13 +32,27 @@ static void compare_costs(struct aob_compared_table *table)
     }
 }
 
-/* Both errors against the target of A's own. */
-static void find_errors(const struct aob_couple *couple, double *rmse_a, double *rmse_b)
+static struct aob_error_side error_of(const struct aob_score *score)
 {
-    const struct aob_score *a = aob_row_own_score(couple->a);
-    const struct aob_score *b = a ? aob_row_score(couple->b, a->target) : NULL;
-    *rmse_a = a ? a->metrics.rmse : NAN;
-    *rmse_b = b ? b->metrics.rmse : NAN;
+    if (!score)
+        return (struct aob_error_side){NAN, NAN, NAN};
+    const struct aob_metrics *m = &score->metrics;
+    return (struct aob_error_side){m->rmse, m->reference_se, m->band_pixels > 0 ? m->band_pixels : m->pixels};
+}
+
+/* Truths are named by what they depend on, rays a pixel included. */
+static bool share_truth(const struct aob_score *a, const struct aob_score *b)
+{
+    return a && b && *a->truth && strcmp(a->truth, b->truth) == 0;
+}
+
+/* Both errors against the target of A's own. */
+static void find_errors(struct aob_compared *item)
+{
+    const struct aob_score *a = aob_row_own_score(item->couple->a);
+    const struct aob_score *b = a ? aob_row_score(item->couple->b, a->target) : NULL;
+    bool one = item->image_read && share_truth(a, b);
+    item->errors = (struct aob_error_pair){error_of(a), error_of(b), one ? item->image.rmse : NAN};
 }
 
 static bool read_image(const struct aob_compared_table *table, const struct aob_row *row,
@@ -69,6 +86,33 @@ static char *map_path(const struct aob_compared_table *table, const struct aob_c
     char *path = aob_path_join(table->folder, name.data);
     aob_text_finish(&name);
     return path;
+}
+
+/* "0001-corner-front-gtao.exr": a name that a comparison gives. A user's own files have others. */
+static bool is_map(const char *name)
+{
+    static const char *const endings[] = {".exr", ".png", ".vti"};
+    size_t digits = strspn(name, "0123456789"), size = strlen(name);
+    for (size_t i = 0; i < AOB_COUNT(endings); i++)
+        if (digits >= 4 && name[digits] == '-' && size > 4 && strcmp(name + size - 4, endings[i]) == 0)
+            return true;
+    return strcmp(name, strrchr(AOB_PLANE_FILE, '/') + 1) == 0;
+}
+
+/* Those of an earlier comparison would pass for this one's. */
+static void discard_maps(const struct aob_compared_table *table)
+{
+    char *folder = aob_path_join(table->folder, "maps");
+    DIR *directory = opendir(folder);
+    for (struct dirent *entry; directory && (entry = readdir(directory));) {
+        char *file = aob_path_join(folder, entry->d_name);
+        if (is_map(entry->d_name))
+            unlink(file);
+        free(file);
+    }
+    if (directory)
+        closedir(directory);
+    free(folder);
 }
 
 static bool keep_map(const struct aob_compared_table *table, struct aob_compared *item,
@@ -120,9 +164,28 @@ static void judge(const struct aob_compared_table *table, struct aob_compared *i
                                            .processes = item->cost.processes,
                                            .invalid = *item->unfit.text ? item->unfit.text : NULL,
                                            .moved = item->image.moved,
-                                           .rmse_a = item->rmse_a,
-                                           .rmse_b = item->rmse_b,
+                                           .errors = item->errors,
                                            .elsewhere = *item->blame.text ? item->blame.text : NULL});
+}
+
+/* Of what a row's run says of its technique; "": nothing. */
+static const char *digest_of(const struct aob_compared_table *table, const struct aob_row *row)
+{
+    json_t *techniques = json_object_get(table->rows->runs[row->run].info, "techniques"), *technique;
+    size_t at;
+    json_array_foreach(techniques, at, technique)
+    {
+        if (aob_row_is_of(row, technique))
+            return aob_member_text(technique, "digest");
+    }
+    return "";
+}
+
+/* One key says so, and cases that were only compared with other truths have two. */
+static bool same_build(const struct aob_compared_table *table, const struct aob_couple *couple)
+{
+    const char *a = digest_of(table, couple->a);
+    return couple->same_key || (*a && strcmp(a, digest_of(table, couple->b)) == 0);
 }
 
 /* Times of one block have a control in their own rounds: nothing but the modules differs there. */
@@ -134,7 +197,7 @@ static void find_blame(const struct aob_compared_table *table)
     for (size_t i = 0; i < count; i++) {
         const struct aob_compared *item = &table->items[i];
         couples[i] = (struct aob_blame_couple){item->wide, item->judgement.cost, item->judgement.delta,
-                                               item->couple->same_key};
+                                               same_build(table, item->couple)};
     }
     aob_blame_find(couples, count, table->same_program, blames);
     for (size_t i = 0; i < count; i++) {
@@ -151,11 +214,12 @@ bool aob_compared_judge(struct aob_compared_table *table, struct aob_error *erro
 {
     bool ok = true;
     table->items = AOB_NEW_ARRAY(struct aob_compared, table->couples->count + 1);
+    discard_maps(table);
     compare_costs(table);
     for (size_t i = 0; i < table->couples->count && ok; i++) {
         struct aob_compared *item = &table->items[i];
         ok = compare_images(table, item, error);
-        find_errors(item->couple, &item->rmse_a, &item->rmse_b);
+        find_errors(item);
         judge(table, item);
     }
     if (ok)
@@ -202,16 +266,20 @@ void aob_compared_draw(const struct aob_compared_table *table, const char *progr
         add_figure(&gallery, table, &table->items[i], true);
         add_figure(&gallery, table, &table->items[i], false);
     }
+    if (aob_plane_any(table))
+        aob_plane_add(&gallery, table);
     char *plotter = aob_gallery_plotter(program);
-    if (gallery.count)
+    char *maps = aob_path_join(table->folder, "maps");
+    if (gallery.count && aob_folder_create(maps, NULL))
         aob_gallery_draw(&gallery, plotter, table->folder);
     for (size_t i = 0; i < gallery.count; i++) {
         if (!gallery.figures[i].failure)
             continue;
-        aob_warn("%s/%s: %s; the numbers are in the .exr beside it", table->folder, gallery.figures[i].file,
-                 gallery.figures[i].failure);
+        aob_warn("%s/%s: %s; its numbers are in the table and in the .exr files", table->folder,
+                 gallery.figures[i].file, gallery.figures[i].failure);
         break;
     }
+    free(maps);
     free(plotter);
     aob_gallery_finish(&gallery);
 }

@@ -17,7 +17,7 @@ struct aob_compared {
     bool image_read;
     char *
         map; /* "maps/0001-corner-front-gtao" below the table's folder, without its ending; NULL: there is none */
-    double rmse_a, rmse_b; /* against A's own target; NAN: not known */
+    struct aob_error_pair errors; /* against A's own target */
     struct aob_judgement judgement;
     struct aob_blame blame;
 };
@@ -32,7 +32,8 @@ struct aob_compared_table {
     double alpha; /* of the whole table, over as many as have a cost */
 };
 
-/* Fills in items and alpha; aob_compared_finish frees the items. Writes the maps of what moved as EXR files. False with a
+/* Fills in items and alpha; aob_compared_finish frees the items. Writes the maps of what moved as EXR files, in place of
+ * those of an earlier comparison. False with a
  * line if one of these cannot be written. */
 bool aob_compared_judge(struct aob_compared_table *table, struct aob_error *error);
 void aob_compared_finish(struct aob_compared_table *table);

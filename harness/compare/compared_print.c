@@ -3,6 +3,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "compared.h"
+#include "plane.h"
 #include "quotient.h"
 
 static double level_percent(const struct aob_compared_table *table)
@@ -106,6 +107,9 @@ void aob_compared_print(const struct aob_compared_table *table, struct aob_text 
     }
     print_alone(table->couples, 0, out);
     print_alone(table->couples, 1, out);
+    if (aob_plane_any(table))
+        aob_text_add_line(out, "cost and error of what moved, from A to B: %s/" AOB_PLANE_FILE,
+                          table->folder);
     print_counts(table, out);
 }
 
@@ -143,18 +147,28 @@ static json_t *item_to_json(const struct aob_compared *item)
     const struct aob_cost *cost = &item->cost;
     json_t *object = json_object();
     add_row(object, item->couple->a);
-    json_t *rest = json_pack(
-        "{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:i, s:i, s:o, s:b, s:o, s:o, s:s, s:o, s:s, s:s, s:s}", "key_a",
-        item->couple->a->key, "key_b", item->couple->b->key, "verdict", aob_verdict_names[j->verdict], "cost",
-        aob_verdict_names[j->cost], "interval", ratio_to_json(&item->wide), "interval_95",
-        ratio_to_json(&cost->cost), "delta", aob_json_number(j->delta), "rounds", (int)cost->rounds,
-        "processes", (int)cost->processes, "rounds_needed", aob_json_number(j->rounds_needed), "paired",
-        cost->paired, "rmse_a", aob_json_number(item->rmse_a), "rmse_b", aob_json_number(item->rmse_b),
-        "error", changes[j->error], "image", image_to_json(item), "reason", j->reason, "blame",
-        item->blame.text, "outcome", outcomes[aob_judgement_outcome(j, item->blame.excused)]);
+    json_t *rest =
+        json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:i, s:i, s:o, s:b, s:o, s:o, s:o, s:o, s:s, s:o, "
+                  "s:s, s:s, s:s}",
+                  "key_a", item->couple->a->key, "key_b", item->couple->b->key, "verdict",
+                  aob_verdict_names[j->verdict], "cost", aob_verdict_names[j->cost], "interval",
+                  ratio_to_json(&item->wide), "interval_95", ratio_to_json(&cost->cost), "delta",
+                  aob_json_number(j->delta), "rounds", (int)cost->rounds, "processes", (int)cost->processes,
+                  "rounds_needed", aob_json_number(j->rounds_needed), "paired", cost->paired, "rmse_a",
+                  aob_json_number(item->errors.a.rmse), "rmse_b", aob_json_number(item->errors.b.rmse),
+                  "reference_se_a", aob_json_number(item->errors.a.se), "reference_se_b",
+                  aob_json_number(item->errors.b.se), "error", changes[j->error], "image",
+                  image_to_json(item), "reason", j->reason, "blame", item->blame.text, "outcome",
+                  outcomes[aob_judgement_outcome(j, item->blame.excused)]);
     json_object_update(object, rest);
     json_decref(rest);
+    struct aob_place_on_plane a, b;
+    aob_plane_find(item, &a, &b);
     json_object_set_new(object, "control", ratio_to_json(&cost->control));
+    json_object_set_new(object, "plane",
+                        json_pack("{s:[o, o], s:[o, o]}", "a", aob_json_number(a.cost),
+                                  aob_json_number(a.error), "b", aob_json_number(b.cost),
+                                  aob_json_number(b.error)));
     return object;
 }
 

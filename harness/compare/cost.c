@@ -47,6 +47,13 @@ static bool same_circumstances(const struct aob_cost_side *a, const struct aob_c
            same_member(time_of(a), time_of(b), "threads", why);
 }
 
+/* Wall time of a GPU has the way there and back in it, and what its driver does meanwhile. */
+static bool has_clock(const struct aob_cost_side *side, const char *name, struct aob_error *why)
+{
+    const char *reason = text_of(time_of(side), "clock_reason");
+    return !*reason || aob_fail(why, "the clock of %s's device cannot be trusted: %s", name, reason);
+}
+
 static bool has_time(const struct aob_cost_side *side, const char *name, struct aob_error *why)
 {
     const char *status = text_of(side->record, "status");
@@ -138,7 +145,8 @@ bool aob_cost_compare(const struct aob_cost_side *a, const struct aob_cost_side 
     struct aob_round_list of_a = {0}, of_b = {0};
     size_t slot_a, slot_b;
     *cost = (struct aob_cost){.fixed = NAN};
-    if (!has_time(a, "A", why) || !has_time(b, "B", why) || !same_circumstances(a, b, why))
+    if (!has_time(a, "A", why) || !has_time(b, "B", why) || !has_clock(a, "A", why) ||
+        !has_clock(b, "B", why) || !same_circumstances(a, b, why))
         return false;
     bool raw = read_rounds(a, &of_a, &slot_a) && read_rounds(b, &of_b, &slot_b);
     struct own own_a = raw ? from_rounds(&of_a, slot_a) : from_record(a);

@@ -20,7 +20,7 @@ struct aob_cost {
 
 /* Paired where both are of one block whose rounds are kept; else the quotient of their ratios to the fixed pass (quotient.h),
  * estimated from raw rounds where both runs keep them and read from the journal otherwise. False with the reason why the
- * times cannot be compared: one has none, or they were measured by different clocks, devices, numbers of threads or
+ * times cannot be compared: one has none, or is wall time as its device's clock failed its test, or they were measured by different clocks, devices, numbers of threads or
  * fixed passes. */
 bool aob_cost_compare(const struct aob_cost_side *a, const struct aob_cost_side *b, struct aob_cost *cost,
                       struct aob_error *why);

@@ -56,7 +56,7 @@ struct aob_noise aob_noise_of(const struct aob_rounds *processes, size_t count)
     if (!aob_estimate_scatter(processes, count, &scatter))
         return noise;
     noise.within = scatter.round;
-    noise.between = sqrt(fmax(0, scatter.medians * scatter.medians - scatter.explained * scatter.explained));
+    noise.between = aob_scatter_between(&scatter);
     for (size_t p = 0; p < count; p++) {
         double *logs = log_ratios(&processes[p]);
         add_lag(&paired, logs, processes[p].count);
@@ -66,11 +66,4 @@ struct aob_noise aob_noise_of(const struct aob_rounds *processes, size_t count)
     noise.lag = lag_of(&paired);
     noise.raw_lag = lag_of(&raw);
     return noise;
-}
-
-double aob_noise_width(const struct aob_noise *noise, size_t processes, double rounds)
-{
-    double explained = aob_scatter_of_median(noise->within, rounds);
-    const struct aob_scatter scatter = {noise->within, hypot(noise->between, explained), explained};
-    return aob_scatter_half_width(&scatter, (double)processes, processes);
 }

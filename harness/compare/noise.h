@@ -1,4 +1,4 @@
-/* What a machine's noise is made of, and how long it takes to see through it. Costs are logarithms of a ratio in each round
+/* What a machine's noise is made of. Costs are logarithms of a ratio in each round
  * (of the fixed pass to itself, or of a case to the fixed pass), which scatter about a level in each process, and the
  * levels scatter about the truth. */
 #ifndef AOB_COMPARE_NOISE_H
@@ -18,8 +18,4 @@ struct aob_noise {
 /* At least two processes of at least two rounds each; of fewer all sds are NAN. Only processes of eight rounds and more tell
  * a correlation; NAN where there is none, or nothing varies. */
 struct aob_noise aob_noise_of(const struct aob_rounds *processes, size_t count);
-
-/* Half the width of an interval of 95 % over so many processes of so many rounds each, as a logarithm, by the formula of
- * timing/estimate.h: s^2 is what levels and rounds make of a process' median, w^2 what rounds alone do. processes >= 2. */
-double aob_noise_width(const struct aob_noise *noise, size_t processes, double rounds);
 #endif

@@ -17,7 +17,7 @@ struct aob_resolution {
     double round_s;           /* wall time of a round, a case */
     double seconds
         [AOB_RESOLUTION_STEPS]; /* of timing a case, shared among processes as timing/processes.h does, until its
-                                              interval reaches so far to each side; NAN: not in 1e6 */
+                                              interval reaches so far to each side; INFINITY: not in 1e6 */
     double
         recommended; /* the smallest step that takes no more seconds than a case has by default; NAN: none */
 };

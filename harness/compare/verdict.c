@@ -118,26 +118,12 @@ static void explain_cost(const struct aob_comparison *c, struct aob_judgement *j
                  j->rounds_needed);
 }
 
-static enum aob_error_change judge_error(const struct aob_comparison *c)
-{
-    double change = c->rmse_b - c->rmse_a;
-    if (isnan(change))
-        return AOB_ERROR_UNKNOWN;
-    if (fabs(change) < AOB_COMPARE_RMSE)
-        return AOB_ERROR_EQUAL;
-    return change > 0 ? AOB_ERROR_MORE : AOB_ERROR_LESS;
-}
-
-/* "the image changed; RMSE 0.0412 -> 0.0455 (worse); cost x 0.81 (FASTER: ...)" */
+/* "the image changed; RMSE 0.0412 -> 0.0455 (worse); its cost is FASTER: ..." */
 static void explain_move(const struct aob_comparison *c, struct aob_judgement *j)
 {
-    static const char *const words[] = {"", "equal", "better", "worse"};
-    char cost[sizeof j->reason], error[100];
+    char cost[sizeof j->reason], error[200];
     aob_line_print(cost, sizeof cost, "%s", j->reason);
-    if (j->error == AOB_ERROR_UNKNOWN)
-        snprintf(error, sizeof error, "the error of one is not known");
-    else
-        snprintf(error, sizeof error, "RMSE %.4f -> %.4f (%s)", c->rmse_a, c->rmse_b, words[j->error]);
+    aob_error_change_print(&c->errors, error, sizeof error);
     aob_line_print(j->reason, sizeof j->reason, "the image changed; %s; its cost is %s: %s", error,
                    aob_verdict_names[j->cost], cost);
 }
@@ -156,7 +142,7 @@ struct aob_judgement aob_judge(const struct aob_comparison *c)
         aob_line_print(j.reason, sizeof j.reason, "%s", c->elsewhere);
     j.verdict = c->moved ? AOB_VERDICT_MOVED : j.cost;
     if (c->moved) {
-        j.error = judge_error(c);
+        j.error = aob_error_change(&c->errors);
         explain_move(c, &j);
     }
     return j;

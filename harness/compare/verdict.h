@@ -14,6 +14,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include "base/statistics.h"
+#include "error_change.h"
 
 enum aob_verdict {
     AOB_VERDICT_FASTER,
@@ -26,10 +27,6 @@ enum aob_verdict {
 };
 extern const char *const aob_verdict_names[]; /* in capitals */
 
-enum aob_error_change { AOB_ERROR_UNKNOWN, AOB_ERROR_EQUAL, AOB_ERROR_LESS, AOB_ERROR_MORE };
-/* An RMSE that changes by less is equal: a table of four digits does not show it. */
-#define AOB_COMPARE_RMSE 1e-4
-
 enum { AOB_COMPARE_ROUNDS = 20, AOB_COMPARE_PROCESSES = 3 }; /* fewer have no verdict */
 
 struct aob_comparison {
@@ -37,11 +34,11 @@ struct aob_comparison {
     struct aob_ratio control; /* the fixed pass against itself in the same blocks, 95 % */
     double lasting; /* half-width of cost's interval, on logarithms, that few processes are not to blame for
                                  (aob_lasting_half_width); 0: all of it */
-    double resolution;        /* the difference that is asked for, a share: .02 */
-    size_t rounds, processes; /* of the one that has fewer */
-    const char *invalid;      /* why the times cannot be compared; NULL: they can */
-    bool moved;               /* the images differ */
-    double rmse_a, rmse_b;    /* against the same target; NAN: not known */
+    double resolution;            /* the difference that is asked for, a share: .02 */
+    size_t rounds, processes;     /* of the one that has fewer */
+    const char *invalid;          /* why the times cannot be compared; NULL: they can */
+    bool moved;                   /* the images differ */
+    struct aob_error_pair errors; /* of the two images, against the same target */
     /* B lies beside A only because of what both do not share with the module: blame.h. NULL: nothing of that is known */
     const char *elsewhere;
 };
@@ -54,7 +51,7 @@ struct aob_judgement {
     double
         rounds_needed; /* after which the interval reaches half of delta to each side; NAN: not known, or the
                                     verdict does not wait for rounds */
-    char reason[400];  /* one sentence */
+    char reason[600];  /* one sentence */
 };
 struct aob_judgement aob_judge(const struct aob_comparison *comparison);
 

@@ -162,7 +162,6 @@ static bool read_module(struct aob_yaml *yaml, const yaml_node_t *node, struct a
     if (!aob_yaml_text(yaml, node, &text))
         return false;
     choice->module = aob_yaml_value(node, text);
-    choice->file = aob_path_beside(yaml->path, text);
     return true;
 }
 
@@ -193,8 +192,11 @@ static bool read_technique(struct aob_yaml *yaml, yaml_node_t *node, void *user)
     struct aob_config *config = user;
     struct aob_technique_choice *choice =
         AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity);
-    return aob_yaml_mapping(yaml, node, keys, read_technique_entry, choice) &&
-           (choice->name.text || aob_yaml_fail(yaml, node, "a technique needs name: NAME"));
+    bool ok = aob_yaml_mapping(yaml, node, keys, read_technique_entry, choice) &&
+              (choice->name.text || aob_yaml_fail(yaml, node, "a technique needs name: NAME"));
+    if (choice->module.text)
+        choice->file = aob_path_beside(config->place, choice->module.text);
+    return ok;
 }
 
 static bool read_size(struct aob_yaml *yaml, yaml_node_t *node, void *user)
@@ -311,24 +313,29 @@ static bool judge_config(const struct aob_config *config, struct aob_error *erro
 
 bool aob_config_read(struct aob_config *config, const char *path, struct aob_error *error)
 {
+    return aob_config_read_copy(config, path, path, error);
+}
+
+bool aob_config_read_copy(struct aob_config *config, const char *path, const char *place,
+                          struct aob_error *error)
+{
     static const char *const keys[] = {"name",       "scenes",  "resolutions", "backends",  "options",
                                        "techniques", "measure", "target",      "reference", NULL};
     struct aob_yaml yaml;
-    size_t size;
     aob_config_init(config);
-    char *text = aob_file_read(path, 1 << 20, &size, error);
-    if (!text)
+    config->text = aob_file_read(path, 1 << 20, &config->size, error);
+    if (!config->text)
         return false;
-    bool ok = aob_yaml_load(&yaml, path, text, size, error);
+    bool ok = aob_yaml_load(&yaml, path, config->text, config->size, error);
     if (ok) {
         config->path = aob_strdup(path);
-        aob_hash_bytes(text, size, config->hash);
+        config->place = aob_strdup(place);
+        aob_hash_bytes(config->text, config->size, config->hash);
         ok = aob_yaml_mapping(&yaml, yaml_document_get_root_node(&yaml.document), keys, read_config_entry,
                               config) &&
              judge_config(config, error) && aob_config_judge_size(config, error);
         aob_yaml_finish(&yaml);
     }
-    free(text);
     if (!ok)
         aob_config_finish(config);
     return ok;

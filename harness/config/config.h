@@ -34,6 +34,7 @@
 #include <stddef.h>
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/text.h"
 #include "convention.h"
 
 struct aob_value { /* one scalar of the file */
@@ -90,9 +91,12 @@ struct aob_technique_choice {
     size_t axis_count, axis_capacity;
 };
 struct aob_config {
-    char *path; /* as given; for messages */
+    char *path;  /* as given; for messages */
+    char *place; /* the file whose folder its paths are seen from: `path`, or what a copy is of */
     char *name;
-    char hash[AOB_KEY_SIZE];         /* of the file's bytes */
+    char *text; /* the file's bytes, and their hash */
+    size_t size;
+    char hash[AOB_KEY_SIZE];
     struct aob_scene_choice *scenes; /* one entry a view */
     size_t scene_count, scene_capacity;
     struct aob_size {
@@ -119,6 +123,14 @@ struct aob_config {
 /* A YAML file. On false the line is FILE:LINE:COLUMN: what, and what is allowed; the config is empty. */
 bool aob_config_read(struct aob_config *config, const char *path, struct aob_error *error);
 void aob_config_finish(struct aob_config *config);
+
+/* A copy of the config `place`, whose paths are seen from where that lay. */
+bool aob_config_read_copy(struct aob_config *config, const char *path, const char *place,
+                          struct aob_error *error);
+
+/* Takes out the scenes whose mesh file or capture is not there any more, and adds what they are called, a line each. */
+void aob_config_leave_gone(struct aob_config *config, struct aob_text *gone);
+void aob_scene_choice_finish(struct aob_scene_choice *choice); /* of a scene that leaves its config */
 void aob_technique_choice_finish(
     struct aob_technique_choice *choice); /* of an entry that leaves its config */
 

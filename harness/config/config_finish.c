@@ -1,4 +1,5 @@
 #include <stdlib.h>
+#include "base/file.h"
 #include "config.h"
 
 static void free_axes(struct aob_axis *axes, size_t count)
@@ -29,16 +30,36 @@ void aob_technique_choice_finish(struct aob_technique_choice *choice)
     *choice = (struct aob_technique_choice){0};
 }
 
+void aob_scene_choice_finish(struct aob_scene_choice *choice)
+{
+    free(choice->name);
+    free(choice->file);
+    free(choice->view);
+    free(choice->capture);
+    free(choice->given);
+    free(choice->gbuffer);
+}
+
+void aob_config_leave_gone(struct aob_config *config, struct aob_text *gone)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < config->scene_count; i++) {
+        struct aob_scene_choice *choice = &config->scenes[i];
+        const char *file = choice->capture ? choice->capture : choice->file;
+        if (!file || aob_file_exists(file)) {
+            config->scenes[kept++] = *choice;
+            continue;
+        }
+        aob_text_add_line(gone, "%s%s", choice->capture ? "capture:" : "", choice->given);
+        aob_scene_choice_finish(choice);
+    }
+    config->scene_count = kept;
+}
+
 void aob_config_finish(struct aob_config *config)
 {
-    for (size_t i = 0; i < config->scene_count; i++) {
-        free(config->scenes[i].name);
-        free(config->scenes[i].file);
-        free(config->scenes[i].view);
-        free(config->scenes[i].capture);
-        free(config->scenes[i].given);
-        free(config->scenes[i].gbuffer);
-    }
+    for (size_t i = 0; i < config->scene_count; i++)
+        aob_scene_choice_finish(&config->scenes[i]);
     for (size_t i = 0; i < config->technique_count; i++)
         aob_technique_choice_finish(&config->techniques[i]);
     free_backends(&config->backends);
@@ -49,5 +70,7 @@ void aob_config_finish(struct aob_config *config)
     free(config->targets);
     free(config->name);
     free(config->path);
+    free(config->place);
+    free(config->text);
     *config = (struct aob_config){0};
 }

@@ -97,13 +97,13 @@ static bool judge_scene(struct aob_yaml *yaml, const yaml_node_t *node, struct s
 }
 
 /* Puts the path as the current folder sees it in place of the one that is written. */
-static void resolve_path(const struct aob_yaml *yaml, struct aob_scene_choice *choice)
+static void resolve_path(const struct aob_config *config, struct aob_scene_choice *choice)
 {
     char **path = choice->file ? &choice->file : &choice->capture;
     if (!*path)
         return;
     choice->given = *path;
-    *path = aob_path_beside(yaml->path, choice->given);
+    *path = aob_path_beside(config->place, choice->given);
 }
 
 static const char *const keys[] = {"name",
@@ -134,7 +134,7 @@ bool aob_config_read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
     bool ok =
         aob_yaml_mapping(yaml, node, keys, read_scene_entry, &reader) && judge_scene(yaml, node, &reader);
     if (ok)
-        resolve_path(yaml, &reader.choice);
+        resolve_path(reader.config, &reader.choice);
     reader.choice.has_camera = reader.eye;
     if (!(reader.choice.fov_deg > 0) && !reader.choice.capture)
         reader.choice.fov_deg = 60;

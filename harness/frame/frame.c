@@ -23,12 +23,13 @@ static enum aob_gpu_bind_kind input_kind(const struct aob_graph_bind *in, enum a
     return kind_of(fetch, in->filter, in->level_count);
 }
 
-static struct aob_gpu_texture *upload(const struct aob_screen *screen, uint32_t uses, enum aob_format format,
+static struct aob_gpu_texture *upload(struct aob_screen *screen, uint32_t uses, enum aob_format format,
                                       void *texels, struct aob_error *error)
 {
     const struct aob_projection *view = &screen->gbuffer->projection;
     const struct aob_gpu_texture_desc desc = {
         .format = format, .width = view->width, .height = view->height, .uses = uses, .texels = texels};
+    screen->unfit = !aob_gpu_texture_fits(screen->gpu, &desc, error);
     struct aob_gpu_texture *texture = aob_gpu_texture_create(screen->gpu, &desc, error);
     free(texels);
     return texture;
@@ -51,7 +52,9 @@ bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struc
                                 aob_encoding_normal_texels(encoding, gbuffer), error);
     if (screen->depth && (screen->normal || encoding->normals == AOB_NORMALS_FROM_DEPTH))
         return true;
+    const bool unfit = screen->unfit;
     aob_screen_finish(screen);
+    screen->unfit = unfit;
     return false;
 }
 
@@ -108,16 +111,15 @@ static bool create_textures(struct aob_frame *frame, struct aob_error *error)
             continue;
         aob_graph_texture_size(texture, view->width, view->height, &w, &h);
         void *texels = table_texels(texture, frame->values);
-        frame->textures[i] = aob_gpu_texture_create(
-            frame->screen->gpu,
-            &(struct aob_gpu_texture_desc){.format = texture->format,
-                                           .width = w,
-                                           .height = h,
-                                           .levels = texture->levels,
-                                           .uses = texture_uses(&frame->graph, i, frame->fetch) |
-                                                   (frame->readable ? AOB_GPU_USE_READ_BACK : 0),
-                                           .texels = texels},
-            error);
+        const struct aob_gpu_texture_desc desc = {.format = texture->format,
+                                                  .width = w,
+                                                  .height = h,
+                                                  .levels = texture->levels,
+                                                  .uses = texture_uses(&frame->graph, i, frame->fetch) |
+                                                          (frame->readable ? AOB_GPU_USE_READ_BACK : 0),
+                                                  .texels = texels};
+        frame->unfit = !aob_gpu_texture_fits(frame->screen->gpu, &desc, error);
+        frame->textures[i] = aob_gpu_texture_create(frame->screen->gpu, &desc, error);
         free(texels);
         if (!frame->textures[i])
             return aob_fail_in(error, "texture '%s'", texture->name);
@@ -197,12 +199,9 @@ static bool create_pass(struct aob_frame *frame, int index, struct aob_error *er
     struct aob_gpu_bind binds[MAX_BINDS];
     struct aob_gpu_target targets[AOB_MAX_OUT];
     unsigned char block[AOB_UNIFORM_MAX];
-    if (!create_program(frame, index, error))
-        return false;
     for (int o = 0; o < pass->out_count; o++)
         targets[o] = (struct aob_gpu_target){frame->textures[pass->out[o].texture], pass->out[o].level};
     struct aob_gpu_pass_desc desc = {
-        .program = frame->programs[index],
         .binds = binds,
         .bind_count = gather_binds(frame, pass, binds),
         .targets = targets,
@@ -215,6 +214,12 @@ static bool create_pass(struct aob_frame *frame, int index, struct aob_error *er
         .in_parts = frame->trace};
     aob_graph_divided(view->width, view->height, aob_graph_target_divisor(&frame->graph, pass), &desc.width,
                       &desc.height);
+    frame->unfit = !aob_gpu_pass_fits(frame->screen->gpu, &desc, error);
+    if (frame->unfit)
+        return aob_fail_in(error, "pass '%s'", pass->name);
+    if (!create_program(frame, index, error))
+        return false;
+    desc.program = frame->programs[index];
     frame->passes[index] = aob_gpu_pass_create(frame->screen->gpu, &desc, error);
     return frame->passes[index] || aob_fail_in(error, "pass '%s'", pass->name);
 }

@@ -18,7 +18,10 @@ struct aob_screen {
         *normal; /* one texture where they are packed together; normal may be NULL */
     const struct aob_geometry
         *geometry; /* uploaded; set by the owner; NULL: a capture, or nothing needs it */
+    bool unfit;    /* after a refusal: the device lacks something that the encoding needs (unsupported) */
 };
+
+/* False leaves nothing behind but `unfit`. */
 bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struct aob_gbuffer *gbuffer,
                      const struct aob_options *options, struct aob_error *error);
 void aob_screen_finish(struct aob_screen *screen);
@@ -36,7 +39,9 @@ struct aob_frame {
     bool readable;                             /* all textures can be read back, not outputs only */
     struct aob_planes *planes;                 /* of a traced frame, or NULL, like the next */
     const struct aob_gpu_buffer *trace;
-    bool unfit; /* after a refusal: the scene is not for this technique, or too large (unsupported) */
+    bool
+        unfit; /* after a refusal: the scene is not for this technique, or too large, or the device lacks something that it
+                   needs (unsupported) */
 };
 
 struct aob_frame_desc {

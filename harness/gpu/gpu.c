@@ -78,7 +78,7 @@ struct aob_gpu_texture *aob_gpu_texture_create(struct aob_gpu *gpu, const struct
                                                struct aob_error *error)
 {
     struct aob_gpu_texture *texture = NULL;
-    if (check_texture(gpu->info.backend, desc, error))
+    if (check_texture(gpu->info.backend, desc, error) && aob_gpu_texture_fits(gpu, desc, error))
         gpu->fns->texture_create(gpu, desc, &texture, error);
     return texture;
 }
@@ -288,7 +288,7 @@ struct aob_gpu_pass *aob_gpu_pass_create(struct aob_gpu *gpu, const struct aob_g
     if (!desc->program)
         aob_fail(error, "%s: pass without a program", name);
     else if (check_targets(name, desc, error) && check_bindings(name, desc, error) &&
-             check_geometry(name, desc, error))
+             check_geometry(name, desc, error) && aob_gpu_pass_fits(gpu, desc, error))
         return create_pass(gpu, desc, error);
     return NULL;
 }

@@ -40,6 +40,19 @@ struct aob_gpu_desc {
     const char *device; /* number or name, as aob_gpu_choose says; NULL: the backend's default */
 };
 
+/* How much of something a device has, so that what needs more is refused before it is made. */
+struct aob_gpu_limits {
+    uint32_t side;             /* texels of a texture's width or height */
+    uint32_t targets;          /* of a pass */
+    uint32_t sampled, storage; /* textures that a pass binds as AOB_GPU_SAMPLED, as AOB_GPU_STORAGE */
+    uint32_t vertex_sampled, vertex_storage; /* the same of a pass with a vertex text */
+    uint32_t storage_bindings;               /* the bindings of storage images lie below it */
+    uint32_t resources;                      /* textures, targets and the uniform block of a pass together */
+    uint32_t storage_and_targets;            /* storage images, storage buffers and targets together */
+    bool lacks_depth;                        /* no pass can have a depth test */
+};
+extern const struct aob_gpu_limits aob_gpu_no_limits; /* a pass can reach none of them */
+
 struct aob_gpu_device {          /* one that a backend can see, opened or not */
     char name[256], driver[640]; /* as in struct aob_gpu_info */
     const char *device_class;    /* the same */
@@ -51,6 +64,7 @@ enum { AOB_GPU_MAX_DEVICES = 32 };
 struct aob_gpu_device_list { /* a device's number is its place */
     struct aob_gpu_device items[AOB_GPU_MAX_DEVICES];
     size_t count;
+    struct aob_error none; /* why none of them is the default; empty where one is */
 };
 
 /* A time that nobody took is 0. */
@@ -66,6 +80,11 @@ enum aob_gpu_use {
     AOB_GPU_USE_STORAGE = 2,   /* bound as AOB_GPU_STORAGE */
     AOB_GPU_USE_TARGET = 4,    /* drawn to by a pass */
     AOB_GPU_USE_READ_BACK = 8, /* read by aob_gpu_texture_read */
+};
+/* What a pass may ask of a texture's format besides its uses. */
+enum aob_gpu_need {
+    AOB_GPU_NEED_FILTER = 16, /* bound with AOB_BILINEAR */
+    AOB_GPU_NEED_BLEND = 32,  /* drawn to with AOB_GPU_ADD */
 };
 struct aob_gpu_texture_desc {
     enum aob_format format;
@@ -139,6 +158,9 @@ struct aob_gpu_fns {
     bool (*devices)(struct aob_gpu_device_list *list, size_t *chosen, struct aob_error *error);
     struct aob_gpu *(*open)(const struct aob_gpu_desc *desc, struct aob_error *error);
     void (*close)(struct aob_gpu *gpu);
+    /* The word for the first of the needs (bits of enum aob_gpu_use and enum aob_gpu_need) that the device lacks for the
+     * format: "storage image"; NULL: none. */
+    const char *(*format_lacks)(const struct aob_gpu *gpu, enum aob_format format, uint32_t needs);
     bool (*texture_create)(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
                            struct aob_gpu_texture **texture, struct aob_error *error);
     void (*texture_destroy)(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
@@ -169,6 +191,7 @@ struct aob_gpu_fns {
 struct aob_gpu { /* first member of every backend's own struct */
     const struct aob_gpu_fns *fns;
     struct aob_gpu_info info;
+    struct aob_gpu_limits limits;
     bool
         lists; /* aob_gpu_run puts many passes into a submit: it is no software device, or was opened as_gpu */
 };
@@ -200,7 +223,7 @@ const struct aob_gpu_fns *aob_gpu_find(const char *name);  /* NULL if unknown */
 /* All devices that a backend sees, and the number of its default: the first discrete one that lacks nothing, else
  * integrated, virtual, of a class that the API does not say, processor. gl-egl prefers the default of `vulkan`, and has none
  * where that is a GPU and EGL offers processors only: figures of a processor must not pass for a GPU's. `chosen` is the
- * count then. False after a line: no driver. */
+ * count then, and list->none says why. False after a line: no driver. */
 bool aob_gpu_devices(const struct aob_gpu_fns *fns, struct aob_gpu_device_list *list, size_t *chosen,
                      struct aob_error *error);
 
@@ -212,6 +235,15 @@ bool aob_gpu_choose(const struct aob_gpu_device_list *list, const char *backend,
 /* NULL after one line that says what is missing (driver, loader, package). */
 struct aob_gpu *aob_gpu_open(const char *backend, const struct aob_gpu_desc *desc, struct aob_error *error);
 void aob_gpu_close(struct aob_gpu *gpu);
+
+/* Whether the device has what such a texture, or such a pass, takes: its format, its size, as many images. False after a
+ * line that says what it has. The pass's desc is a right one, but its program may be missing: on some drivers a program for
+ * too many images cannot even be linked. aob_gpu_texture_create and aob_gpu_pass_create refuse with the same line; who asks
+ * before knows that it is the device that lacks something. */
+bool aob_gpu_texture_fits(const struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
+                          struct aob_error *error);
+bool aob_gpu_pass_fits(const struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc,
+                       struct aob_error *error);
 
 /* NULL after one line. A desc without a use, or with more levels than its size has, is refused. */
 struct aob_gpu_texture *aob_gpu_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,

@@ -14,6 +14,7 @@
 #include "base/memory.h"
 #include "loader.h"
 #include "section.h"
+#include "timing/measure_lock.h"
 
 /* The weights share the time that is left, so what one section leaves over is the next ones'. */
 struct step {
@@ -31,6 +32,7 @@ struct check {
     char *worker, *loaders; /* path of gpu-check-device; a variable of its environment, or NULL */
     json_t *sections;
     int64_t end_ns;
+    struct aob_measure_lock lock;
 };
 
 static double seconds_until(int64_t ns)
@@ -131,18 +133,42 @@ static void fail_section(json_t *section, const char *reason)
     json_object_set_new(section, "reason", json_string(reason));
 }
 
+/* Whether the system's loader of programs did not start it. What it says has no other sign. */
+static bool lacks_library(const struct aob_child_result *end)
+{
+    static const char *const signs[] = {"error while loading shared libraries", "' not found (required by "};
+    for (size_t i = 0; i < AOB_COUNT(signs); i++)
+        if (end->exit_code > 0 && strstr(end->complaint, signs[i]))
+            return true;
+    return false;
+}
+
+/* A section without a device or a library was not begun, which is no fault of a driver. */
+static void skip_section(json_t *section, const char *reason)
+{
+    json_object_set_new(section, "status", json_string(AOB_CHECK_SKIPPED));
+    json_object_set_new(section, "reason", json_string(reason));
+}
+
 /* What ended the worker; true if nothing but its own will. */
 static bool judge_end(const struct aob_child_desc *child, const struct aob_child_result *end, double seconds,
                       json_t *section)
 {
     static const char ours[] = "aobudget: error: ";
     const char *said = strstr(end->complaint, ours);
+    bool opening = strcmp(json_string_value(json_object_get(section, "section")), "device") == 0;
     char text[700];
     if (end->exit_code == AOB_EXIT_OK)
         return true;
-    if (end->exit_code == AOB_EXIT_USAGE && said)
-        snprintf(text, sizeof text, "%s", said + strlen(ours));
-    else if (end->signal == SIGALRM)
+    if (end->exit_code == AOB_EXIT_USAGE && said) {
+        (opening ? skip_section : fail_section)(section, said + strlen(ours));
+        return false;
+    }
+    if (opening && lacks_library(end)) {
+        skip_section(section, end->complaint);
+        return false;
+    }
+    if (end->signal == SIGALRM)
         snprintf(text, sizeof text, "stopped after %.0f s: one step of it took longer than what was left",
                  seconds);
     else
@@ -166,10 +192,10 @@ static void judge_closing(const struct aob_child_result *end, json_t *section)
 static void run_worker(const struct check *check, const struct step *step, double seconds, json_t *section)
 {
     json_t *timer = find_section(check, "timer", step->backend);
-    json_t *job =
-        json_pack("{s:s, s:s, s:s?, s:s, s:f, s:f, s:b}", "section", step->section, "backend", step->backend,
-                  "device", check->desc->device, "data", check->desc->data, "seconds", 0.8 * seconds, "most",
-                  seconds, "trusted", timer && strcmp(status_of(timer), AOB_CHECK_PASSED) == 0);
+    json_t *job = json_pack("{s:s, s:s, s:s?, s:s, s:f, s:f, s:f, s:b}", "section", step->section, "backend",
+                            step->backend, "device", check->desc->device, "data", check->desc->data,
+                            "seconds", 0.8 * seconds, "most", seconds, "precision", check->desc->precision,
+                            "trusted", timer && strcmp(status_of(timer), AOB_CHECK_PASSED) == 0);
     char *input = aob_json_line(job, 17);
     struct aob_error error = {{0}};
     struct aob_child_result end = {0};
@@ -188,14 +214,30 @@ static void run_worker(const struct check *check, const struct step *step, doubl
     json_decref(job);
 }
 
+/* Another program that measures is waited for, which takes nothing of the check's own time. */
+static bool lock_machine(struct check *check, const struct step *step, struct aob_error *error)
+{
+    int64_t start = aob_clock_wall_ns();
+    bool times = strcmp(step->section, "timer") == 0 || strcmp(step->section, "times") == 0;
+    bool ok = !times || aob_measure_lock_take(&check->lock, error);
+    check->end_ns += aob_clock_wall_ns() - start;
+    return ok;
+}
+
 static void run_step(struct check *check, size_t at)
 {
     const struct step *step = &steps[at];
+    struct aob_error error = {{0}};
+    bool locked = lock_machine(check, step, &error);
     int64_t start = aob_clock_wall_ns();
     double seconds = fmax(share_of(check, at) * seconds_until(check->end_ns), 1);
     json_t *section = json_pack("{s:s, s:s, s:s, s:s, s:[]}", "section", step->section, "backend",
                                 step->backend, "status", AOB_CHECK_SKIPPED, "reason", "", "items");
-    run_worker(check, step, seconds, section);
+    if (locked)
+        run_worker(check, step, seconds, section);
+    else
+        fail_section(section, error.text);
+    aob_measure_lock_release(&check->lock);
     json_object_set_new(section, "seconds", json_real(-seconds_until(start)));
     json_array_append_new(check->sections, section);
 }
@@ -205,7 +247,6 @@ static bool is_finding(const char *status)
     return strcmp(status, AOB_CHECK_DISAGREES) == 0 || strcmp(status, AOB_CHECK_FAILED) == 0;
 }
 
-/* A backend that is not there is no disagreement: it stands in the document, and decides only where no other one is. */
 static json_t *findings_of(const struct check *check)
 {
     json_t *findings = json_array();
@@ -214,8 +255,6 @@ static json_t *findings_of(const struct check *check)
         const char *section = json_string_value(json_object_get(s, "section"));
         const char *backend = json_string_value(json_object_get(s, "backend"));
         size_t count = json_array_size(findings);
-        if (strcmp(section, "device") == 0)
-            continue;
         for (size_t k = 0; k < json_array_size(items); k++) {
             const json_t *item = json_array_get(items, k);
             if (is_finding(status_of(item)))
@@ -231,14 +270,41 @@ static json_t *findings_of(const struct check *check)
     return findings;
 }
 
-static const char *verdict_of(const struct check *check, const json_t *findings)
+/* "vulkan, times: 3 of 10 items, the first is hbao: no time was left for it" of each section that was cut. */
+static json_t *cuts_of(const struct check *check)
+{
+    json_t *cuts = json_array();
+    for (size_t i = 0; i < json_array_size(check->sections); i++) {
+        const json_t *s = json_array_get(check->sections, i), *items = json_object_get(s, "items"),
+                     *first = NULL;
+        size_t count = 0;
+        for (size_t k = 0; k < json_array_size(items); k++) {
+            const json_t *item = json_array_get(items, k);
+            bool cut = strcmp(status_of(item), AOB_CHECK_CUT) == 0;
+            first = cut && !first ? item : first;
+            count += cut;
+        }
+        if (count)
+            json_array_append_new(cuts, json_sprintf("%s, %s: %zu of %zu items, the first is %s: %s",
+                                                     json_string_value(json_object_get(s, "backend")),
+                                                     json_string_value(json_object_get(s, "section")), count,
+                                                     json_array_size(items),
+                                                     json_string_value(json_object_get(first, "item")),
+                                                     json_string_value(json_object_get(first, "reason"))));
+    }
+    return cuts;
+}
+
+static const char *verdict_of(const struct check *check, const json_t *findings, const json_t *cuts)
 {
     bool any = false;
     for (size_t i = 0; i < AOB_COUNT(steps); i++)
         any = any || (is_wanted(check, &steps[i]) && is_open(check, steps[i].backend));
+    if (json_array_size(findings))
+        return AOB_CHECK_DISAGREES;
     if (!any)
-        return "cannot";
-    return json_array_size(findings) ? AOB_CHECK_DISAGREES : AOB_CHECK_PASSED;
+        return AOB_CHECK_CANNOT;
+    return json_array_size(cuts) ? AOB_CHECK_CUT : AOB_CHECK_PASSED;
 }
 
 static json_t *describe_machine(void)
@@ -271,19 +337,26 @@ json_t *aob_check_run(const struct aob_check_desc *desc)
     for (size_t i = 0; i < AOB_COUNT(steps); i++)
         if (is_due(&check, &steps[i]))
             run_step(&check, i);
-    json_t *findings = findings_of(&check);
+    json_t *findings = findings_of(&check), *cuts = cuts_of(&check);
     free(check.worker);
     free(check.loaders);
-    return json_pack("{s:s, s:s, s:o, s:o, s:o, s:f, s:s, s:o, s:o}", "schema", AOB_CHECK_SCHEMA, "program",
-                     AOBUDGET_VERSION, "date", date_now(), "machine", describe_machine(), "packed_loaders",
-                     packed, "seconds", -seconds_until(start), "verdict", verdict_of(&check, findings),
-                     "findings", findings, "sections", check.sections);
+    return json_pack("{s:s, s:s, s:o, s:o, s:o, s:f, s:s, s:o, s:o, s:o}", "schema", AOB_CHECK_SCHEMA,
+                     "program", AOBUDGET_VERSION, "date", date_now(), "machine", describe_machine(),
+                     "packed_loaders", packed, "seconds", -seconds_until(start), "verdict",
+                     verdict_of(&check, findings, cuts), "findings", findings, "cut", cuts, "sections",
+                     check.sections);
 }
 
 enum aob_exit aob_check_code(const json_t *document)
 {
+    static const struct {
+        const char *verdict;
+        enum aob_exit code;
+    } codes[] = {
+        {AOB_CHECK_PASSED, AOB_EXIT_OK}, {AOB_CHECK_DISAGREES, AOB_EXIT_BAD}, {AOB_CHECK_CUT, AOB_EXIT_PART}};
     const char *verdict = json_string_value(json_object_get(document, "verdict"));
-    if (strcmp(verdict, AOB_CHECK_PASSED) == 0)
-        return AOB_EXIT_OK;
-    return strcmp(verdict, AOB_CHECK_DISAGREES) == 0 ? AOB_EXIT_BAD : AOB_EXIT_USAGE;
+    for (size_t i = 0; i < AOB_COUNT(codes); i++)
+        if (strcmp(verdict, codes[i].verdict) == 0)
+            return codes[i].code;
+    return AOB_EXIT_USAGE;
 }

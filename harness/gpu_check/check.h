@@ -17,12 +17,15 @@ struct aob_check_desc {
     const char *device;  /* NULL: each backend's choice */
     const char *section; /* NULL: all; else this one and what it needs: the device, and for times the timer */
     double seconds;      /* for all sections together */
+    double precision; /* share that a technique's interval may reach to either side: its timing ends there */
 };
+#define AOB_CHECK_PRECISION 0.01
 
 /* Runs the sections and returns the document; decref it. It holds schema, program, date, machine{cpu, cores, system},
- * packed_loaders[], seconds, verdict, findings[], sections[{section, backend, status, reason, seconds, items[]}]. A section's
- * status is that of its worst item: failed, disagrees, cut, passed, skipped. The verdict is `passed`, `disagrees` (a
- * section failed or disagrees), or `cannot` (no backend could be opened, or not the one that was asked for). */
+ * packed_loaders[], seconds, verdict, findings[], cut[] (a line each), sections[{section, backend, status, reason, seconds, items[]}]. A section's
+ * status is that of its worst item: failed, disagrees, cut, passed, skipped. The verdict is `disagrees` (a section failed or
+ * disagrees, that of the device too: a driver that dies when it is opened is a finding), `cannot` (no backend has a device,
+ * or not the one that was asked for), `cut` (there was no time left for some items), or `passed`. */
 json_t *aob_check_run(const struct aob_check_desc *desc);
 
 /* Whether there is a section of that name. */

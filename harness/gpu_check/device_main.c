@@ -76,8 +76,9 @@ static bool run(json_t *document, int reply, struct aob_error *error)
     double seconds, most;
     int trusted;
     job.device = json_string_value(json_object_get(document, "device"));
-    if (json_unpack(document, "{s:s, s:s, s:s, s:F, s:F, s:b}", "section", &name, "backend", &job.backend,
-                    "data", &folder, "seconds", &seconds, "most", &most, "trusted", &trusted) != 0)
+    if (json_unpack(document, "{s:s, s:s, s:s, s:F, s:F, s:F, s:b}", "section", &name, "backend",
+                    &job.backend, "data", &folder, "seconds", &seconds, "most", &most, "precision",
+                    &job.precision, "trusted", &trusted) != 0)
         return aob_fail(error, "standard input is no job; this program is gpu-check's own");
     const struct aob_section *section = find_section(name, error);
     if (!section || !set_environment(job.backend, error) || !aob_check_data_load(&job.data, folder, error))

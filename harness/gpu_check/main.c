@@ -10,7 +10,7 @@
 #include "check_data.h"
 
 struct options {
-    const char *out, *data, *backend, *device, *section, *seconds;
+    const char *out, *data, *backend, *device, *section, *seconds, *precision;
     bool help;
     struct aob_words words;
 };
@@ -25,6 +25,8 @@ static const struct aob_flag flags[] = {
      offsetof(struct options, section)},
     {"seconds", "S", "for everything together, 10 to 3600 (270)", AOB_FLAG_TEXT,
      offsetof(struct options, seconds)},
+    {"precision", "P%", "of a technique's time, which ends there: 0.1% to 50% (1%)", AOB_FLAG_TEXT,
+     offsetof(struct options, precision)},
     {"help", NULL, "this text", AOB_FLAG_SWITCH, offsetof(struct options, help)},
     {NULL},
 };
@@ -34,19 +36,36 @@ static enum aob_exit print_help(struct aob_error *error)
     struct aob_text out = {0};
     aob_text_add_line(&out,
                       "usage: gpu-check [--out FILE] [--backend NAME [--device NAME|N]] [--section NAME] "
-                      "[--seconds S]");
+                      "[--seconds S] [--precision P%%]");
     aob_text_add_line(&out,
                       "Checks the drivers of this machine against images of software drivers, and times the "
                       "techniques by the device's clock.");
     aob_flags_help(flags, &out);
     aob_text_add_line(
-        &out, "exit codes: 0 all passed; 1 something disagrees or failed; 2 nothing could be checked");
+        &out, "exit codes: 0 all passed; 1 something disagrees or failed; 2 nothing could be checked; 3 all "
+              "passed, but some was cut for lack of time");
     bool ok = aob_output_write(out.data, out.size, error);
     aob_text_finish(&out);
     return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
 }
 
-static bool read_options(int argc, char **argv, struct options *options, double *seconds,
+struct limits {
+    double seconds, precision;
+};
+
+static bool read_limits(const struct options *options, struct limits *limits, struct aob_error *error)
+{
+    if (options->seconds && (!aob_parse_double(options->seconds, &limits->seconds) ||
+                             !(limits->seconds >= 10 && limits->seconds <= 3600)))
+        return aob_fail(error, "gpu-check: --seconds %s is outside 10 .. 3600", options->seconds);
+    if (options->precision && (!aob_parse_percent(options->precision, &limits->precision) ||
+                               !(limits->precision >= 0.001 && limits->precision <= 0.5)))
+        return aob_fail(error, "gpu-check: --precision %s is no percentage within 0.1%% .. 50%%",
+                        options->precision);
+    return true;
+}
+
+static bool read_options(int argc, char **argv, struct options *options, struct limits *limits,
                          struct aob_error *error)
 {
     const struct aob_flags_desc desc = {"gpu-check", flags, argc - 1, argv + 1};
@@ -64,10 +83,7 @@ static bool read_options(int argc, char **argv, struct options *options, double 
         return aob_fail(error,
                         "gpu-check: --section '%s' is not one of device, timer, images, validation, times",
                         options->section);
-    if (options->seconds &&
-        (!aob_parse_double(options->seconds, seconds) || !(*seconds >= 10 && *seconds <= 3600)))
-        return aob_fail(error, "gpu-check: --seconds %s is outside 10 .. 3600", options->seconds);
-    return true;
+    return read_limits(options, limits, error);
 }
 
 /* One line where nothing could be checked: the first backend's reason. */
@@ -91,7 +107,8 @@ static enum aob_exit write_results(const struct options *options, json_t *docume
     return code;
 }
 
-static enum aob_exit check(const struct options *options, double seconds, struct aob_error *error)
+static enum aob_exit check(const struct options *options, const struct limits *limits,
+                           struct aob_error *error)
 {
     char *folder = aob_path_program_folder();
     char *data = options->data ? aob_path_absolute(options->data) : aob_path_join(folder, "data");
@@ -99,8 +116,13 @@ static enum aob_exit check(const struct options *options, double seconds, struct
     enum aob_exit code = AOB_EXIT_USAGE;
     if (aob_json_check(options->out ? options->out : "gpu-check.json", error) &&
         aob_check_data_load(&read, data, error)) {
-        json_t *document = aob_check_run(&(struct aob_check_desc){
-            folder, data, options->backend, options->device, options->section, seconds});
+        json_t *document = aob_check_run(&(struct aob_check_desc){.program = folder,
+                                                                  .data = data,
+                                                                  .backend = options->backend,
+                                                                  .device = options->device,
+                                                                  .section = options->section,
+                                                                  .seconds = limits->seconds,
+                                                                  .precision = limits->precision});
         json_object_set(document, "made_on", json_object_get(read.document, "made_on"));
         code = write_results(options, document, error);
         json_decref(document);
@@ -115,12 +137,12 @@ int main(int argc, char **argv)
 {
     struct aob_error error = {{0}};
     struct options options = {0};
-    double seconds = 270;
+    struct limits limits = {.seconds = 270, .precision = AOB_CHECK_PRECISION};
     enum aob_exit code = AOB_EXIT_USAGE;
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
-    if (read_options(argc, argv, &options, &seconds, &error))
-        code = options.help ? print_help(&error) : check(&options, seconds, &error);
+    if (read_options(argc, argv, &options, &limits, &error))
+        code = options.help ? print_help(&error) : check(&options, &limits, &error);
     aob_words_finish(&options.words);
     if (!aob_output_close(*error.text ? NULL : &error))
         code = AOB_EXIT_USAGE;

@@ -1,6 +1,6 @@
 /* A section of gpu-check on one backend, in a process of its own (gpu-check-device), so that a driver that crashes or hangs
  * costs this section. It reads one JSON document on standard input, {section, backend, device, data, seconds, most,
- * trusted}, and answers with a JSON object a line: an item, {item, status, ...}. An alarm ends it after `most`
+ * precision, trusted}, and answers with a JSON object a line: an item, {item, status, ...}. An alarm ends it after `most`
  * seconds. A section that cannot be done at all says so in one line on standard error and exits with 2. */
 #ifndef AOB_GPU_CHECK_SECTION_H
 #define AOB_GPU_CHECK_SECTION_H
@@ -14,9 +14,10 @@
 struct aob_section_job {
     const char *backend, *device; /* device: NULL: the backend's choice */
     struct aob_check_data data;
-    bool trusted;   /* the device's clock passed its test */
-    int64_t end_ns; /* by the monotonic clock: no item is begun after it */
-    int reply;      /* file descriptor of the answers */
+    double precision; /* of a technique's time, a share */
+    bool trusted;     /* the device's clock passed its test */
+    int64_t end_ns;   /* by the monotonic clock: no item is begun after it */
+    int reply;        /* file descriptor of the answers */
 };
 struct aob_section {
     const char *name;
@@ -31,6 +32,7 @@ extern const struct aob_section aob_section_device, aob_section_timer, aob_secti
 #define AOB_CHECK_FAILED    "failed"    /* the device could not do it; with a `reason` */
 #define AOB_CHECK_SKIPPED   "skipped"   /* nothing for this device; with a `reason` */
 #define AOB_CHECK_CUT       "cut"       /* there was no time left; with a `reason` */
+#define AOB_CHECK_CANNOT    "cannot"    /* of all together: no backend has a device */
 
 /* Sends an item; takes the reference. */
 void aob_section_reply(const struct aob_section_job *job, json_t *item);

@@ -131,13 +131,20 @@ void aob_check_print(const json_t *document, struct aob_text *out)
 {
     const json_t *machine = json_object_get(document, "machine"),
                  *sections = json_object_get(document, "sections");
-    const json_t *findings = json_object_get(document, "findings");
+    const json_t *findings = json_object_get(document, "findings"), *cuts = json_object_get(document, "cut"),
+                 *packed = json_object_get(document, "packed_loaders");
     aob_text_add_line(out, "gpu-check %s, %s, %s, %s", text_of(document, "program"),
                       text_of(document, "date"), text_of(machine, "cpu"), text_of(machine, "system"));
+    for (size_t i = 0; i < json_array_size(packed); i++)
+        aob_text_add_line(out, "this system has no %s, so the packed one is used",
+                          json_string_value(json_array_get(packed, i)));
     for (size_t i = 0; i < json_array_size(sections); i++)
         print_section(json_array_get(sections, i), out);
+    for (size_t i = 0; i < json_array_size(cuts); i++)
+        aob_text_add_line(out, "CUT %s", json_string_value(json_array_get(cuts, i)));
     for (size_t i = 0; i < json_array_size(findings); i++)
         aob_text_add_line(out, "FINDING %s", json_string_value(json_array_get(findings, i)));
-    aob_text_add_line(out, "verdict: %s, %zu findings, %.0f s", text_of(document, "verdict"),
-                      json_array_size(findings), number_of(document, "seconds"));
+    aob_text_add_line(out, "verdict: %s, %zu findings, %zu sections cut, %.0f s",
+                      text_of(document, "verdict"), json_array_size(findings), json_array_size(cuts),
+                      number_of(document, "seconds"));
 }

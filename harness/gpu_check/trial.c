@@ -74,7 +74,7 @@ bool aob_trial_run(const struct aob_trial_desc *desc, struct aob_trial *trial, s
                                                        .frames = &desc->frame,
                                                        .frame_count = 1,
                                                        .seconds = desc->seconds,
-                                                       .precision = 0.01,
+                                                       .precision = desc->precision,
                                                        .seed = 1,
                                                        .clock = desc->clock},
                              &rounds, error);

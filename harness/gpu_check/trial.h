@@ -9,8 +9,8 @@
 struct aob_trial_desc {
     struct aob_frame *fixed, *frame; /* on one device */
     enum aob_clock clock;
-    double
-        seconds; /* inside the rounds; they end earlier where the ratio's interval is within 1 % at a check point */
+    double seconds;   /* inside the rounds; */
+    double precision; /* they end earlier where the ratio's interval is within this share at a check point */
 };
 
 struct aob_trial_time { /* milliseconds a frame: the median of the rounds and its 95 % interval */

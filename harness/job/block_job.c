@@ -1,5 +1,6 @@
 #include "block_job.h"
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include "base/json.h"
 #include "base/memory.h"
@@ -36,9 +37,9 @@ json_t *aob_block_job_to_json(const struct aob_block_job *job)
                   "triangles", job->triangles, "score", job->score, "time", job->time, "error", job->error,
                   "targets", targets_to_json(job), "cases", cases);
     json_object_set_new(object, "timing",
-                        json_pack("{s:i, s:I, s:f, s:f, s:s?}", "process", job->process, "seed",
+                        json_pack("{s:i, s:I, s:f, s:f, s:s?, s:s?}", "process", job->process, "seed",
                                   (json_int_t)job->seed, "seconds", job->seconds, "precision", job->precision,
-                                  "clock", job->clock));
+                                  "clock", job->clock, "clock_reason", job->clock_reason));
     aob_job_view_to_json(&job->view, object);
     return object;
 }
@@ -116,7 +117,9 @@ static bool read_timing(const json_t *object, struct aob_block_job *job, struct 
         return aob_fail(error, "a block job does not say how it is timed");
     job->seed = (uint32_t)seed;
     job->clock = json_string_value(json_object_get(object, "clock"));
-    return true;
+    job->clock_reason = json_string_value(json_object_get(object, "clock_reason"));
+    return !job->clock || job->clock_reason ||
+           aob_fail(error, "a block job does not say why it has its clock");
 }
 
 bool aob_block_job_from_json(const json_t *object, struct aob_block_job *job, struct aob_error *error)
@@ -146,8 +149,9 @@ json_t *aob_block_timed_to_json(const struct aob_block_timed *timed)
         json_array_append_new(cases, json_pack("{s:I, s:f, s:O}", "index", (json_int_t)c->index, "setup_ms",
                                                c->setup_ms, "passes", c->passes));
     }
-    return json_pack("{s:{s:s, s:i, s:o}}", "timed", "clock", aob_clock_name(timed->clock), "threads",
-                     timed->threads, "cases", cases);
+    return json_pack("{s:{s:s, s:o, s:i, s:o}}", "timed", "clock", aob_clock_name(timed->clock),
+                     "clock_reason", aob_json_text(timed->clock_reason), "threads", timed->threads, "cases",
+                     cases);
 }
 
 static bool read_timed_case(const json_t *object, size_t case_count, struct aob_block_timed *timed)
@@ -169,7 +173,10 @@ bool aob_block_timed_from_json(const json_t *object, size_t case_count, struct a
 {
     const json_t *head = json_object_get(object, "timed"), *cases = json_object_get(head, "cases");
     *timed = (struct aob_block_timed){.threads = (int)json_integer_value(json_object_get(head, "threads"))};
-    bool ok = aob_clock_find(json_string_value(json_object_get(head, "clock")), &timed->clock);
+    const char *reason = json_string_value(json_object_get(head, "clock_reason"));
+    bool ok = reason && aob_clock_find(json_string_value(json_object_get(head, "clock")), &timed->clock);
+    if (ok)
+        snprintf(timed->clock_reason, sizeof timed->clock_reason, "%s", reason);
     for (size_t i = 0; ok && i < json_array_size(cases); i++)
         ok = read_timed_case(json_array_get(cases, i), case_count, timed);
     if (ok && timed->count)

@@ -44,8 +44,9 @@ struct aob_block_job {
     int process;    /* from here on for timing/timing.h: the process' place among those of the block, */
     uint32_t seed;  /* of its order, */
     double seconds; /* of timing a case, at most, */
-    double precision;  /* share: timing ends early where the intervals are as narrow, */
-    const char *clock; /* that costs are judged by (base/clock.h); NULL: the worker chooses */
+    double precision;         /* share: timing ends early where the intervals are as narrow, */
+    const char *clock;        /* that costs are judged by (base/clock.h); NULL: the worker chooses */
+    const char *clock_reason; /* what an earlier worker said of that choice (below); not NULL with a clock */
     struct aob_block_target *targets;
     size_t target_count;
     struct aob_block_case *cases; /* 1 .. AOB_BLOCK_MAX */
@@ -60,7 +61,8 @@ void aob_block_job_finish(struct aob_block_job *job);
 /* What the rounds that follow are of: their slots from AOB_SLOT_CASES on. */
 struct aob_block_timed {
     enum aob_clock clock;
-    int threads; /* of the driver */
+    char clock_reason[256]; /* why it is wall time, where a device's own clock is wanted; else empty */
+    int threads;            /* of the driver */
     struct aob_block_timed_case {
         size_t index;    /* of the job's cases */
         double setup_ms; /* until its passes could run */

@@ -138,12 +138,13 @@ static bool is_open(const struct papers *papers, const char *name, const struct 
 static json_t *run_config(struct papers *papers, const char *name, const char *folder)
 {
     json_t *records = json_object_get(papers->ran, name);
-    for (int patience = 0; !records && patience < AOB_PAPERS_RUNS; patience++) {
+    int runs = papers->desc->quick ? 1 : AOB_PAPERS_RUNS;
+    for (int patience = 0; !records && patience < runs; patience++) {
         struct aob_error error = {{0}};
         json_t *found = run_once(papers, name, folder, patience, &error);
         const struct aob_paper_run run = {found, folder};
         json_object_set_new(papers->ran, name, found ? found : json_string(error.text));
-        if (!found || patience == AOB_PAPERS_RUNS - 1 || !is_open(papers, name, &run))
+        if (!found || patience == runs - 1 || !is_open(papers, name, &run))
             records = json_object_get(papers->ran, name);
     }
     return records;
@@ -258,12 +259,12 @@ static const char words[] =
     "whole\n"
     "intervals on one side of each bar; where one holds a bar, the row's cases are timed again for twice as "
     "long, and\n"
-    "once more.\n\n"
+    "once more (not with --quick).\n\n"
     "- *reproduced*: each figure lies within 25 % of the text's; where the text has none, the claim holds.\n"
     "- *shape only*: the figures lie in the text's order, as far as its digits tell them apart, each on its "
     "side of 1.\n"
     "- *not reproduced*: neither. The last column gives a reason where a measured figure shows it.\n"
-    "- *not judged*: an interval still holds a bar after the third run, or the text leaves open what a "
+    "- *not judged*: an interval still holds a bar after the last run, or the text leaves open what a "
     "verdict would\n"
     "  depend on.\n"
     "- *needs a device model*: nothing is measured, since it is about the text's device.\n\n"

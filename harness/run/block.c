@@ -81,6 +81,14 @@ static void take_case(struct aob_run_block *block, const json_t *answer)
                                   answer);
 }
 
+static void take_timed(struct aob_run_block_reply *reply, const json_t *answer)
+{
+    struct aob_run_block *block = reply->block;
+    if (aob_block_timed_from_json(answer, block->count, &reply->timed))
+        aob_run_clocks_keep(&block->m->clocks, aob_run_block_case(block, 0)->backend, reply->timed.clock,
+                            reply->timed.clock_reason);
+}
+
 static void take_round(struct aob_run_block_reply *reply, const json_t *round)
 {
     struct aob_round_list *rounds = reply->rounds;
@@ -101,7 +109,7 @@ void aob_run_block_take(void *user, const json_t *answer)
     } else if (json_object_get(answer, "round"))
         take_round(reply, json_object_get(answer, "round"));
     else if (json_object_get(answer, "timed") && !reply->timed.count)
-        aob_block_timed_from_json(answer, reply->block->count, &reply->timed);
+        take_timed(reply, answer);
     else
         take_case(reply->block, answer);
 }

@@ -27,13 +27,12 @@ struct aob_run_block_reply {
 };
 
 /* One process: sends the job for the cases at these places and takes its answers. Where it times, the machine is locked
- * meanwhile (measure_lock.h). */
+ * meanwhile (timing/measure_lock.h). */
 struct aob_run_block_job {
     const size_t *places;
     size_t count;
     bool score;
     const struct aob_process_desc *process;
-    const char *clock; /* NULL: the worker chooses */
 };
 bool aob_run_block_send(struct aob_run_block *block, const struct aob_run_block_job *job,
                         struct aob_run_block_reply *reply, struct aob_error *error);

@@ -37,6 +37,7 @@ static json_t *make_job(const struct aob_run_block *block, const struct aob_run_
     const struct aob_view_files *files = block->files;
     const struct aob_case *c = aob_run_block_case(block, 0);
     const struct aob_config *config = block->m->plan->config;
+    const struct aob_run_clock *clock = aob_run_clocks_find(&block->m->clocks, c->backend);
     struct aob_block_case cases[AOB_BLOCK_MAX];
     struct aob_block_target targets[AOB_CONFIG_MAX_TARGETS];
     char *images[AOB_BLOCK_MAX] = {NULL};
@@ -52,7 +53,8 @@ static json_t *make_job(const struct aob_run_block *block, const struct aob_run_
                                 .seed = sent->process->seed,
                                 .seconds = sent->process->seconds,
                                 .precision = config->precision,
-                                .clock = sent->clock,
+                                .clock = clock ? aob_clock_name(clock->clock) : NULL,
+                                .clock_reason = clock ? clock->reason : NULL,
                                 .targets = targets,
                                 .target_count = files->target_count,
                                 .cases = cases,

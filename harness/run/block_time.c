@@ -54,9 +54,7 @@ static bool measure_process(void *user, const struct aob_process_desc *process, 
     if (group->first && process->index == 0)
         return take_first(group, rounds, error);
     struct aob_run_block_reply reply = {.rounds = rounds};
-    const char *clock = group->timed.count ? aob_clock_name(group->timed.clock) : NULL;
-    const struct aob_run_block_job job = {
-        .places = group->places, .count = group->count, .process = process, .clock = clock};
+    const struct aob_run_block_job job = {.places = group->places, .count = group->count, .process = process};
     bool ok = aob_run_block_send(group->block, &job, &reply, error);
     if (ok)
         keep_timed(group, &reply.timed);
@@ -156,14 +154,23 @@ static void add_place(struct group *group, size_t place)
         group->places[group->count++] = place;
 }
 
-/* What the process that scored has timed; all that is held if it was lost before it could say that. */
+/* What the process that scored has timed. */
 static void choose_first(struct group *group)
 {
     const struct aob_block_timed *timed = &group->first->timed;
     for (size_t i = 0; i < timed->count; i++)
         add_place(group, timed->cases[i].index);
-    for (size_t i = 0; !timed->count && i < group->block->count; i++)
-        add_place(group, i);
+}
+
+/* It was lost before it could say which cases are timed together: each is timed apart, as cheap ones would lose their
+ * rounds to a dear one. */
+static void tell_lost_first(struct group *group, const char *reason)
+{
+    struct group all = {.block = group->block};
+    for (size_t i = 0; i < group->block->count; i++)
+        add_place(&all, i);
+    if (all.count)
+        tell_lost(&all, 0, reason);
 }
 
 void aob_run_block_time(struct aob_run_block *block, struct aob_run_block_reply *first, const char *lost)
@@ -175,6 +182,8 @@ void aob_run_block_time(struct aob_run_block *block, struct aob_run_block_reply 
         tried[group.places[i]] = true;
     if (group.count)
         time_group(&group);
+    else if (lost)
+        tell_lost_first(&group, lost);
     for (size_t i = 0; i < block->count; i++) {
         struct group single = {.block = block, .places = {i}, .count = 1};
         if (block->held[i] && !tried[i])

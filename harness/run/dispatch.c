@@ -127,24 +127,34 @@ bool aob_dispatch_describe(const struct aob_dispatch *dispatch, const struct aob
     return false;
 }
 
+struct devices {
+    json_t *list;
+    struct aob_error *none;
+};
+
 static void add_device(void *user, const json_t *answer)
 {
-    json_array_append_new(user, json_deep_copy(answer));
+    struct devices *devices = user;
+    const char *none = json_string_value(json_object_get(answer, "none"));
+    if (none)
+        aob_fail(devices->none, "%s", none);
+    else
+        json_array_append_new(devices->list, json_deep_copy(answer));
 }
 
 json_t *aob_dispatch_devices(const struct aob_dispatch *dispatch, const char *backend,
                              struct aob_error *error)
 {
-    json_t *devices = json_array();
+    struct devices devices = {json_array(), error};
     struct aob_job_desc desc = {.job = json_pack("{s:s, s:s, s:s?}", "job", "devices", "backend", backend,
                                                  "device", dispatch->device),
                                 .env = aob_gpu_find(backend)->environment,
                                 .timeout_s = 30,
                                 .on_answer = add_device,
-                                .user = devices};
+                                .user = &devices};
     if (aob_dispatch_job(dispatch, &desc, error))
-        return devices;
-    json_decref(devices);
+        return devices.list;
+    json_decref(devices.list);
     return NULL;
 }
 

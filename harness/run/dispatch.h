@@ -33,7 +33,8 @@ bool aob_dispatch_describe(const struct aob_dispatch *dispatch, const struct aob
                            struct aob_technique_list *list, struct aob_error *error);
 
 /* The devices of a backend, [{name, driver, class, software, timer, lacks, chosen}] in the order of their numbers; one is
- * `chosen` at most, that of dispatch->device or the default. NULL after a line: no driver. Decref it. */
+ * `chosen` at most, that of dispatch->device or the default; where none is, `error` has the reason. NULL after a line: no
+ * driver. Decref it. */
 json_t *aob_dispatch_devices(const struct aob_dispatch *dispatch, const char *backend,
                              struct aob_error *error);
 

@@ -1,6 +1,9 @@
 #include "info.h"
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include "base/file.h"
+#include "base/json.h"
 #include "base/memory.h"
 
 /* Those of the plan, so that a page can say what was measured. */
@@ -56,8 +59,12 @@ json_t *aob_run_info_create(const struct aob_sweep *sweep, const struct aob_disp
     if (!devices)
         return NULL;
     strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:o}", "name", sweep->config.name,
-                     "config_hash", sweep->config.hash, "build", build, "program", AOBUDGET_VERSION, "date",
-                     date, "cases", (int)sweep->plan.case_count, "keys", keys_to_json(&sweep->plan),
-                     "techniques", techniques_to_json(sweep), "devices", devices);
+    char *place = aob_path_absolute(sweep->config.place);
+    json_t *info =
+        json_pack("{s:s, s:o, s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:o}", "name", sweep->config.name, "config",
+                  aob_json_text(place), "config_hash", sweep->config.hash, "build", build, "program",
+                  AOBUDGET_VERSION, "date", date, "cases", (int)sweep->plan.case_count, "keys",
+                  keys_to_json(&sweep->plan), "techniques", techniques_to_json(sweep), "devices", devices);
+    free(place);
+    return info;
 }

@@ -57,5 +57,6 @@ void aob_measurement_finish(struct aob_measurement *m)
     free(m->place);
     json_decref(m->failed_views);
     aob_cache_close(&m->cache);
+    aob_run_clocks_finish(&m->clocks);
     *m = (struct aob_measurement){0};
 }

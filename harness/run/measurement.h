@@ -6,10 +6,11 @@
 #include <stdint.h>
 #include "base/error.h"
 #include "dispatch.h"
-#include "measure_lock.h"
 #include "plan/plan.h"
+#include "run_clock.h"
 #include "state.h"
 #include "store/cache.h"
+#include "timing/measure_lock.h"
 
 struct aob_shares { /* seconds of wall time */
     double reference, measured, warmup, images;
@@ -29,6 +30,7 @@ struct aob_measurement {
     const char *image; /* in place of that: the file for the image of a plan's only case */
     struct aob_shares shares;
     struct aob_measure_lock lock;
+    struct aob_run_clocks clocks;
     uint32_t seed; /* of the orders of its timing, drawn anew for each measurement; records tell it */
     void (*on_work)(void *user, size_t index,
                     const char *work); /* "tracing", of the case's view; NULL: nobody asks */

@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "again.h"
 #include "base/sealed.h"
 #include "config/config_builds.h"
 #include "info.h"
@@ -15,7 +16,6 @@
 #include "record.h"
 #include "reports/page/page.h"
 #include "store/run_folder.h"
-#include "timing/processes.h"
 
 /* One run, from its config to its page. */
 struct run {
@@ -28,7 +28,8 @@ struct run {
     size_t stored;         /* records of this time */
     size_t counts[4];      /* by status, in status_names' order, of the cases in this run's plan */
     size_t imprecise;      /* of them, those whose time is less precise than was wanted, */
-    double seconds_needed; /* and what the worst of them would need; 0: none knows */
+    size_t foretold;       /* of those, the ones for which some seconds would do, */
+    double seconds_needed; /* and what the worst of these would need */
     struct aob_error store_error;
     int64_t start_ns;
 };
@@ -38,7 +39,8 @@ static bool read_config(struct run *run, struct aob_error *error)
 {
     const struct aob_run_desc *desc = run->desc;
     struct aob_config *config = &run->sweep.config;
-    if (!aob_config_read(config, desc->config, error) ||
+    if (!(desc->again ? aob_run_again_read(desc->again, desc->config, config, error)
+                      : aob_config_read(config, desc->config, error)) ||
         (desc->builds && !aob_config_take_builds(config, desc->builds, error)))
         return false;
     for (size_t i = 0; i < config->size_count; i++)
@@ -73,8 +75,10 @@ static bool open_folder(struct run *run, struct aob_error *error)
     char *path =
         run->desc->out ? aob_strdup(run->desc->out) : aob_path_join("results", run->sweep.config.name);
     /* The document may go there too; an earlier run is discarded only when it can be written. */
+    const struct aob_config *config = &run->sweep.config;
     bool ok = aob_folder_create(path, error) && aob_json_check(run->desc->json, error) &&
-              aob_run_folder_open(&run->folder, path, run->info, run->desc->fresh, error);
+              aob_run_folder_open(&run->folder, path, run->info, run->desc->fresh, error) &&
+              aob_run_folder_keep_config(&run->folder, config->text, config->size, error);
     free(path);
     return ok;
 }
@@ -94,6 +98,16 @@ static bool is_coarse(const struct run *run, const json_t *time)
     return asked > run->sweep.config.precision * rounding && !is_precise(run, time);
 }
 
+/* A record foretells the precision that it was asked for, and no other. */
+static double seconds_needed(const struct run *run, const json_t *time)
+{
+    const double rounding = 1e-6;
+    double asked = aob_json_to_number(json_object_get(time, "precision_wanted"));
+    if (!(fabs(asked / run->sweep.config.precision - 1) <= rounding))
+        return NAN;
+    return aob_json_to_number(json_object_get(time, "seconds_needed"));
+}
+
 static void count(struct run *run, const json_t *record)
 {
     const char *status = json_string_value(json_object_get(record, "status"));
@@ -102,11 +116,12 @@ static void count(struct run *run, const json_t *record)
     const json_t *time = json_object_get(record, "time");
     if (!json_object_get(time, "precision") || is_precise(run, time))
         return;
-    double seconds = aob_json_to_number(json_object_get(time, "seconds"));
-    double reached = aob_json_to_number(json_object_get(time, "precision"));
     run->imprecise++;
-    run->seconds_needed =
-        fmax(run->seconds_needed, aob_seconds_needed(seconds, reached, run->sweep.config.precision));
+    double needed = seconds_needed(run, time);
+    if (!isfinite(needed))
+        return;
+    run->foretold++;
+    run->seconds_needed = fmax(run->seconds_needed, needed);
 }
 
 /* Below the run's folder: a file that is there and not known to be wrong. One that cannot be read may be good. */
@@ -309,15 +324,18 @@ static bool write_report(struct run *run, struct aob_error *error)
     return ok && aob_run_folder_describe(&run->folder, run->info, error);
 }
 
-/* "; 3 are less precise than 3 %, seconds: 12 would do". Two digits of an estimate are enough. */
+/* "; 3 less precise than 3 %, for which seconds: 12 would do". Two digits of an estimate are enough. */
 static void add_imprecise(const struct run *run, struct aob_text *text)
 {
     if (!run->imprecise)
         return;
     aob_text_add(text, "; %zu less precise than %g %%", run->imprecise, 100 * run->sweep.config.precision);
-    double step = run->seconds_needed > 0 ? pow(10, floor(log10(run->seconds_needed)) - 1) : 0;
-    if (step > 0)
-        aob_text_add(text, ", for which seconds: %g would do", ceil(run->seconds_needed / step) * step);
+    if (!run->foretold)
+        return;
+    double step = pow(10, floor(log10(run->seconds_needed)) - 1);
+    aob_text_add(text, ", for which seconds: %g would do", ceil(run->seconds_needed / step) * step);
+    if (run->foretold < run->imprecise)
+        aob_text_add(text, " in %zu of them", run->foretold);
 }
 
 static json_t *summary_to_json(const struct run *run)
@@ -325,7 +343,7 @@ static json_t *summary_to_json(const struct run *run)
     json_t *counts = json_object();
     for (size_t i = 0; i < AOB_COUNT(status_names); i++)
         json_object_set_new(counts, status_names[i], json_integer((json_int_t)run->counts[i]));
-    double seconds = run->seconds_needed > 0 ? run->seconds_needed : NAN;
+    double seconds = run->foretold && run->foretold == run->imprecise ? run->seconds_needed : NAN;
     return json_pack("{s:s, s:s, s:i, s:o, s:{s:i, s:o}, s:O}", "name", run->sweep.config.name, "folder",
                      run->folder.path, "cases", (int)run->sweep.plan.case_count, "status", counts,
                      "imprecise", "cases", (int)run->imprecise, "seconds_needed", aob_json_number(seconds),
@@ -369,6 +387,7 @@ enum aob_exit aob_run(const struct aob_run_desc *desc, struct aob_error *error)
 {
     struct run run = {.desc = desc, .start_ns = aob_clock_wall_ns()};
     bool ok = read_config(&run, error) && aob_sweep_expand(&run.sweep, &desc->dispatch, error) &&
+              (!desc->again || aob_run_again_choose(desc->again, &run.sweep, error)) &&
               describe(&run, error) && apply_filter(&run, error) && open_folder(&run, error) &&
               measure(&run, error) && (desc->no_page || write_report(&run, error)) &&
               print_summary(&run, error);

@@ -6,6 +6,7 @@
 #include "dispatch.h"
 
 struct aob_config_builds;
+struct aob_run_again;
 
 struct aob_run_desc {
     struct aob_dispatch dispatch;
@@ -15,7 +16,9 @@ struct aob_run_desc {
     const char *json;   /* summary document to this file, "-": standard output; NULL: none */
     bool fresh, quiet;  /* fresh: what the folder held of an earlier run is removed first */
     const struct aob_config_builds
-        *builds;  /* each case with both of them (config/config_builds.h); NULL: as it is */
+        *builds; /* each case with both of them (config/config_builds.h); NULL: as it is */
+    const struct aob_run_again *
+        again; /* the config is the copy that an earlier run has, and its cases are measured again (again.h) */
     bool no_page; /* the journal only; `aobudget report` can make the page later */
     int max_width; /* pixels; of wider pictures only the middle columns, at their scale, so that a pixel costs what
                            it did; 0: as the config says */

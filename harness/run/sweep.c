@@ -19,7 +19,7 @@ static bool same_file(const char *a, const char *b)
  * which of them a record is of. */
 struct gathered {
     const char **paths, **names; /* borrowed */
-    size_t count, offered;       /* offered: the --module files, which come first */
+    size_t count, offered;       /* offered: of the --module files, which come first */
 };
 
 static bool gather(struct gathered *all, const char *name, const char *path, struct aob_error *error)
@@ -43,9 +43,10 @@ static bool gather_all(struct gathered *all, const struct aob_sweep *sweep, cons
     const struct aob_config *config = &sweep->config;
     all->paths = AOB_NEW_ARRAY(const char *, offered->count + config->technique_count + 1);
     all->names = AOB_NEW_ARRAY(const char *, offered->count + config->technique_count + 1);
-    for (size_t i = 0; i < offered->count; i++)
+    for (size_t i = 0; i < offered->count; i++) {
         gather(all, offered->names[i], offered->paths[i], NULL); /* in one folder equal names are one file */
-    all->offered = all->count;
+        all->offered = i < offered->offered ? all->count : all->offered;
+    }
     for (size_t i = 0; i < config->technique_count; i++) {
         const struct aob_technique_choice *choice = &config->techniques[i];
         if (choice->file && !gather(all, choice->module.text, choice->file, error))

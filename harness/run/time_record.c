@@ -2,6 +2,7 @@
 #include <math.h>
 #include "base/json.h"
 #include "timing/estimate.h"
+#include "timing/forecast.h"
 #include "timing/summary.h"
 
 /* The interval is null where there are too few rounds for one. */
@@ -41,13 +42,14 @@ static json_t *passes_to_json(const struct aob_block_timed_case *c, const struct
 static void add_precision(json_t *time, const struct aob_time_record_desc *desc,
                           const struct aob_ratio *ratio)
 {
+    const struct aob_round_list *rounds = &desc->measured->rounds;
     double seconds = desc->measured->measured_s / (double)desc->asked->case_count;
     double width = aob_estimate_half_width(ratio);
     json_object_set_new(time, "precision", aob_json_number(isinf(width) ? NAN : width));
     json_object_set_new(time, "precision_wanted", json_real(desc->asked->precision));
     json_object_set_new(time, "seconds", json_real(seconds));
     json_object_set_new(time, "seconds_needed",
-                        aob_json_number(aob_seconds_needed(seconds, width, desc->asked->precision)));
+                        aob_json_number(aob_seconds_needed(rounds, AOB_SLOT_CASES + desc->at, desc->asked)));
 }
 
 static void add_block(json_t *time, const struct aob_time_record_desc *desc)
@@ -70,7 +72,8 @@ json_t *aob_time_record_create(const struct aob_time_record_desc *desc)
     const struct aob_block_timed_case *c = &desc->timed->cases[desc->at];
     struct aob_summary summary;
     aob_summarise(&desc->measured->rounds, AOB_SLOT_CASES + desc->at, &summary);
-    json_t *time = json_pack("{s:s}", "clock", aob_clock_name(desc->timed->clock));
+    json_t *time = json_pack("{s:s, s:o}", "clock", aob_clock_name(desc->timed->clock), "clock_reason",
+                             aob_json_text(desc->timed->clock_reason));
     add_times(time, &summary.whole);
     add_ratio(time, &summary.to_fixed);
     add_precision(time, desc, &summary.to_fixed);

@@ -180,6 +180,19 @@ bool aob_run_folder_describe(const struct aob_run_folder *folder, const json_t *
     return ok;
 }
 
+bool aob_run_folder_keep_config(const struct aob_run_folder *folder, const char *text, size_t size,
+                                struct aob_error *error)
+{
+    char *path = aob_path_join(folder->path, "run.config.yaml");
+    size_t kept_size;
+    char *kept = aob_file_exists(path) ? aob_file_read(path, size + 1, &kept_size, NULL) : NULL;
+    bool same = kept && kept_size == size && memcmp(kept, text, size) == 0; /* it may be the config itself */
+    bool ok = same || aob_file_write(path, text, size, error);
+    free(kept);
+    free(path);
+    return ok;
+}
+
 void aob_run_folder_close(struct aob_run_folder *folder)
 {
     if (folder->open)

@@ -1,4 +1,4 @@
-/* The folder of a run: journal.jsonl, run.json (which run it is), images/, truths/, rounds/,
+/* The folder of a run: journal.jsonl, run.json (which run it is), run.config.yaml (a copy of its config), images/, truths/, rounds/,
  * report/. */
 #ifndef AOB_STORE_RUN_FOLDER_H
 #define AOB_STORE_RUN_FOLDER_H
@@ -23,5 +23,7 @@ bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t
                          struct aob_error *error);
 bool aob_run_folder_describe(const struct aob_run_folder *folder, const json_t *info,
                              struct aob_error *error);
+bool aob_run_folder_keep_config(const struct aob_run_folder *folder, const char *text, size_t size,
+                                struct aob_error *error);
 void aob_run_folder_close(struct aob_run_folder *folder);
 #endif

@@ -89,10 +89,16 @@ bool aob_estimate_scatter(const struct aob_rounds *processes, size_t process_cou
     return ok;
 }
 
+double aob_scatter_between(const struct aob_scatter *scatter)
+{
+    double s = scatter->medians, w = scatter->explained;
+    return sqrt(fmax(0, s * s - w * w));
+}
+
 double aob_scatter_half_width(const struct aob_scatter *scatter, double equal, size_t process_count)
 {
     double s = scatter->medians, w = scatter->explained;
-    double share = s > w ? sqrt(1 - w * w / (s * s)) : 0;
+    double share = s > w ? aob_scatter_between(scatter) / s : 0;
     double t = share > 0 ? (aob_student(0.05, process_count - 1) - Z) * share : 0;
     return fmax(s, w) / sqrt(equal) * (Z + t);
 }

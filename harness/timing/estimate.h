@@ -37,6 +37,9 @@ struct aob_scatter {
 bool aob_estimate_scatter(const struct aob_rounds *processes, size_t process_count,
                           struct aob_scatter *scatter);
 
+/* Standard deviation of the processes' levels, which more rounds do not lessen: sqrt(s^2 - w^2); 0 where rounds are all. */
+double aob_scatter_between(const struct aob_scatter *scatter);
+
 /* w for processes of `rounds` each: the standard deviation of a median of rounds that scatter by `sigma`. */
 double aob_scatter_of_median(double sigma, double rounds);
 

@@ -12,21 +12,15 @@ uint32_t aob_process_seed(uint32_t seed, int index)
     return (uint32_t)((x ^ x >> 31) >> 32);
 }
 
-double aob_seconds_needed(double seconds, double width, double precision)
-{
-    if (width <= precision || isinf(width))
-        return NAN;
-    return seconds * (width / precision) * (width / precision);
-}
-
-static int least_of(const struct aob_processes_desc *desc)
+int aob_processes_least(const struct aob_processes_desc *desc)
 {
     return desc->least > AOB_PROCESSES_LEAST ? desc->least : AOB_PROCESSES_LEAST;
 }
 
 static double slice_of(const struct aob_processes_desc *desc)
 {
-    return fmax(fmin(desc->seconds / AOB_PROCESSES_LEAST, 1), desc->seconds / AOB_PROCESSES_MOST);
+    return fmax(fmin(desc->seconds / AOB_PROCESSES_LEAST, AOB_PROCESS_SECONDS),
+                desc->seconds / AOB_PROCESSES_MOST);
 }
 
 struct aob_process_desc aob_process_describe(const struct aob_processes_desc *desc, int index)
@@ -36,6 +30,8 @@ struct aob_process_desc aob_process_describe(const struct aob_processes_desc *de
 
 static bool is_precise(const struct aob_processes_desc *desc, const struct aob_round_list *rounds)
 {
+    if (rounds->count < AOB_PROCESSES_ROUNDS)
+        return false;
     for (size_t i = 0; i < desc->case_count; i++) {
         struct aob_ratio ratio = aob_rounds_ratio(rounds, AOB_SLOT_CASES + i);
         if (aob_estimate_half_width(&ratio) > desc->precision)
@@ -46,7 +42,7 @@ static bool is_precise(const struct aob_processes_desc *desc, const struct aob_r
 
 static bool is_done(const struct aob_processes_desc *desc, const struct aob_processes *result)
 {
-    if (result->good < least_of(desc))
+    if (result->good < aob_processes_least(desc))
         return false;
     return result->measured_s >= desc->seconds * (double)desc->case_count ||
            is_precise(desc, &result->rounds);

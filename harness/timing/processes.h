@@ -12,9 +12,11 @@ enum {
     AOB_PROCESSES_LEAST = 3,  /* fewer have no verdict */
     AOB_PROCESSES_MOST = 100, /* that are tried */
     AOB_PROCESSES_LOST = 2,   /* so many that fail end the timing */
+    AOB_PROCESSES_ROUNDS = 20 /* of all together; fewer are precise by luck only */
 };
-struct aob_process_desc { /* one that is to be measured */
-    int index;            /* from 0, those that were lost counted */
+#define AOB_PROCESS_SECONDS 0.25 /* of timing a case in one process, unless a hundred of them need more */
+struct aob_process_desc {        /* one that is to be measured */
+    int index;                   /* from 0, those that were lost counted */
     uint32_t seed;
     double seconds; /* of timing, a case */
 };
@@ -39,9 +41,9 @@ struct aob_processes {
 };
 
 /* Runs processes until at least AOB_PROCESSES_LEAST are good and either the precision is reached or the seconds are
- * spent. A process gets a third of the seconds, at most one second a case (or a hundredth, where that is more): so
- * above three seconds more of them buy more processes. False after the line of the last lost one if too few were good; aob_processes_finish
- * frees in any case. */
+ * spent. A process gets a third of the seconds, but AOB_PROCESS_SECONDS at most (or a hundredth, where that is more): so
+ * more seconds buy more processes, which is what intervals lack (docs/decisions/0030-short-processes.md). False after the
+ * line of the last lost one if too few were good; aob_processes_finish frees in any case. */
 bool aob_processes_run(const struct aob_processes_desc *desc, struct aob_processes *result,
                        struct aob_error *error);
 void aob_processes_finish(struct aob_processes *processes);
@@ -49,9 +51,8 @@ void aob_processes_finish(struct aob_processes *processes);
 /* The process of that index, for a caller that measures in it before the others are wanted. */
 struct aob_process_desc aob_process_describe(const struct aob_processes_desc *desc, int index);
 
-uint32_t aob_process_seed(uint32_t seed, int index);
+/* How many good ones it takes before the timing may end. */
+int aob_processes_least(const struct aob_processes_desc *desc);
 
-/* The seconds a case that would make an interval of `width` as narrow as `precision` (both shares): widths shrink with
- * the root of the time. NAN where it is that narrow already, or where there is no interval (width INFINITY). */
-double aob_seconds_needed(double seconds, double width, double precision);
+uint32_t aob_process_seed(uint32_t seed, int index);
 #endif

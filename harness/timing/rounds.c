@@ -189,24 +189,6 @@ bool aob_rounds_write(const struct aob_round_list *rounds, const char *path, str
     return ok;
 }
 
-/* The text, NUL-ended; NULL after a line. */
-static char *unpack(const char *packed, size_t size, const char *path, struct aob_error *error)
-{
-    unsigned long long whole = ZSTD_getFrameContentSize(packed, size);
-    enum { MOST = 1 << 30 };
-    if (whole == ZSTD_CONTENTSIZE_ERROR || whole == ZSTD_CONTENTSIZE_UNKNOWN || whole > MOST) {
-        aob_fail(error, "%s: it holds no rounds", path);
-        return NULL;
-    }
-    char *text = aob_alloc((size_t)whole + 1, 1);
-    size_t got = ZSTD_decompress(text, (size_t)whole, packed, size);
-    if (!ZSTD_isError(got))
-        return text;
-    aob_fail(error, "%s: cannot decompress: %s", path, ZSTD_getErrorName(got));
-    free(text);
-    return NULL;
-}
-
 static bool read_line(const char *line, struct aob_round_list *rounds, struct aob_error *error)
 {
     struct aob_round *round = AOB_PUSH(rounds->items, rounds->count, rounds->capacity);
@@ -216,13 +198,67 @@ static bool read_line(const char *line, struct aob_round_list *rounds, struct ao
     return ok && (aob_round_fits(round, &rounds->items[0]) || aob_fail(error, "it is of another block"));
 }
 
-static bool read_lines(char *text, const char *path, struct aob_round_list *rounds, struct aob_error *error)
+/* A file that is read line by line, so that it may be as long as a run makes it. */
+struct reader {
+    const char *path;
+    struct aob_round_list *rounds;
+    struct aob_text line; /* as much of it as was unpacked */
+};
+enum { LINE_MOST = 1 << 20 };
+
+static bool take_line(struct reader *reader, struct aob_error *error)
 {
-    char *rest = text;
-    for (char *line; (line = strtok_r(rest, "\n", &rest));)
-        if (!read_line(line, rounds, error))
-            return aob_fail_in(error, "%s:%zu", path, rounds->count);
-    return rounds->count || aob_fail(error, "%s: it holds no rounds", path);
+    bool ok = !reader->line.size || read_line(reader->line.data, reader->rounds, error);
+    aob_text_finish(&reader->line);
+    return ok || aob_fail_in(error, "%s:%zu", reader->path, reader->rounds->count);
+}
+
+static bool take_bytes(struct reader *reader, const char *bytes, size_t size, struct aob_error *error)
+{
+    while (size) {
+        const char *end = memchr(bytes, '\n', size);
+        size_t part = end ? (size_t)(end - bytes) : size;
+        if (reader->line.size + part > LINE_MOST)
+            return aob_fail(error, "%s: it holds no rounds: a line has more than %d bytes", reader->path,
+                            LINE_MOST);
+        aob_text_add_bytes(&reader->line, bytes, part);
+        if (end && !take_line(reader, error))
+            return false;
+        bytes += end ? part + 1 : part;
+        size -= end ? part + 1 : part;
+    }
+    return true;
+}
+
+static bool unpack(struct reader *reader, ZSTD_DStream *stream, const char *packed, size_t size,
+                   struct aob_error *error)
+{
+    char bytes[1 << 14];
+    ZSTD_inBuffer in = {packed, size, 0};
+    size_t left;
+    do {
+        ZSTD_outBuffer out = {bytes, sizeof bytes, 0};
+        size_t before = in.pos;
+        left = ZSTD_decompressStream(stream, &out, &in);
+        if (ZSTD_isError(left) || (left && !out.pos && in.pos == before))
+            return aob_fail(error, "%s: it holds no rounds: cannot decompress: %s", reader->path,
+                            ZSTD_isError(left) ? ZSTD_getErrorName(left) : "it is cut");
+        if (!take_bytes(reader, bytes, out.pos, error))
+            return false;
+    } while (left);
+    return take_line(reader, error) &&
+           (reader->rounds->count || aob_fail(error, "%s: it holds no rounds", reader->path));
+}
+
+static bool read_packed(const char *packed, size_t size, const char *path, struct aob_round_list *rounds,
+                        struct aob_error *error)
+{
+    struct reader reader = {.path = path, .rounds = rounds};
+    ZSTD_DStream *stream = ZSTD_createDStream();
+    bool ok = unpack(&reader, stream, packed, size, error);
+    ZSTD_freeDStream(stream);
+    aob_text_finish(&reader.line);
+    return ok;
 }
 
 bool aob_rounds_read(const char *path, struct aob_round_list *rounds, struct aob_error *error)
@@ -231,13 +267,11 @@ bool aob_rounds_read(const char *path, struct aob_round_list *rounds, struct aob
     *rounds = (struct aob_round_list){0};
     char *packed = aob_sealed_read(path, &size, error);
     bool framed = packed && size > sizeof seal_frame;
-    char *text = framed ? unpack(packed, size - sizeof seal_frame, path, error) : NULL;
     if (packed && !framed)
         aob_fail(error, "%s: it holds no rounds", path);
-    bool ok = text && read_lines(text, path, rounds, error);
+    bool ok = framed && read_packed(packed, size - sizeof seal_frame, path, rounds, error);
     if (!ok)
         aob_rounds_finish(rounds);
-    free(text);
     free(packed);
     return ok;
 }

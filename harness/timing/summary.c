@@ -3,28 +3,12 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "estimate.h"
-
-enum { WHOLE = -1 }; /* in place of a pass */
+#include "sides.h"
 
 static double cost(const struct aob_round *round, size_t slot, int pass, enum aob_clock clock)
 {
     const struct aob_slot *s = &round->slots[slot];
-    return pass == WHOLE ? aob_slot_ms(s, clock) : aob_slot_pass_ms(s, (size_t)pass, clock);
-}
-
-/* Both sides of the rounds from `first` on, each by its clock; free() the first. `unit`: the slot of the other side. */
-static double *pair(const struct aob_round_list *rounds, size_t first, size_t slot, int pass, size_t unit,
-                    double **fixed)
-{
-    size_t count = rounds->count - first;
-    double *costs = AOB_NEW_ARRAY(double, 2 * count);
-    *fixed = costs + count;
-    for (size_t i = 0; i < count; i++) {
-        const struct aob_round *round = &rounds->items[first + i];
-        costs[i] = cost(round, slot, pass, round->clock);
-        (*fixed)[i] = cost(round, unit, WHOLE, round->clock);
-    }
-    return costs;
+    return pass == AOB_SIDES_WHOLE ? aob_slot_ms(s, clock) : aob_slot_pass_ms(s, (size_t)pass, clock);
 }
 
 static bool begins_process(const struct aob_round_list *rounds, size_t r)
@@ -34,45 +18,23 @@ static bool begins_process(const struct aob_round_list *rounds, size_t r)
 
 static struct aob_ratio ratio_of(const struct aob_round_list *rounds, size_t slot, int pass, size_t unit)
 {
-    size_t used = 0, kept = 0;
-    int process = -1;
-    double *fixed, *costs = pair(rounds, 0, slot, pass, unit, &fixed);
-    struct aob_rounds *processes = AOB_NEW_ARRAY(struct aob_rounds, rounds->count);
-    for (size_t r = 0; r < rounds->count; r++) {
-        if (isnan(costs[r])) /* the clock does not know this pass: it is short, or one of many in a submit */
-            continue;
-        costs[kept] = costs[r];
-        fixed[kept] = fixed[r];
-        if (rounds->items[r].process != process)
-            processes[used++] = (struct aob_rounds){costs + kept, fixed + kept, 0};
-        process = rounds->items[r].process;
-        processes[used - 1].count++;
-        kept++;
-    }
+    struct aob_sides sides;
     struct aob_ratio ratio = {.ratio = NAN, .high = INFINITY};
-    if (used)
-        ratio = aob_estimate_ratio(processes, used);
-    free(processes);
-    free(costs);
+    aob_sides_init(&sides, rounds, &(struct aob_sides_desc){slot, unit, pass});
+    if (sides.count)
+        ratio = aob_estimate_ratio(sides.processes, sides.count);
+    aob_sides_finish(&sides);
     return ratio;
 }
 
 struct aob_ratio aob_rounds_ratio(const struct aob_round_list *rounds, size_t slot)
 {
-    return ratio_of(rounds, slot, WHOLE, AOB_SLOT_FIXED);
+    return ratio_of(rounds, slot, AOB_SIDES_WHOLE, AOB_SLOT_FIXED);
 }
 
 struct aob_ratio aob_rounds_quotient(const struct aob_round_list *rounds, size_t slot, size_t unit)
 {
-    return ratio_of(rounds, slot, WHOLE, unit);
-}
-
-struct aob_ratio aob_rounds_own_ratio(const struct aob_round_list *rounds, size_t first, size_t slot)
-{
-    double *fixed, *costs = pair(rounds, first, slot, WHOLE, AOB_SLOT_FIXED, &fixed);
-    struct aob_ratio ratio = aob_paired_ratio(costs, fixed, rounds->count - first);
-    free(costs);
-    return ratio;
+    return ratio_of(rounds, slot, AOB_SIDES_WHOLE, unit);
 }
 
 static double median_ms(const struct aob_round_list *rounds, size_t slot, int pass, enum aob_clock clock)
@@ -100,8 +62,8 @@ static struct aob_times times_of(const struct aob_round_list *rounds, size_t slo
 
 void aob_summarise(const struct aob_round_list *rounds, size_t slot, struct aob_summary *summary)
 {
-    *summary = (struct aob_summary){.whole = times_of(rounds, slot, WHOLE),
-                                    .to_fixed = ratio_of(rounds, slot, WHOLE, AOB_SLOT_FIXED),
+    *summary = (struct aob_summary){.whole = times_of(rounds, slot, AOB_SIDES_WHOLE),
+                                    .to_fixed = ratio_of(rounds, slot, AOB_SIDES_WHOLE, AOB_SLOT_FIXED),
                                     .pass_count = rounds->items[0].slots[slot].pass_count,
                                     .rounds = rounds->count,
                                     .frames = rounds->items[0].slots[slot].frames};

@@ -21,10 +21,8 @@ struct aob_summary {
 /* `rounds` holds at least one. */
 void aob_summarise(const struct aob_round_list *rounds, size_t slot, struct aob_summary *summary);
 
-/* The slot's cost in fixed passes: over all processes, and of the one whose rounds begin at `first`, by its own rounds
- * alone (base/statistics.h). The second knows nothing of how processes differ. */
+/* The slot's cost in fixed passes, over the processes of the list (estimate.h). */
 struct aob_ratio aob_rounds_ratio(const struct aob_round_list *rounds, size_t slot);
-struct aob_ratio aob_rounds_own_ratio(const struct aob_round_list *rounds, size_t first, size_t slot);
 
 /* The cost of a slot in units of another one, taken in each round, over all processes. */
 struct aob_ratio aob_rounds_quotient(const struct aob_round_list *rounds, size_t slot, size_t unit);

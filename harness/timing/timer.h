@@ -6,6 +6,7 @@
 #define AOB_TIMING_TIMER_H
 #include <stdbool.h>
 #include <stddef.h>
+#include "base/clock.h"
 #include "base/error.h"
 #include "gpu/gpu.h"
 
@@ -21,8 +22,8 @@ struct aob_timer {
     double pass_ms;                                  /* of the smallest pass, by the host's clock */
 };
 
-/* The device must run lists (struct aob_gpu): open a software device `as_gpu`. It takes about a second, and four megabytes on the device.
- * False, with a line, if the device fails; a clock that lies is no failure.
+/* The device must run lists (struct aob_gpu): open a software device `as_gpu`. It takes about a second, of which 300 ms are a
+ * load that its frequency may rise with, and four megabytes on the device. False, with a line, if the device fails; a clock that lies is no failure.
  *
  * Everything is the median of the rounds. A share is what the device sees of what the host sees of the same submits: 0.8 ..
  * 1.02 of it, as the way there and back takes some of 16 ms or more, and two clocks of one machine drift by less than 2 %.
@@ -32,4 +33,12 @@ struct aob_timer {
  * their ratio, which may be off by 2.5; a clock that shows a pass the one before it turns it over. The passes of a list fill
  * 0.9 .. 1.02 of it: between them lie stamps and changes of layout. */
 bool aob_timer_test(struct aob_gpu *gpu, struct aob_timer *timer, struct aob_error *error);
+
+/* Whose time the costs on a device are: of a software device the processor's, which does the work, and never its on any
+ * other, where it only waits; there the device's own, if that passes the test, else wall time. False as above. */
+struct aob_timer_choice {
+    enum aob_clock clock;
+    char reason[256]; /* one sentence: why it is wall time; else empty */
+};
+bool aob_timer_choose(struct aob_gpu *gpu, struct aob_timer_choice *choice, struct aob_error *error);
 #endif

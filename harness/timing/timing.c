@@ -188,36 +188,39 @@ static bool run_round(struct run *run, size_t number, struct aob_error *error)
     return true;
 }
 
-static bool is_check_point(size_t rounds)
+size_t aob_timing_check_point(size_t rounds)
 {
     double n = 20;
     while ((size_t)n < rounds)
         n *= 1.5;
-    return (size_t)n == rounds;
+    return (size_t)n;
 }
 
-static bool narrow_enough(const struct run *run)
+static bool is_narrow(const struct aob_timing_desc *desc, const struct aob_round_list *own)
 {
-    for (size_t s = AOB_SLOT_CASES; s < run->slots; s++) {
-        struct aob_ratio ratio = aob_rounds_own_ratio(run->rounds, run->first, s);
-        if (aob_estimate_half_width(&ratio) > run->desc->precision)
+    for (size_t i = 0; i < desc->frame_count; i++) {
+        struct aob_ratio ratio = aob_rounds_ratio(own, AOB_SLOT_CASES + i);
+        if (aob_estimate_half_width(&ratio) > desc->precision)
             return false;
     }
     return true;
 }
 
+bool aob_timing_is_over(const struct aob_timing_desc *desc, const struct aob_round_list *rounds, size_t first,
+                        double measured_s)
+{
+    const struct aob_round_list own = {.items = rounds->items + first, .count = rounds->count - first};
+    if (own.count >= AOB_ROUNDS_LEAST && measured_s >= desc->seconds * (double)desc->frame_count)
+        return true;
+    return own.count == aob_timing_check_point(own.count) && is_narrow(desc, &own);
+}
+
 static bool measure(struct run *run, struct aob_error *error)
 {
-    double limit = run->desc->seconds * (double)run->desc->frame_count;
-    for (size_t count = 0;;) {
+    for (size_t count = 0; !aob_timing_is_over(run->desc, run->rounds, run->first, run->measured_s); count++)
         if (!run_round(run, count, error))
             return false;
-        count++;
-        if (is_check_point(count) && narrow_enough(run))
-            return true;
-        if (count >= AOB_ROUNDS_LEAST && run->measured_s >= limit)
-            return true;
-    }
+    return true;
 }
 
 bool aob_timing_run(const struct aob_timing_desc *desc, struct aob_round_list *rounds,

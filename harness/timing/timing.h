@@ -35,6 +35,14 @@ struct aob_timing_desc {
 };
 enum { AOB_ROUNDS_LEAST = 2 }; /* a process */
 
+/* Whether the process whose rounds begin at `first` and took `measured_s` has measured enough (4. below). For who has rounds
+ * from elsewhere; aob_timing_run asks it itself. */
+bool aob_timing_is_over(const struct aob_timing_desc *desc, const struct aob_round_list *rounds, size_t first,
+                        double measured_s);
+
+/* The first check point at so many rounds or more. */
+size_t aob_timing_check_point(size_t rounds);
+
 /* 1. Every slot runs one frame, twice: drivers compile at the first draw. 2. The fixed pass alone, until it is steady.
  * 3. Each slot is given its number of frames: a slot takes as long as the dearest frame, at least AOB_SLOT_LEAST_MS and
  * at most AOB_SLOT_MOST_MS, whatever its case costs. 4. Rounds, in seeded cyclic Latin squares, until every case's

@@ -52,16 +52,19 @@ static bool same_encoding(const struct aob_options *a, const struct aob_options 
            a->normals == b->normals && a->fetch == b->fetch && a->near == b->near && a->far == b->far;
 }
 
-/* The screen in the encodings of these options, made when it is first wanted. */
+/* The screen in the encodings of these options, made when it is first wanted. NULL after a line; `unfit`: the device lacks what
+ * they need. */
 static const struct aob_screen *use_screen(struct aob_block *block, const struct aob_options *options,
-                                           struct aob_error *error)
+                                           bool *unfit, struct aob_error *error)
 {
     for (size_t i = 0; i < block->screen_count; i++)
         if (same_encoding(&block->screen_options[i], options))
             return &block->screens[i];
     struct aob_screen *screen = &block->screens[block->screen_count];
     const struct aob_gbuffer *seen = block->drawn.depth ? &block->drawn : &block->gbuffer;
-    if (!aob_screen_init(screen, block->gpu, seen, options, error))
+    bool ok = aob_screen_init(screen, block->gpu, seen, options, error);
+    *unfit = screen->unfit;
+    if (!ok)
         return NULL;
     screen->geometry = block->geometry.count ? &block->geometry : NULL;
     block->screen_options[block->screen_count++] = *options;
@@ -77,14 +80,19 @@ static bool init_frame(struct aob_block *block, size_t index, const char **statu
     struct aob_options options;
     const struct aob_screen *screen = NULL;
     const struct aob_technique *technique = aob_registry_open(&block->registry, &c->technique, error);
-    int64_t start = aob_clock_wall_ns();
+    bool unfit = false;
     *status = "failed";
     if (!technique)
         return false;
     aob_param_pack(aob_option_params, AOB_OPTION_COUNT, c->options, &options, sizeof options);
-    if (!aob_worker_values(technique, c->params, c->param_count, values, error) ||
-        !(screen = use_screen(block, &options, error)) ||
-        !aob_frame_init(frame, screen, technique, values, (enum aob_fetch)options.fetch, error)) {
+    if (!aob_worker_values(technique, c->params, c->param_count, values, error))
+        return false;
+    if (!(screen = use_screen(block, &options, &unfit, error))) {
+        *status = unfit ? "unsupported" : "failed";
+        return false;
+    }
+    int64_t start = aob_clock_wall_ns();
+    if (!aob_frame_init(frame, screen, technique, values, (enum aob_fetch)options.fetch, error)) {
         *status = frame->unfit ? "unsupported" : "failed";
         return false;
     }
@@ -140,9 +148,10 @@ static bool load_scene(struct aob_block *block, struct aob_error *error)
 static bool open_device(struct aob_block *block, struct aob_error *error)
 {
     const struct aob_gpu_desc desc = {.validate = block->job.validate, .device = block->job.device};
+    bool unfit; /* whatever stops a block here is no case's fault */
     block->gpu = aob_gpu_open(block->job.backend, &desc, error);
     return block->gpu && load_scene(block, error) && aob_block_draw(block, error) &&
-           use_screen(block, &(struct aob_options){0}, error);
+           use_screen(block, &(struct aob_options){0}, &unfit, error);
 }
 
 /* Images come first, so that only what is worth it is timed. */

@@ -1,60 +1,61 @@
+#include <stdio.h>
 #include <stdlib.h>
 #include "base/machine.h"
 #include "block.h"
 #include "timing/fixed_pass.h"
+#include "timing/probe.h"
 #include "timing/timer.h"
 #include "timing/timing.h"
 
-/* Whose time this device's costs are: never the processor's where it only waits for another. The processes after the first
- * are told, so that they cannot differ. */
-static bool choose_clock(const struct aob_block *block, enum aob_clock *clock, struct aob_error *error)
+/* One clock for all processes of a run: those after the first are told. */
+static bool choose_clock(const struct aob_block *block, struct aob_timer_choice *choice,
+                         struct aob_error *error)
 {
-    struct aob_timer timer = {.trusted = false};
-    if (block->job.clock)
-        return aob_clock_find(block->job.clock, clock) ||
-               aob_fail(error, "a block job has an unknown clock '%s'", block->job.clock);
-    if (!block->gpu->info.software && !aob_timer_test(block->gpu, &timer, error))
+    const struct aob_block_job *job = &block->job;
+    if (!job->clock)
+        return aob_timer_choose(block->gpu, choice, error);
+    *choice = (struct aob_timer_choice){0};
+    snprintf(choice->reason, sizeof choice->reason, "%s", job->clock_reason);
+    return aob_clock_find(job->clock, &choice->clock) ||
+           aob_fail(error, "a block job has an unknown clock '%s'", job->clock);
+}
+
+/* What is worth timing. */
+static size_t list_good(const struct aob_block *block, size_t which[AOB_BLOCK_MAX])
+{
+    size_t count = 0;
+    for (size_t f = 0; f < block->frame_count; f++)
+        if (!block->job.score || block->good[f])
+            which[count++] = f;
+    return count;
+}
+
+/* A case dearer than the longest slot would take the rounds of its neighbours: it is left for a process of its own, unless
+ * there is nothing else to time; then the first of them stays. */
+static size_t leave_dear(const double *cost_ms, size_t which[AOB_BLOCK_MAX], size_t count)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < count; i++)
+        if (cost_ms[i] <= AOB_SLOT_MOST_MS)
+            which[kept++] = which[i];
+    return kept || !count ? kept : 1;
+}
+
+/* The frames that are timed together. Processes after the first are told. */
+static bool choose_frames(struct aob_block *block, enum aob_clock clock, size_t which[AOB_BLOCK_MAX],
+                          size_t *count, struct aob_error *error)
+{
+    struct aob_frame *frames[AOB_BLOCK_MAX];
+    double cost_ms[AOB_BLOCK_MAX];
+    *count = list_good(block, which);
+    for (size_t i = 0; i < *count; i++)
+        frames[i] = &block->frames[which[i]];
+    if (!block->job.score || !*count)
+        return true;
+    const struct aob_timing_desc desc = {.frames = frames, .frame_count = *count, .clock = clock};
+    if (!aob_probe_costs(&desc, cost_ms, error))
         return false;
-    *clock = block->gpu->info.software ? AOB_CLOCK_CPU : timer.trusted ? AOB_CLOCK_DEVICE : AOB_CLOCK_WALL;
-    return true;
-}
-
-static int64_t time_by(enum aob_clock clock, const struct aob_gpu_time *time)
-{
-    return clock == AOB_CLOCK_CPU ? time->cpu_ns : clock == AOB_CLOCK_WALL ? time->wall_ns : time->device_ns;
-}
-
-/* A frame that the driver has compiled. */
-static bool probe_cost(struct aob_block *block, size_t f, enum aob_clock clock, double *ms,
-                       struct aob_error *error)
-{
-    struct aob_frame_time time;
-    if (!aob_frame_run(&block->frames[f], 1, &time, error))
-        return false;
-    *ms = 1e-6 * (double)time_by(clock, &time.whole);
-    return true;
-}
-
-/* The frames that are timed together. A case dearer than the longest slot would take the rounds of its neighbours: it is
- * left for a process of its own, unless there is nothing else to time. */
-static bool choose_frames(struct aob_block *block, enum aob_clock clock, size_t *which, size_t *count,
-                          struct aob_error *error)
-{
-    size_t dear = block->frame_count;
-    double ms;
-    *count = 0;
-    for (size_t f = 0; f < block->frame_count; f++) {
-        if (block->job.score && !block->good[f])
-            continue;
-        if (block->job.score && !probe_cost(block, f, clock, &ms, error))
-            return false;
-        if (!block->job.score || ms <= AOB_SLOT_MOST_MS)
-            which[(*count)++] = f;
-        else if (dear == block->frame_count)
-            dear = f;
-    }
-    if (!*count && dear < block->frame_count)
-        which[(*count)++] = dear;
+    *count = leave_dear(cost_ms, which, *count);
     return true;
 }
 
@@ -67,12 +68,13 @@ static json_t *pass_names(const struct aob_frame *frame)
     return names;
 }
 
-static void reply_timed(struct aob_worker *worker, const struct aob_block *block, enum aob_clock clock,
-                        const size_t *which, size_t count)
+static void reply_timed(struct aob_worker *worker, const struct aob_block *block,
+                        const struct aob_timer_choice *choice, const size_t *which, size_t count)
 {
     const char *threads = getenv("LP_NUM_THREADS");
     struct aob_block_timed timed = {
-        .clock = clock, .threads = threads ? atoi(threads) : aob_machine_cores(), .count = count};
+        .clock = choice->clock, .threads = threads ? atoi(threads) : aob_machine_cores(), .count = count};
+    snprintf(timed.clock_reason, sizeof timed.clock_reason, "%s", choice->reason);
     for (size_t i = 0; i < count; i++)
         timed.cases[i] = (struct aob_block_timed_case){
             block->case_of_frame[which[i]], block->setup_ms[which[i]], pass_names(&block->frames[which[i]])};
@@ -112,13 +114,13 @@ bool aob_block_measure(struct aob_worker *worker, struct aob_block *block, struc
 {
     struct aob_round_list rounds = {0};
     size_t which[AOB_BLOCK_MAX], count;
-    enum aob_clock clock;
-    if (!choose_clock(block, &clock, error) || !choose_frames(block, clock, which, &count, error))
+    struct aob_timer_choice choice;
+    if (!choose_clock(block, &choice, error) || !choose_frames(block, choice.clock, which, &count, error))
         return false;
     if (!count)
         return true;
-    reply_timed(worker, block, clock, which, count);
-    bool ok = time_frames(block, clock, which, count, &rounds, error);
+    reply_timed(worker, block, &choice, which, count);
+    bool ok = time_frames(block, choice.clock, which, count, &rounds, error);
     if (ok)
         reply_rounds(worker, block, &rounds);
     aob_rounds_finish(&rounds);

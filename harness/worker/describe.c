@@ -51,6 +51,8 @@ static void reply_devices(struct aob_worker *worker, const struct aob_gpu_device
                                    "driver", aob_json_text(d->driver), "class", d->device_class, "software",
                                    d->software, "timer", d->timer, "lacks", d->lacks, "chosen", i == chosen));
     }
+    if (chosen == list->count)
+        aob_worker_reply(worker, json_pack("{s:o}", "none", aob_json_text(list->none.text)));
 }
 
 static bool devices(struct aob_worker *worker, struct aob_error *error)

@@ -2,7 +2,8 @@
  * lines on standard output. Only here are modules loaded, drivers opened and files of strangers parsed, so a crash costs
  * this job. The messages are in job/, writer and reader of each in one file; four jobs are too small for one:
  *   describe {modules}  -> a technique a line (aob_technique_to_json), built in or of the modules
- *   devices  {backend, device}  -> a device a line: {name, driver, class, software, timer, lacks, chosen}
+ *   devices  {backend, device}  -> a device a line: {name, driver, class, software, timer, lacks, chosen}; {none}, the
+ *                                  reason, where none is chosen
  *   probe    {backend, device}  -> {device, driver, class}, and {cpu, cores} where a processor is the device
  *   timer    {backend, device}  -> {trusted, why_not, checks[{what, measured, expected, low, high}]} (timing/timer.h)
  * A job that cannot be done says so in one line on standard error and exits with 2. */

@@ -24,7 +24,28 @@ static void add_fact(struct aob_text *page, const char *name, const char *text)
     aob_text_add(page, "</dd>");
 }
 
-static void add_device(struct aob_text *page, const struct aob_row *row)
+static json_t *device_key(const struct aob_row *row)
+{
+    json_t *print = json_object_get(row->json, "fingerprint");
+    return json_pack("[s, O?, O?, O?, O?]", row->backend, json_object_get(print, "device"),
+                     json_object_get(print, "driver"), json_object_get(print, "threads"),
+                     json_object_get(print, "cpu"));
+}
+
+/* Why a case on that device is judged by wall time; empty: none is. */
+static const char *clock_reason(const struct aob_rows *rows, const json_t *device)
+{
+    const char *reason = "";
+    for (size_t i = 0; i < rows->count && !*reason; i++) {
+        json_t *key = device_key(&rows->list[i]);
+        if (json_equal(key, device))
+            reason = aob_member_text(json_object_get(rows->list[i].json, "time"), "clock_reason");
+        json_decref(key);
+    }
+    return reason;
+}
+
+static void add_device(struct aob_text *page, const struct aob_row *row, const char *reason)
 {
     const json_t *print = json_object_get(row->json, "fingerprint");
     const json_t *threads = json_object_get(print, "threads");
@@ -39,6 +60,10 @@ static void add_device(struct aob_text *page, const struct aob_row *row)
         aob_text_add(page, " \u00b7 threads: ");
         aob_html_escape(page, shown);
     }
+    if (*reason) {
+        aob_text_add(page, " \u00b7 costs are wall time: ");
+        aob_html_escape(page, reason);
+    }
     aob_text_add(page, "</dd>");
     free(shown);
 }
@@ -49,15 +74,13 @@ static void add_devices(struct aob_text *page, const struct aob_rows *rows)
     json_t *places = json_object();
     for (size_t i = 0; i < rows->count; i++) {
         const struct aob_row *row = &rows->list[i];
-        json_t *print = json_object_get(row->json, "fingerprint");
-        if (!*aob_member_text(print, "device"))
+        if (!*aob_member_text(json_object_get(row->json, "fingerprint"), "device"))
             continue;
         size_t known = json_object_size(places);
-        json_t *key = json_pack("[s, O?, O?, O?, O?]", row->backend, json_object_get(print, "device"),
-                                json_object_get(print, "driver"), json_object_get(print, "threads"),
-                                json_object_get(print, "cpu"));
-        if (aob_place(places, key) == known)
-            add_device(page, row);
+        json_t *key = device_key(row);
+        if (aob_place(places, json_incref(key)) == known)
+            add_device(page, row, clock_reason(rows, key));
+        json_decref(key);
     }
     json_decref(places);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, cache, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -98,6 +98,7 @@ source tests/bench/techniques.sh
 source tests/bench/papers.sh
 source tests/bench/timing.sh
 source tests/bench/compare.sh
+source tests/bench/cache.sh
 
 if wanted demo; then
   start=$(date +%s.%N)
@@ -119,8 +120,9 @@ if wanted gpu-check; then
   code=0
   "$folder/gpu-check/gpu-check" --out "$folder/gpu-check.json" >/dev/null || code=$?
   row "gpu-check: duration" "$(number "$folder/gpu-check.json" seconds)" s "<=" 300
-  row "gpu-check: exit code" "$code" "" "<=" 0
-  row "gpu-check: what was cut" "$(grep -c '"status": "cut"' "$folder/gpu-check.json" || true)" items
+  row "gpu-check: exit code" "$code" ""
+  row "gpu-check: findings" "$(jq '.findings | length' "$folder/gpu-check.json")" lines "<=" 0
+  row "gpu-check: what was cut" "$(jq '[.sections[].items[] | select(.status == "cut")] | length' "$folder/gpu-check.json")" items
 fi
 
 if wanted mutants; then

@@ -1,5 +1,5 @@
 # Sourced by bench.sh: how often `aobudget compare` says what is true. Rounds are recorded once for each pair of builds, in
-# 40 processes; the rule is applied to 400 choices of five of them, the least that a comparison measures.
+# 80 processes or more; the rule is applied to 400 choices of five of them, the least that a comparison measures.
 if wanted compare; then
   builds=build/release/tests/modules processes=5 trials=400
   cat >"$folder/compare.yaml" <<EOY
@@ -11,7 +11,7 @@ techniques: [{name: loop}]
 measure: {error: false}
 EOY
   record() { # A B: into $folder/compare-A-B
-    build/release/aobudget compare "$builds/$1.so" "$builds/$2.so" --config "$folder/compare.yaml" --seconds 40 \
+    build/release/aobudget compare "$builds/$1.so" "$builds/$2.so" --config "$folder/compare.yaml" --seconds 20 \
       --precision 0.2% --out "$folder/compare-$1-$2" --quiet || [ $? -ne 2 ]
   }
   verdicts() { # A B PRECISION [FROM TO]: lines "VERDICT COUNT"; FROM TO: 1 0 for A against B

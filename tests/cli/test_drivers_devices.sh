@@ -47,4 +47,19 @@ expect 2 "no device 'nonsense': there " "$program" run config.yaml --out none --
 check "and no folder is made" test ! -e none
 expect 2 "no backend that draws works" "$program" doctor --device nonsense --json doctor.json
 check "doctor says what there is" grep -q "no device 'nonsense': there is 0 none" doctor.json
+cure() { jq -r --arg name "$1" '.findings[] | select(.what == "backend" and .name == $name).cure' doctor.json; }
+check "and that another name is the cure, not a package" test "$(cure vulkan)" = 'choose a device that `aobudget list backends` shows'
+
+# A device that cannot be opened, and none at all: the list says why no device has a star, and doctor's cure is for that.
+sick() { "$@" "$program" list backends --json list.json && "$@" "$program" doctor --json doctor.json; }
+sick env MESA_GL_VERSION_OVERRIDE=3.3 >/dev/null 2>&1
+check "the device is listed with what it lacks" jq -e '.backends[] | select(.name == "gl-egl") | (.devices | length) >= 1 and
+  all(.devices[]; (.chosen | not) and (.lacks | startswith("OpenGL 4.5 (EGL error 0x"))) and
+  (.reason | test("^gl-egl: no device can be opened; the first of [0-9]+ lacks OpenGL 4.5 "))' list.json
+check "no package is the cure" test "$(cure gl-egl)" = "another device (--device) or a newer driver"
+sick env __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json >/dev/null 2>&1
+check "without a driver there is no device" jq -e '.backends[] | select(.name == "gl-egl") | .devices == [] and
+  (.reason | startswith("gl-egl: no driver gives OpenGL 4.5 without a window: install "))' list.json
+check "and packages are the cure" test "$(cure gl-egl)" = "apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri"
+check "what is not sick has no cure" test -z "$(cure gl-osmesa)"
 finish

@@ -19,7 +19,9 @@ done
 sed -i 's/96x54/64x36/' configs/times.yaml
 check "packing" bash "$root/dev.d/gpu_check.sh" "$AOBUDGET_BUILD" configs pack
 expect 2 "exists and is no packed gpu-check" bash "$root/dev.d/gpu_check.sh" "$AOBUDGET_BUILD" configs configs
+touch pack/of_an_earlier_time
 check "packing again in the same place" bash "$root/dev.d/gpu_check.sh" "$AOBUDGET_BUILD" configs pack
+check "leaves nothing of the earlier pack" test ! -e pack/of_an_earlier_time
 mkdir gpu
 cat >gpu/journal.jsonl <<JSON
 {"key": "0", "technique": "gtao", "status": "ok", "image": "none.exr", "fingerprint": {"class": "discrete", "device": "Card"}}
@@ -34,10 +36,11 @@ allowed='^(lib(c|m|dl|pthread|gcc_s|vulkan|OpenEXRCore-3_1|z|GLdispatch)\.so\.[0
 while IFS= read -r -d '' file; do
   needs=$(readelf -d "$file" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | grep -vE "$allowed")
   check "$file needs only what is there, not: $needs" test -z "$needs"
-done < <(find "$pack" -type f \( -perm -u+x -o -name '*.so*' \) -print0)
+done < <(find "$pack" -type f ! -name gpu-check \( -perm -u+x -o -name '*.so*' \) -print0)
 for file in lib/libOpenEXRCore-3_1.so.30 lib/libz.so.1 lib/vulkan/libvulkan.so.1 lib/egl/libEGL.so.1 lib/egl/libGLdispatch.so.0; do
   check "it brings $file" test -s "$pack/$file"
 done
+check "and names the library of C that it needs" grep -qx 'needed=2\.[0-9]*' "$pack/gpu-check"
 for package in glslang-dev libegl1 libglvnd0 libjansson-dev libopenexr-3-1-30 libstdc++-12-dev libvulkan1 libxxhash-dev spirv-tools zlib1g; do
   check "it brings the licence of $package" test -s "$pack/licences/$package"
 done
@@ -46,12 +49,12 @@ done
 run() { # CODE WHAT ARGUMENTS...: results.json and the table in `said`
   local code=$1 what=$2 got=0
   shift 2
-  "$pack/gpu-check" --out results.json --seconds 250 "$@" >said 2>complaint || got=$?
+  "$pack/gpu-check" --out results.json --seconds "${seconds:-250}" "$@" >said 2>complaint || got=$?
   [ "$got" -eq "$code" ] || { echo "FAILED: $what: code $got for $code"; cat said complaint; failures=$((failures + 1)); }
 }
 holds() { check "$1" jq -e "$2" results.json; } # WHAT FILTER
 
-run 0 "drivers that agree"
+run 0 "drivers that agree" --precision 50%
 holds "the document" '.schema == "aobudget gpu-check 1" and .verdict == "passed" and (.findings | length) == 0'
 holds "where and when" '.program and .date and .machine.cpu and .machine.cores > 0 and .machine.system and .made_on.device'
 holds "its sections" '[.sections[] | .backend + " " + .section] == ["vulkan device", "gl-egl device", "vulkan timer",
@@ -105,7 +108,7 @@ VK_LAYER_PATH=/nonexistent run 0 "no validation layer" --backend vulkan --sectio
 holds "is told" '.sections[] | select(.section == "validation") | .status == "skipped" and (.reason | contains("no validation layer"))'
 export VK_ICD_FILENAMES=/nonexistent.json VK_DRIVER_FILES=/nonexistent.json
 run 0 "one backend without a driver" --section images
-holds "is told, and the other is checked" '(.sections[0] | .section == "device" and .status == "failed" and (.reason | contains("no driver"))) and
+holds "is told, and the other is checked" '(.sections[0] | .section == "device" and .status == "skipped" and (.reason | contains("no driver"))) and
   ([.sections[] | select(.backend == "gl-egl")] | length) == 2 and ([.sections[] | select(.backend == "vulkan")] | length) == 1'
 expect 2 "nothing could be checked: vulkan: no driver" "$pack/gpu-check" --out results.json --backend vulkan
 unset VK_ICD_FILENAMES VK_DRIVER_FILES
@@ -114,16 +117,55 @@ expect 2 "--device needs --backend" "$pack/gpu-check" --device 0
 expect 2 "is not one of vulkan, gl-egl" "$pack/gpu-check" --backend null
 expect 2 "is not one of device, timer, images" "$pack/gpu-check" --section image
 expect 2 "is outside 10 .. 3600" "$pack/gpu-check" --seconds 5
+expect 2 "is no percentage within 0.1% .. 50%" "$pack/gpu-check" --precision 60%
 expect 2 "unknown flag --quick" "$pack/gpu-check" --quick
 expect 2 "check.json" "$pack/gpu-check" --data nowhere --out results.json
 expect 2 "nowhere/results.json" "$pack/gpu-check" --out nowhere/results.json
 check "help" "$pack/gpu-check" --help
 
-# A worker that crashes, one that hangs, and one that another loader than the system's would have started.
+# A worker that crashes when a device is opened, on both backends and on one; one that hangs; one that finds no time.
 mv "$pack/gpu-check-device" kept
-printf '#!/bin/sh\nkill -SEGV $$\n' >"$pack/gpu-check-device"
-chmod +x "$pack/gpu-check-device"
-expect 2 "crashed (signal 11, segmentation fault)" "$pack/gpu-check" --out results.json
-printf '#!/bin/sh\nexec sleep 1000\n' >"$pack/gpu-check-device"
-expect 2 "did nothing for" "$pack/gpu-check" --out results.json --seconds 10 --backend vulkan
+worker() { printf '#!/bin/sh\n%s\n' "$1" >"$pack/gpu-check-device" && chmod +x "$pack/gpu-check-device"; }
+worker 'kill -SEGV $$'
+run 1 "drivers that crash when they are opened"
+holds "are findings" '.verdict == "disagrees" and (.sections | length) == 2 and .findings == (["vulkan", "gl-egl"] |
+  map(. + ", device: crashed (signal 11, segmentation fault)"))'
+check "in the table" test "$(grep -c '^FINDING .*, device: crashed' said)" -eq 2
+item='{"item": "a card", "number": 0, "status": "%s", "reason": "no time was left for it"}\n'
+worker "read job; case \$job in *vulkan*) kill -SEGV \$\$ ;; esac; printf '$item' passed"
+run 1 "one that crashes beside one that is good"
+holds "is a finding" '(.findings | length) == 1 and any(.sections[]; .backend == "gl-egl" and .section == "times")'
+worker "read job; case \$job in *images*) printf '$item$item' passed cut ;; *) printf '$item' passed ;; esac"
+run 3 "a section that is cut" --backend vulkan --section images
+holds "is told" '.verdict == "cut" and (.findings | length) == 0 and
+  .cut == ["vulkan, images: 1 of 2 items, the first is a card: no time was left for it"]'
+check "in a line" grep -qx 'CUT vulkan, images: 1 of 2 items, the first is a card: no time was left for it' said
+worker 'exec sleep 1000'
+seconds=10 run 1 "one that hangs" --backend vulkan
+check "is a finding" grep -q '^FINDING vulkan, device: did nothing for' said
+mv kept "$pack/gpu-check-device"
+
+# What a machine may lack: another library of C, another processor, the system's loaders and those of the pack.
+mkdir bin
+export PATH=$folder/bin:$PATH
+tool() { printf '#!/bin/sh\n%s\n' "$2" >"bin/$1" && chmod +x "bin/$1"; } # NAME SCRIPT
+tool getconf 'echo glibc 2.9'
+expect 2 "this machine has glibc 2.9; it needs a 64-bit x86 Linux with glibc 2." "$pack/gpu-check" --help
+tool getconf 'echo glibc 2.100'
+check "a newer one" "$pack/gpu-check" --help
+rm bin/getconf
+tool uname 'echo Linux aarch64'
+expect 2 "this machine is Linux aarch64" "$pack/gpu-check" --help
+rm bin/uname
+mv "$pack/gpu-check-main" kept
+LC_ALL=C sed 's/GLIBC_2\.34/GLIBC_2.94/' kept >"$pack/gpu-check-main"
+chmod +x "$pack/gpu-check-main"
+expect 2 "version \`GLIBC_2.94' not found" "$pack/gpu-check" --help
+mv kept "$pack/gpu-check-main"
+LC_ALL=C sed 's/libvulkan\.so\.1/libvulkam.so.1/' "$pack/gpu-check-device" >kept
+chmod +x kept
+mv "$pack/gpu-check-device" whole
+mv kept "$pack/gpu-check-device"
+expect 2 "nothing could be checked: $pack/gpu-check-device: error while loading shared libraries: libvulkam.so.1" \
+  "$pack/gpu-check" --out results.json --backend vulkan
 finish

@@ -2,7 +2,8 @@
 # `papers`: every row runs and stands on the page in docs/, one that cannot run, and input that is wrong.
 source "$(dirname "$0")/lib.sh"
 root=$(dirname "$0")/../..
-check "all rows run" "$program" papers --quick --quiet --out "$folder/out" --json "$folder/a.json"
+check "all rows run" "$program" papers --quick --out "$folder/out" --json "$folder/a.json"
+check "each config once, since this is a look" test "$(grep -c 'papers: running .* again' "$folder/.stdout")" -eq 0
 check "figures where a row has a config" jq -e '.quick and all(.rows[]; .verdict != "could not be run") and
   ([.rows[] | select(.measured | length > 0)] | length == 22)' "$folder/a.json"
 check "each figure in its interval" jq -e 'all(.rows[]; (.measured | length) == (.intervals | length)

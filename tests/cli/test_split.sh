@@ -6,7 +6,7 @@ export AOBUDGET_CACHE=$folder/cache
 cat >config.yaml <<END
 name: split
 scenes: [{name: atrium}, {name: corner}]
-resolutions: [160x90]
+resolutions: [96x54]
 backends: [gl-egl]
 techniques:
   - {name: none}

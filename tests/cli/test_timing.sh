@@ -19,13 +19,15 @@ each "three processes or more" '.processes >= 3 and .rounds >= 2 * .processes'
 each "what was wanted" '.precision_wanted == 0.002'
 each "what was reached" '(.precision == null) or
   ((.precision - ([.ci_high / .ratio_to_ref, .ratio_to_ref / .ci_low] | max - 1) | fabs) < 1e-6)'
-each "what it would take" 'if .precision == null or .precision <= 0.002 then .seconds_needed == null
-  else (.seconds_needed / (.seconds * (.precision / 0.002 | . * .)) - 1 | fabs) < 1e-6 end'
+each "what it would take" '(.precision != null and .precision > 0.002) == (.seconds_needed != null) and
+  (.seconds_needed == null or .seconds_needed == "inf" or .seconds_needed > 0)'
 each "one block" '.slots[0:2] == ["fixed", "control"] and (.slots | length) == 5'
 each "by processor time" '.clock == "cpu" and .device_ms == null and .ref_ms > 0 and .cpu_ms > 0'
 check "a cheap case has more frames" test "$(jq -s 'map({(.technique): .time.frames}) | add | .none > .gtao' out/journal.jsonl)" = true
 check "the summary counts them" test "$(jq '.imprecise.cases' summary.json)" = \
   "$(jq -s 'map(select(.time.seconds_needed != null or .time.precision == null)) | length' out/journal.jsonl)"
+check "and what the worst of them would take" test "$(jq '.imprecise.seconds_needed' summary.json)" = "$(jq -s \
+  'map(.time | select(.precision > 0.002).seconds_needed) | if length > 0 and all(type == "number") then max else null end' out/journal.jsonl)"
 
 # The raw rounds: read by other programs, and by this one to the last digit of the journal.
 file=out/$(jq -r .time.rounds_file out/journal.jsonl | sort -u)
@@ -62,9 +64,20 @@ mkdir -p shared/shaders/ab && echo stale >shared/shaders/ab/stale
 check "what a killed run left" "$program" run config.yaml --out shared --quiet
 check "is removed" test ! -e shared/shaders
 
-# The summary says in its one line what is less precise, and what would do.
+# The summary says in its one line what is less precise, and what would do: of figures that are planted in the journal.
 sed 's/seconds: 0.1/seconds: 0.01, precision: 0.1%/' config.yaml >coarse.yaml
-expect 0 " less precise than 0.1 %, for which seconds: " "$program" run coarse.yaml --out coarse
+check "a coarse run" "$program" run coarse.yaml --out coarse --quiet
+plant() { # NEEDED-BY-NONE WANTED: what none would need, and what all were asked for
+  jq -c ".time += {precision: 0.04, precision_wanted: $2, seconds_needed: ({none: $1, gtao: 12.34, alchemy: 7}[.technique])}" \
+    coarse/journal.jsonl >planted && cp planted coarse/journal.jsonl
+}
+plant 3 0.001
+expect 0 "; 3 less precise than 0.1 %, for which seconds: 13 would do; page" "$program" run coarse.yaml --out coarse
+plant '"inf"' 0.001
+expect 0 "; 3 less precise than 0.1 %, for which seconds: 13 would do in 2 of them; page" "$program" run coarse.yaml --out coarse --json coarse.json
+check "the longest of all is not known" jq -e '.imprecise == {cases: 3, seconds_needed: null}' coarse.json
+plant 3 0.0005 # of which nothing is foretold for .1 %
+expect 0 "; 3 less precise than 0.1 %; page" "$program" run coarse.yaml --out coarse
 sed 's/gl-osmesa/"null"/; s/seconds: 0.1/seconds: 1/' config.yaml >exact.yaml
 check "where nothing scatters" "$program" run exact.yaml --out exact --json exact.json
 check "nothing is told" test "$(grep -c precise .stdout)" -eq 0

@@ -1,9 +1,9 @@
 #include "check.h"
 #include "compare/blame.h"
 
-static struct aob_blame_couple couple(enum aob_verdict verdict, double ratio, bool same_key)
+static struct aob_blame_couple couple(enum aob_verdict verdict, double ratio, bool same_build)
 {
-    return (struct aob_blame_couple){{ratio, ratio * 0.99, ratio * 1.01, true}, verdict, 0.02, same_key};
+    return (struct aob_blame_couple){{ratio, ratio * 0.99, ratio * 1.01, true}, verdict, 0.02, same_build};
 }
 
 /* Everything is 10 % dearer, the old modules too: the new one is not to blame. One that is dearer than that is. */

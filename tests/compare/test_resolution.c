@@ -53,14 +53,14 @@ static void test_figures(void **state)
         all += ROUNDS * FRAMES * 2 * (2 + level(p)) * 1e-3;
     assert_near(r.round_s, all / PROCESSES / ROUNDS, 1e-6);
     /* t x .0158 / sqrt(P) <= ln(1 + share): 13 processes for 1 % (t 2.179), 5 for 2 % (2.776), 4 for 3 % (3.182); each is
-     * given one second. Three (4.303) do for 5 and 10 %, of two rounds each. */
-    const double wanted[AOB_RESOLUTION_STEPS] = {13, 5, 4, 6 * r.round_s, 6 * r.round_s};
+     * given a quarter of a second, 13 rounds. Three (4.303) do for 5 and 10 %, of seven rounds, which are twenty in all. */
+    const double wanted[AOB_RESOLUTION_STEPS] = {13 * 13, 5 * 13, 4 * 13, 3 * 7, 3 * 7};
     for (int i = 0; i < AOB_RESOLUTION_STEPS; i++)
-        assert_near(r.seconds[i], wanted[i], 1e-6);
-    assert_near(aob_resolution_of(&rounds, 4.5).recommended, 0.03, 0);
+        assert_near(r.seconds[i], wanted[i] * r.round_s, 1e-6);
+    assert_near(aob_resolution_of(&rounds, 1.25).recommended, 0.03, 0);
     assert_near(aob_resolution_of(&rounds, 100).recommended, 0.01, 0);
     assert_near(aob_resolution_of(&rounds, 1).recommended, 0.05, 0);
-    assert_true(isnan(aob_resolution_of(&rounds, 5 * r.round_s).recommended));
+    assert_true(isnan(aob_resolution_of(&rounds, 20 * r.round_s).recommended));
     aob_rounds_finish(&rounds);
 }
 
@@ -95,7 +95,8 @@ static void test_words(void **state)
     assert_contains(text.data, "1.58 %");
     assert_contains(text.data, "recommended: precision: 1%");
     aob_text_finish(&text);
-    r.recommended = r.seconds[0] = NAN;
+    r.recommended = NAN;
+    r.seconds[0] = INFINITY;
     aob_resolution_print(&r, &text);
     assert_contains(text.data, "1 %: not in 1e6 s");
     assert_contains(text.data, "recommended: none");

@@ -10,8 +10,7 @@ static struct aob_comparison comparison(double low, double ratio, double high)
                                    .resolution = 0.02,
                                    .rounds = 60,
                                    .processes = 5,
-                                   .rmse_a = NAN,
-                                   .rmse_b = NAN};
+                                   .errors = {{NAN, NAN, NAN}, {NAN, NAN, NAN}, NAN}};
 }
 
 static enum aob_verdict judge(double low, double ratio, double high)
@@ -137,18 +136,19 @@ static void test_moved(void **state)
     assert_int_equal(j.cost, AOB_VERDICT_FASTER);
     assert_int_equal(j.error, AOB_ERROR_UNKNOWN);
     assert_int_equal(aob_judgement_outcome(&j, false), AOB_OUTCOME_OPEN);
-    c.rmse_a = 0.04;
-    c.rmse_b = 0.0412;
+    c.errors.a = (struct aob_error_side){0.04, 0, 1000};
+    c.errors.b = c.errors.a;
+    c.errors.b.rmse = 0.0412;
     j = aob_judge(&c);
     assert_int_equal(j.error, AOB_ERROR_MORE);
     assert_contains(j.reason, "RMSE 0.0400 -> 0.0412 (worse)");
     assert_contains(j.reason, "FASTER");
     assert_int_equal(aob_judgement_outcome(&j, false), AOB_OUTCOME_WORSE);
-    c.rmse_b = 0.0388;
+    c.errors.b.rmse = 0.0388;
     j = aob_judge(&c);
     assert_int_equal(j.error, AOB_ERROR_LESS);
     assert_int_equal(aob_judgement_outcome(&j, false), AOB_OUTCOME_GOOD);
-    c.rmse_b = 0.04 + 0.9 * AOB_COMPARE_RMSE;
+    c.errors.b.rmse = 0.04 + 0.9 * AOB_ERROR_LEAST;
     j = aob_judge(&c);
     assert_int_equal(j.error, AOB_ERROR_EQUAL);
     assert_int_equal(aob_judgement_outcome(&j, false), AOB_OUTCOME_GOOD);

@@ -50,7 +50,8 @@ static void try_clock(const struct aob_rig *rig, enum aob_clock clock)
     struct aob_screen screen;
     struct aob_trial trial;
     struct aob_frame *fixed = AOB_NEW(struct aob_frame), *frame = AOB_NEW(struct aob_frame);
-    struct aob_trial_desc desc = {.fixed = fixed, .frame = frame, .clock = clock, .seconds = 1000};
+    struct aob_trial_desc desc = {
+        .fixed = fixed, .frame = frame, .clock = clock, .seconds = 1000, .precision = 0.01};
     assert_true(aob_screen_init(&screen, gpu, &rig->gbuffer, &(struct aob_options){0}, NULL));
     assert_true(
         aob_frame_init(fixed, &screen, &aob_technique_fixed_pass, &(int32_t){0}, AOB_FETCH_SAMPLED, NULL));

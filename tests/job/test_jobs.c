@@ -124,6 +124,7 @@ static const struct aob_block_job block = {.view = view,
                                            .seconds = 0.75,
                                            .precision = 0.015,
                                            .clock = "wall",
+                                           .clock_reason = "it lies",
                                            .targets = targets,
                                            .target_count = 2,
                                            .cases = cases,
@@ -137,6 +138,7 @@ static void check_block(const struct aob_block_job *job)
     assert_true(job->process == 2 && job->seed == 0xfedcba98 && job->seconds == 0.75 &&
                 job->precision == 0.015);
     assert_string_equal(job->clock, "wall");
+    assert_string_equal(job->clock_reason, "it lies");
     assert_int_equal(job->target_count, 2);
     assert_true(job->targets[0].radius == 0.25 && !job->targets[0].uniform && job->targets[0].bent);
     assert_path(job->targets[0].truth, "t.exr");
@@ -172,6 +174,9 @@ static void a_block_job(void **state)
     check_view(&job.view);
     check_block(&job);
     aob_block_job_finish(&job);
+    json_object_del(json_object_get(message, "timing"), "clock_reason");
+    assert_false(aob_block_job_from_json(message, &job, &error));
+    assert_contains(error.text, "why it has its clock");
     json_object_set_new(json_object_get(message, "timing"), "clock", json_null());
     assert_true(aob_block_job_from_json(message, &job, &error));
     assert_null(job.clock);

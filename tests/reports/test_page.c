@@ -140,6 +140,24 @@ static void test_where_errors_come_from(void **state)
     aob_text_finish(&journal);
 }
 
+/* Once beside the device, whichever of its cases says it. */
+static void test_a_clock_that_is_not_trusted(void **state)
+{
+    struct aob_page_summary summary;
+    put(*state, "run.json", "{\"name\":\"clock\",\"cases\":3}");
+    put(*state, "journal.jsonl",
+        "{\"key\":\"1\",\"status\":\"failed\",\"backend\":\"vulkan\",\"fingerprint\":{\"device\":\"one\"}}\n"
+        "{\"key\":\"2\",\"status\":\"ok\",\"backend\":\"vulkan\",\"fingerprint\":{\"device\":\"one\"},"
+        "\"time\":{\"clock\":\"wall\",\"clock_reason\":\"it is <b>late</b>\"}}\n"
+        "{\"key\":\"3\",\"status\":\"ok\",\"backend\":\"gl-egl\",\"fingerprint\":{\"device\":\"one\"},"
+        "\"time\":{\"clock\":\"device\",\"clock_reason\":\"\"}}\n");
+    char *page = make_page(*state, NULL, &summary);
+    assert_int_equal(count_text(page, "costs are wall time: it is &lt;b&gt;late&lt;/b&gt;</dd>"), 1);
+    assert_int_equal(count_text(page, "costs are wall time"), 1);
+    assert_int_equal(count_text(page, "<dt>vulkan</dt>"), 1);
+    free(page);
+}
+
 static void test_hostile_and_broken_lines(void **state)
 {
     struct aob_page_summary summary;
@@ -322,6 +340,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_good_run, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_where_errors_come_from, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_a_clock_that_is_not_trusted, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_hostile_and_broken_lines, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_empty_journal, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_no_run_and_no_room, set_up, tear_down),

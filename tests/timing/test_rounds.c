@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/sealed.h"
+#include "base/text.h"
 #include "script.h"
 #include "timing/summary.h"
 
@@ -226,10 +227,59 @@ static void test_content_is_judged(void **state)
     refuse("no rounds");
 }
 
+/* By a writer that does not say how long it is. */
+static void write_stream(const struct aob_text *text)
+{
+    static const unsigned char seal_frame[8] = {0x50, 0x2a, 0x4d, 0x18, 40, 0, 0, 0};
+    size_t room = ZSTD_compressBound(text->size);
+    char *packed = aob_alloc(room, 1);
+    ZSTD_CStream *stream = ZSTD_createCStream();
+    ZSTD_outBuffer out = {packed, room, 0};
+    ZSTD_inBuffer in = {text->data, text->size, 0};
+    while (in.pos < in.size)
+        assert_false(ZSTD_isError(ZSTD_compressStream(stream, &out, &in)));
+    assert_int_equal(ZSTD_endStream(stream, &out), 0);
+    ZSTD_freeCStream(stream);
+    assert_true(ZSTD_getFrameContentSize(packed, out.pos) == ZSTD_CONTENTSIZE_UNKNOWN);
+    const struct aob_piece pieces[] = {{packed, out.pos}, {seal_frame, sizeof seal_frame}};
+    assert_true(aob_sealed_write(path, pieces, 2, NULL));
+    free(packed);
+}
+
+/* A file may be of any length: its lines run over the borders of what is unpacked at a time. */
+static void test_any_length(void **state)
+{
+    (void)state;
+    enum { LINES = 3000 };
+    struct aob_text text = {0};
+    struct aob_round_list rounds;
+    for (int k = 0; k < LINES; k++)
+        aob_text_add(&text, "%s", ROUND("cpu", THREE));
+    write_stream(&text);
+    assert_true(aob_rounds_read(path, &rounds, NULL));
+    assert_int_equal(rounds.count, LINES);
+    for (size_t r = 0; r < LINES; r++)
+        assert_true(rounds.items[r].slot_count == 3 && rounds.items[r].slots[2].whole.ns[AOB_CLOCK_CPU] == 5);
+    aob_rounds_finish(&rounds);
+    aob_text_finish(&text);
+}
+
+/* But a line has a bound, as a small file of one endless line would otherwise take all memory. */
+static void test_endless_line(void **state)
+{
+    (void)state;
+    struct aob_text text = {0};
+    aob_text_add(&text, "%s%*s", ROUND("cpu", THREE), 1100000, "");
+    write_stream(&text);
+    refuse("a line has more than 1048576 bytes");
+    aob_text_finish(&text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip), cmocka_unit_test(test_is_plain_zstd),
-        cmocka_unit_test(test_damage_is_told), cmocka_unit_test(test_content_is_judged)};
+        cmocka_unit_test(test_round_trip),     cmocka_unit_test(test_is_plain_zstd),
+        cmocka_unit_test(test_damage_is_told), cmocka_unit_test(test_content_is_judged),
+        cmocka_unit_test(test_any_length),     cmocka_unit_test(test_endless_line)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

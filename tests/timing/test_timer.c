@@ -1,6 +1,7 @@
 /* Clocks that lie, on a device that draws nothing and whose host's clock is scripted. */
 #include "check.h"
 #include <stdlib.h>
+#include <string.h>
 #include "gpu/backends.h"
 #include "random.h"
 #include "timing/timer.h"
@@ -12,6 +13,28 @@ static bool unfair;
 static int64_t way_ns; /* to the device and back */
 static bool late;      /* each pass is told the time of the one before it */
 static int64_t late_ns;
+
+/* A device that takes eight times as long until it has worked for 250 ms, and whose passes are as long as their loops; 0: it
+ * does not. */
+static int64_t rises_ns, worked_ns;
+static int trips;
+static bool (*make_program)(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+                            struct aob_gpu_program **program, struct aob_error *error);
+
+static bool count_trips(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+                        struct aob_gpu_program **program, struct aob_error *error)
+{
+    const char *loop = strstr(fragment, "i < ");
+    assert_non_null(loop);
+    trips = atoi(loop + 4);
+    return make_program(gpu, vertex, fragment, program, error);
+}
+
+/* 26 ms of the smallest pass are 32768 trips. */
+static double speed_of(void)
+{
+    return rises_ns ? trips / 32768.0 * (worked_ns < rises_ns ? 8 : 1) : 1;
+}
 
 static int64_t truth(int64_t ns)
 {
@@ -66,6 +89,8 @@ static bool run(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, struct
     double load = seed && random_unit(&seed) < 0.3 ? 1 + 2 * random_unit(&seed) : 1;
     if (unfair && whole->wall_ns > 40000000) /* what is short gets through between the neighbour's turns */
         load *= 2;
+    load *= speed_of();
+    worked_ns += (int64_t)((double)whole->wall_ns * load);
     whole->wall_ns = (int64_t)((double)whole->wall_ns * load) + way_ns;
     whole->device_ns = 0;
     for (size_t i = 0; i < desc->count; i++) {
@@ -77,19 +102,33 @@ static bool run(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, struct
     return true;
 }
 
+static struct aob_gpu *open_scripted(struct aob_gpu_fns *fns)
+{
+    struct aob_gpu *gpu = aob_gpu_open("null", &(struct aob_gpu_desc){.as_gpu = true}, NULL);
+    *fns = aob_gpu_null;
+    make_program = fns->program_create;
+    fns->run = run;
+    fns->program_create = count_trips;
+    gpu->fns = fns;
+    return gpu;
+}
+
+static void close_scripted(struct aob_gpu *gpu)
+{
+    gpu->fns = &aob_gpu_null;
+    aob_gpu_close(gpu);
+}
+
 static struct aob_timer test_clock(int64_t (*teller)(int64_t ns))
 {
-    struct aob_gpu_fns fns = aob_gpu_null;
-    struct aob_gpu *gpu = aob_gpu_open("null", &(struct aob_gpu_desc){.as_gpu = true}, NULL);
+    struct aob_gpu_fns fns;
+    struct aob_gpu *gpu = open_scripted(&fns);
     struct aob_timer timer;
     struct aob_error error = {""};
-    fns.run = run;
-    gpu->fns = &fns;
     tell = teller;
     if (!aob_timer_test(gpu, &timer, &error))
         fail_msg("%s", error.text);
-    gpu->fns = &aob_gpu_null;
-    aob_gpu_close(gpu);
+    close_scripted(gpu);
     return timer;
 }
 
@@ -177,6 +216,46 @@ static void test_how_much_a_clock_may_miss(void **state)
     expect_liar(a_twentieth_more, "its clock says 1.05 of a pass, as a share of the host's time");
 }
 
+/* The way there and back takes .4 ms: of a pass of 4 ms little, of one that was 4 ms before the device woke up nearly all. */
+static void test_a_device_that_wakes_up_is_trusted(void **state)
+{
+    (void)state;
+    rises_ns = 250000000;
+    worked_ns = 0;
+    way_ns = 400000;
+    struct aob_timer timer = test_clock(truth);
+    if (!timer.trusted)
+        fail_msg("%s", timer.why_not);
+    assert_true(timer.pass_ms >= 4 && timer.pass_ms < 17);
+    rises_ns = way_ns = 0;
+}
+
+static struct aob_timer_choice choose(bool software, int64_t (*teller)(int64_t ns))
+{
+    struct aob_gpu_fns fns;
+    struct aob_gpu *gpu = open_scripted(&fns);
+    struct aob_timer_choice choice;
+    tell = teller;
+    gpu->info.software = software;
+    assert_true(aob_timer_choose(gpu, &choice, NULL));
+    close_scripted(gpu);
+    return choice;
+}
+
+/* A processor's cost is its own time, whatever its timestamps say. */
+static void test_whose_time_costs_are(void **state)
+{
+    (void)state;
+    struct aob_timer_choice cpu = choose(true, half), device = choose(false, truth),
+                            wall = choose(false, half);
+    assert_int_equal(cpu.clock, AOB_CLOCK_CPU);
+    assert_string_equal(cpu.reason, "");
+    assert_int_equal(device.clock, AOB_CLOCK_DEVICE);
+    assert_string_equal(device.reason, "");
+    assert_int_equal(wall.clock, AOB_CLOCK_WALL);
+    assert_contains(wall.reason, "its clock says 0.5 of a pass, as a share of the host's time");
+}
+
 static void test_no_clock(void **state)
 {
     (void)state;
@@ -197,6 +276,8 @@ int main(void)
         cmocka_unit_test(test_liars_are_found),
         cmocka_unit_test(test_a_clock_that_is_one_pass_late_is_found),
         cmocka_unit_test(test_how_much_a_clock_may_miss),
+        cmocka_unit_test(test_a_device_that_wakes_up_is_trusted),
+        cmocka_unit_test(test_whose_time_costs_are),
         cmocka_unit_test(test_no_clock),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

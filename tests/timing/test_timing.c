@@ -40,7 +40,7 @@ static void check_case(const struct aob_round_list *rounds, size_t slot, size_t 
     aob_summarise(rounds, slot, &t);
     assert_int_equal(t.rounds, 20); /* narrow enough at the first check point */
     assert_near(t.whole.ms[AOB_CLOCK_CPU], (double)passes * pass_ms, 1e-9);
-    struct aob_ratio own = aob_rounds_own_ratio(rounds, 0, slot);
+    struct aob_ratio own = aob_rounds_ratio(rounds, slot);
     assert_near(own.ratio, (double)passes, 1e-9);
     assert_true(own.bounded);
     assert_near(own.low, (double)passes, 1e-9);

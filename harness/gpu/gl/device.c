@@ -65,9 +65,34 @@ static void describe(struct gl *gl)
     info->driver = gl->device.driver;
     info->software = gl->device.software;
     info->device_class = gl->device.device_class;
-    gl->api.GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->max_texture_size);
-    gl->api.GetIntegerv(GL_MAX_IMAGE_UNITS, &gl->max_image_units);
     info->storage_bytes = storage_bytes(&gl->api);
+}
+
+static uint32_t limit(const struct gl *gl, GLenum name)
+{
+    GLint value = 0;
+    gl->api.GetIntegerv(name, &value);
+    return value > 0 ? (uint32_t)value : 0;
+}
+
+static uint32_t lower_limit(const struct gl *gl, GLenum a, GLenum b)
+{
+    uint32_t x = limit(gl, a), y = limit(gl, b);
+    return x < y ? x : y;
+}
+
+static void read_limits(struct gl *gl)
+{
+    struct aob_gpu_limits *limits = &gl->base.limits;
+    *limits = aob_gpu_no_limits;
+    limits->side = limit(gl, GL_MAX_TEXTURE_SIZE);
+    limits->targets = lower_limit(gl, GL_MAX_DRAW_BUFFERS, GL_MAX_COLOR_ATTACHMENTS);
+    limits->sampled = limit(gl, GL_MAX_TEXTURE_IMAGE_UNITS);
+    limits->storage = lower_limit(gl, GL_MAX_FRAGMENT_IMAGE_UNIFORMS, GL_MAX_COMBINED_IMAGE_UNIFORMS);
+    limits->vertex_sampled = limit(gl, GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS);
+    limits->vertex_storage = limit(gl, GL_MAX_VERTEX_IMAGE_UNIFORMS);
+    limits->storage_bindings = limit(gl, GL_MAX_IMAGE_UNITS);
+    limits->storage_and_targets = limit(gl, GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES);
 }
 
 static void create_stamps(struct gl *gl)
@@ -118,6 +143,7 @@ static bool set_up(struct gl *gl, struct aob_error *error)
     gl->api.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     create_stamps(gl);
     create_samplers(gl);
+    read_limits(gl);
     gl->api.CreateVertexArrays(1, &gl->vertex_array);
     gl->api.BindVertexArray(gl->vertex_array);
     return create_triangle(gl, error) && aob_gl_ok(&gl->base, "set up the context", error);

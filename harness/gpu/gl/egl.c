@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 
 #define EGL_FUNCTIONS(X)                                                                                     \
+    X(PFNEGLGETERRORPROC, GetError)                                                                          \
     X(PFNEGLQUERYSTRINGPROC, QueryString)                                                                    \
     X(PFNEGLGETPLATFORMDISPLAYPROC, GetPlatformDisplay)                                                      \
     X(PFNEGLINITIALIZEPROC, Initialize)                                                                      \
@@ -71,8 +72,15 @@ static void leave(struct egl *egl)
     egl->context = NULL;
 }
 
-/* A current context on the device of that number. */
-static bool enter(struct egl *egl, size_t number)
+static bool get_display(struct egl *egl, size_t number)
+{
+    egl->display = egl->QueryDevices
+                       ? egl->GetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, egl->devices[number], NULL)
+                       : egl->GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+    return egl->display;
+}
+
+static bool create_context(struct egl *egl)
 {
     static const EGLint attributes[] = {
         EGL_CONTEXT_MAJOR_VERSION,
@@ -83,18 +91,25 @@ static bool enter(struct egl *egl, size_t number)
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
         EGL_NONE,
     };
-    egl->display = egl->QueryDevices
-                       ? egl->GetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, egl->devices[number], NULL)
-                       : egl->GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-    if (!egl->display || !egl->Initialize(egl->display, NULL, NULL) || !egl->BindAPI(EGL_OPENGL_API))
-        return false;
     egl->context = egl->CreateContext(egl->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (!egl->context)
-        return false;
+    return egl->context;
+}
+
+/* A current context on the device of that number. What it lacks for that; NULL: it is there. */
+static const char *enter(struct egl *egl, size_t number)
+{
+    if (!get_display(egl, number))
+        return "an EGL display without a window";
+    if (!egl->Initialize(egl->display, NULL, NULL))
+        return "a driver that starts";
+    if (!egl->BindAPI(EGL_OPENGL_API))
+        return "OpenGL";
+    if (!create_context(egl))
+        return "OpenGL 4.5";
     if (egl->MakeCurrent(egl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, egl->context))
-        return true;
+        return NULL;
     leave(egl);
-    return false;
+    return "contexts without a surface";
 }
 
 static uint64_t node_of(const struct egl *egl, size_t number)
@@ -113,9 +128,11 @@ static void describe_device(struct egl *egl, size_t number, struct aob_gpu_devic
     *device = (struct aob_gpu_device){.device_class = "gpu"};
     if (egl->QueryDevices)
         device->node = node_of(egl, number);
-    if (!enter(egl, number)) {
+    const char *lacks = enter(egl, number);
+    if (lacks) {
         snprintf(device->name, sizeof device->name, "EGL device %zu", number);
-        snprintf(device->lacks, sizeof device->lacks, "OpenGL 4.5");
+        snprintf(device->driver, sizeof device->driver, "no driver known");
+        snprintf(device->lacks, sizeof device->lacks, "%s (EGL error 0x%x)", lacks, egl->GetError());
         return;
     }
     GLint bits = 0;
@@ -128,8 +145,10 @@ static void describe_device(struct egl *egl, size_t number, struct aob_gpu_devic
 
 static void list_devices(struct egl *egl, struct aob_gpu_device_list *list)
 {
-    EGLint count = 1;
-    if (egl->QueryDevices && !egl->QueryDevices(AOB_GPU_MAX_DEVICES, egl->devices, &count))
+    EGLint count = 0;
+    if (!egl->QueryDevices)
+        count = get_display(egl, 0); /* without a driver EGL has no display either */
+    else if (!egl->QueryDevices(AOB_GPU_MAX_DEVICES, egl->devices, &count))
         count = 0;
     for (list->count = 0; list->count < (size_t)count; list->count++)
         describe_device(egl, list->count, &list->items[list->count]);
@@ -155,10 +174,14 @@ static bool choose_default(const struct aob_gpu_device_list *list, size_t *chose
     *chosen = gpu ? aob_gpu_default_like(list, &like) : best;
     if (*chosen < list->count)
         return true;
-    if (best == list->count)
+    if (!list->count)
         return aob_fail(error,
                         "gl-egl: no driver gives OpenGL 4.5 without a window: install libegl-mesa0 and "
                         "libgl1-mesa-dri");
+    if (best == list->count)
+        return aob_fail(error,
+                        "gl-egl: no device can be opened; the first of %zu lacks %s: use a newer driver",
+                        list->count, list->items[0].lacks);
     return aob_fail(
         error,
         "gl-egl: %s has a driver for Vulkan and none for EGL, which offers processors only: install "
@@ -209,7 +232,7 @@ static bool egl_devices(struct aob_gpu_device_list *list, size_t *chosen, struct
         return false;
     list_devices(egl, list);
     egl_destroy(&egl->base);
-    if (!choose_default(list, chosen, NULL))
+    if (!choose_default(list, chosen, &list->none))
         *chosen = list->count;
     return true;
 }
@@ -226,9 +249,10 @@ static bool enter_chosen(struct egl *egl, const char *wanted, struct aob_error *
     struct aob_gpu_device_list *list = AOB_NEW(struct aob_gpu_device_list);
     size_t chosen;
     list_devices(egl, list);
-    bool ok = choose(list, wanted, &chosen, error) &&
-              (enter(egl, chosen) ||
-               aob_fail(error, "gl-egl: %s no longer gives OpenGL 4.5", list->items[chosen].name));
+    bool ok = choose(list, wanted, &chosen, error);
+    const char *lacks = ok ? enter(egl, chosen) : NULL;
+    if (lacks)
+        ok = aob_fail(error, "gl-egl: %s lacks %s by now", list->items[chosen].name, lacks);
     free(list);
     return ok;
 }

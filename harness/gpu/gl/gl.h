@@ -94,7 +94,6 @@ struct gl {
     struct aob_gpu base;
     struct gl_context *context;
     struct gl_api api;
-    GLint max_texture_size, max_image_units;
     GLuint samplers[2]; /* by enum aob_filter */
     GLuint vertex_array, triangle;
     GLint stamp_bits;                          /* valid bits of a timestamp; 0: the driver has no timer */
@@ -141,6 +140,7 @@ GLuint aob_gl_shader_create(struct aob_gpu *gpu, GLenum stage, const uint32_t *w
                             struct aob_error *error);
 
 /* The table's slots that both backends share. */
+const char *aob_gl_lacks(const struct aob_gpu *gpu, enum aob_format format, uint32_t needs);
 bool aob_gl_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
                            struct aob_gpu_texture **texture, struct aob_error *error);
 void aob_gl_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
@@ -170,7 +170,7 @@ void aob_gl_pass_bind(const struct gl *gl, const struct aob_gpu_pass *pass);
 void aob_gl_pass_draw(const struct gl *gl, const struct aob_gpu_pass *pass);
 
 #define AOB_GL_SLOTS                                                                                         \
-    .environment = aob_gpu_driver_environment, .close = aob_gl_close,                                        \
+    .environment = aob_gpu_driver_environment, .close = aob_gl_close, .format_lacks = aob_gl_lacks,          \
     .texture_create = aob_gl_texture_create, .texture_destroy = aob_gl_texture_destroy,                      \
     .texture_read = aob_gl_texture_read, .buffer_create = aob_gl_buffer_create,                              \
     .buffer_destroy = aob_gl_buffer_destroy, .buffer_write = aob_gl_buffer_write,                            \

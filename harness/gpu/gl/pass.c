@@ -19,17 +19,6 @@ struct gl_pass {
     GLint clears; /* targets */
 };
 
-static bool check_units(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_error *error)
-{
-    GLint units = ((struct gl *)gpu)->max_image_units;
-    for (size_t i = 0; i < desc->bind_count; i++)
-        if (desc->binds[i].kind == AOB_GPU_STORAGE && (GLint)desc->binds[i].binding >= units)
-            return aob_fail(error,
-                            "%s: pass with a storage image at %u: this device has 0..%d: use sampled reads",
-                            gpu->info.backend, desc->binds[i].binding, units - 1);
-    return true;
-}
-
 static void create_framebuffer(const struct gl_api *api, const struct aob_gpu_pass_desc *desc,
                                struct gl_pass *pass)
 {
@@ -102,8 +91,6 @@ bool aob_gl_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
                         struct aob_error *error)
 {
     const struct gl_api *api = aob_gl_use(gpu);
-    if (!check_units(gpu, desc, error))
-        return false;
     struct gl_pass *made = describe_pass(desc);
     create_framebuffer(api, desc, made);
     create_views(api, made);

@@ -40,6 +40,7 @@ static struct aob_gpu *null_open(const struct aob_gpu_desc *desc, struct aob_err
                                       .timer = true,
                                       .draws_nothing = true,
                                       .storage_bytes = STORAGE_BYTES};
+    gpu->limits = aob_gpu_no_limits;
     return aob_gpu_keep_single(gpu, desc, error);
 }
 
@@ -51,6 +52,14 @@ static bool null_devices(struct aob_gpu_device_list *list, size_t *chosen, struc
 static void null_close(struct aob_gpu *gpu)
 {
     free(gpu);
+}
+
+static const char *null_format_lacks(const struct aob_gpu *gpu, enum aob_format format, uint32_t needs)
+{
+    (void)gpu;
+    (void)format;
+    (void)needs;
+    return NULL;
 }
 
 static size_t level_offset(const struct aob_gpu_texture *texture, int level)
@@ -234,6 +243,7 @@ const struct aob_gpu_fns aob_gpu_null = {
     .devices = null_devices,
     .open = null_open,
     .close = null_close,
+    .format_lacks = null_format_lacks,
     .texture_create = null_texture_create,
     .texture_destroy = null_texture_destroy,
     .texture_read = null_texture_read,

@@ -69,28 +69,16 @@ static bool allocate_set(struct vk *vk, struct vk_binds *binds, struct aob_error
                      "allocate a descriptor set", error);
 }
 
-/* Some devices filter no 32-bit floats. */
-static bool check_filter(struct vk *vk, const struct aob_gpu_bind *bind, struct aob_error *error)
-{
-    VkFormatProperties can;
-    vkGetPhysicalDeviceFormatProperties(vk->physical, aob_vk_format(bind->texture->format), &can);
-    return bind->kind != AOB_GPU_SAMPLED || bind->filter != AOB_BILINEAR ||
-           can.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT ||
-           aob_fail(error, "vulkan: %s does not filter format %s: use another device or backend",
-                    vk->properties.deviceName, aob_gpu_format_layout(bind->texture->format));
-}
-
 static bool write_texture(struct vk *vk, const struct aob_gpu_bind *bind, VkDescriptorSet set,
                           VkImageView *view, struct aob_error *error)
 {
     const struct vk_texture *texture = (const struct vk_texture *)bind->texture;
     const VkImageSubresourceRange range = aob_vk_levels(bind->first_level, aob_gpu_bind_levels(bind));
     VkFormat format = aob_vk_format(texture->base.format);
-    if (!check_filter(vk, bind, error) ||
-        !aob_vk_view_create(vk, texture->image.image, format, &range, view, error))
+    if (!aob_vk_view_create(vk, texture->image.image, format, &range, view, error))
         return false;
     VkDescriptorImageInfo image = {
-        .sampler = vk->samplers[bind->filter], .imageView = *view, .imageLayout = texture->rest};
+        .sampler = vk->samplers[bind->filter], .imageView = *view, .imageLayout = texture->rest.layout};
     VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                                   .dstSet = set,
                                   .dstBinding = bind->binding,

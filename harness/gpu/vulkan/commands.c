@@ -1,7 +1,8 @@
 #include "vk.h"
 #include "base/clock.h"
 
-/* All earlier writes before all later reads and writes. */
+/* All earlier writes before all later reads and writes. Once a submit, before its first stamp: what came in an earlier submit
+ * was waited for already, so nothing is held up, and its moves (states.c) need not think of more than their own list. */
 static void record_barrier(VkCommandBuffer commands)
 {
     VkMemoryBarrier2 all = {
@@ -11,6 +12,16 @@ static void record_barrier(VkCommandBuffer commands)
         .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
         .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
     };
+    vkCmdPipelineBarrier2(commands, &(VkDependencyInfo){.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                                        .memoryBarrierCount = 1,
+                                                        .pMemoryBarriers = &all});
+}
+
+void aob_vk_record_wait(VkCommandBuffer commands)
+{
+    VkMemoryBarrier2 all = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+                            .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                            .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
     vkCmdPipelineBarrier2(commands, &(VkDependencyInfo){.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
                                                         .memoryBarrierCount = 1,
                                                         .pMemoryBarriers = &all});

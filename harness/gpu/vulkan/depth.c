@@ -9,11 +9,6 @@ bool aob_vk_depth_init(struct vk *vk, int width, int height, struct vk_depth *de
                                        .height = height,
                                        .levels = 1,
                                        .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT};
-    VkFormatProperties can;
-    vkGetPhysicalDeviceFormatProperties(vk->physical, AOB_VK_DEPTH_FORMAT, &can);
-    if (!(can.optimalTilingFeatures & VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT))
-        return aob_fail(error, "vulkan: %s has no 32-bit float depth: use another device or backend",
-                        vk->properties.deviceName);
     return (aob_vk_image_init(vk, &desc, &depth->image, error) &&
             aob_vk_view_create(vk, depth->image.image, desc.format, &whole, &depth->view, error)) ||
            aob_fail_in(error, "depth %dx%d", width, height);
@@ -29,6 +24,5 @@ void aob_vk_depth_finish(struct vk *vk, struct vk_depth *depth)
 VkImageMemoryBarrier2 aob_vk_depth_move(const struct vk_depth *depth)
 {
     /* From UNDEFINED at every run: each clears it, so that what it held need not be kept. */
-    return aob_vk_move(depth->image.image, whole, VK_IMAGE_LAYOUT_UNDEFINED,
-                       VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
+    return aob_vk_move(depth->image.image, whole, aob_vk_undefined(aob_vk_depth_state), aob_vk_depth_state);
 }

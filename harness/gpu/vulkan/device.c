@@ -80,6 +80,15 @@ static bool create_triangle(struct vk *vk, struct aob_error *error)
     return vk->triangle;
 }
 
+static void read_limits(struct vk *vk)
+{
+    VkFormatProperties depth;
+    vkGetPhysicalDeviceFormatProperties(vk->physical, AOB_VK_DEPTH_FORMAT, &depth);
+    vk->base.limits = aob_vk_limits(&vk->properties.limits);
+    vk->base.limits.lacks_depth =
+        !(depth.optimalTilingFeatures & VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT);
+}
+
 static void describe(struct vk *vk)
 {
     vk->base.info = (struct aob_gpu_info){
@@ -102,6 +111,7 @@ struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_
         create_sampler(vk, AOB_BILINEAR, error) && create_triangle(vk, error) &&
         aob_vk_stamps_create(vk, error)) {
         describe(vk);
+        read_limits(vk);
         return &vk->base;
     }
     aob_vk_close(&vk->base);

@@ -51,17 +51,21 @@ VkImageSubresourceRange aob_vk_levels(int first, int count)
                                      .layerCount = 1};
 }
 
-VkImageMemoryBarrier2 aob_vk_move(VkImage image, VkImageSubresourceRange range, VkImageLayout from,
-                                  VkImageLayout to)
+VkImageMemoryBarrier2 aob_vk_move(VkImage image, VkImageSubresourceRange range, struct vk_state from,
+                                  struct vk_state to)
 {
+    /* Nothing has to be made available of what only read; that it is done is enough. */
+    const VkAccessFlags2 writes = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
+                                  VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT |
+                                  VK_ACCESS_2_TRANSFER_WRITE_BIT;
     return (VkImageMemoryBarrier2){
         .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
-        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
-        .oldLayout = from,
-        .newLayout = to,
+        .srcStageMask = from.stages,
+        .srcAccessMask = from.access & writes,
+        .dstStageMask = to.stages,
+        .dstAccessMask = to.access,
+        .oldLayout = from.layout,
+        .newLayout = to.layout,
         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
         .image = image,

@@ -44,10 +44,9 @@ static void describe_opening(const struct aob_gpu_pass_desc *desc, struct vk_pas
         const struct aob_gpu_target *target = &desc->targets[i];
         const struct vk_texture *texture = (const struct vk_texture *)target->texture;
         bool whole = covers(desc, target) && !desc->in_parts;
-        VkImageLayout from = whole ? VK_IMAGE_LAYOUT_UNDEFINED : texture->rest;
-        pass->opening[pass->opening_count++] =
-            aob_vk_move(texture->image.image, aob_vk_levels(target->level, 1), from,
-                        VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+        struct vk_state from = whole ? aob_vk_undefined(texture->rest) : texture->rest;
+        pass->opening[pass->opening_count++] = aob_vk_move(
+            texture->image.image, aob_vk_levels(target->level, 1), from, aob_vk_drawn(desc->blend));
     }
     if (desc->depth_test)
         pass->opening[pass->opening_count++] = aob_vk_depth_move(&pass->depth);
@@ -58,7 +57,7 @@ static void describe_closing(const struct aob_gpu_pass_desc *desc, struct vk_pas
     for (size_t i = 0; i < desc->target_count; i++) {
         const struct vk_texture *texture = (const struct vk_texture *)desc->targets[i].texture;
         pass->closing[i] = aob_vk_move(texture->image.image, aob_vk_levels(desc->targets[i].level, 1),
-                                       VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, texture->rest);
+                                       aob_vk_drawn(desc->blend), texture->rest);
     }
 }
 

@@ -106,12 +106,20 @@ static bool enumerate(struct vk *vk, VkPhysicalDevice devices[AOB_GPU_MAX_DEVICE
     return true;
 }
 
+static bool choose_default(const struct aob_gpu_device_list *list, size_t *chosen, struct aob_error *error)
+{
+    *chosen = aob_gpu_default_device(list);
+    return *chosen < list->count ||
+           aob_fail(error, "vulkan: no device has Vulkan 1.3 and a graphics queue: use a newer driver");
+}
+
 bool aob_vk_devices(struct aob_gpu_device_list *list, size_t *chosen, struct aob_error *error)
 {
     struct vk vk = {0};
     VkPhysicalDevice devices[AOB_GPU_MAX_DEVICES];
     bool ok = aob_vk_instance_create(&vk, false, error) && enumerate(&vk, devices, list, error);
-    *chosen = ok ? aob_gpu_default_device(list) : 0;
+    if (ok)
+        choose_default(list, chosen, &list->none);
     aob_vk_instance_destroy(&vk);
     return ok;
 }
@@ -119,11 +127,8 @@ bool aob_vk_devices(struct aob_gpu_device_list *list, size_t *chosen, struct aob
 static bool choose(const struct aob_gpu_device_list *list, const char *wanted, size_t *chosen,
                    struct aob_error *error)
 {
-    if (wanted)
-        return aob_gpu_choose(list, "vulkan", wanted, chosen, error);
-    *chosen = aob_gpu_default_device(list);
-    return *chosen < list->count ||
-           aob_fail(error, "vulkan: no device has Vulkan 1.3 and a graphics queue: use a newer driver");
+    return wanted ? aob_gpu_choose(list, "vulkan", wanted, chosen, error)
+                  : choose_default(list, chosen, error);
 }
 
 bool aob_vk_choose_device(struct vk *vk, const char *wanted, struct aob_error *error)

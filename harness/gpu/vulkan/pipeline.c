@@ -49,27 +49,6 @@ describe_output(const struct aob_gpu_pass_desc *desc,
     };
 }
 
-static bool can_draw(const struct vk *vk, const struct aob_gpu_pass_desc *desc, struct aob_error *error)
-{
-    const VkPhysicalDeviceLimits *limits = &vk->properties.limits;
-    uint32_t most = limits->maxColorAttachments < limits->maxFragmentOutputAttachments
-                        ? limits->maxColorAttachments
-                        : limits->maxFragmentOutputAttachments;
-    if (desc->target_count > most)
-        return aob_fail(
-            error, "vulkan: pass with %zu targets: %s draws to %u at most: use another device or backend",
-            desc->target_count, vk->properties.deviceName, most);
-    for (size_t i = 0; desc->blend != AOB_GPU_REPLACE && i < desc->target_count; i++) {
-        enum aob_format format = desc->targets[i].texture->format;
-        VkFormatProperties can;
-        vkGetPhysicalDeviceFormatProperties(vk->physical, aob_vk_format(format), &can);
-        if (!(can.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
-            return aob_fail(error, "vulkan: %s cannot blend to %s: use another device or backend",
-                            vk->properties.deviceName, aob_gpu_format_layout(format));
-    }
-    return true;
-}
-
 static VkPipelineRenderingCreateInfo describe_targets(const struct aob_gpu_pass_desc *desc,
                                                       VkFormat formats[AOB_MAX_OUT])
 {
@@ -103,8 +82,6 @@ static VkPipelineViewportStateCreateInfo describe_area(const struct aob_gpu_pass
 bool aob_vk_pipeline_create(struct vk *vk, const struct aob_gpu_pass_desc *desc, VkPipelineLayout layout,
                             VkPipeline *pipeline, struct aob_error *error)
 {
-    if (!can_draw(vk, desc, error))
-        return false;
     const struct vk_program *program = (const struct vk_program *)desc->program;
     VkPipelineShaderStageCreateInfo stages[] = {
         describe_stage(VK_SHADER_STAGE_VERTEX_BIT, program->vertex ? program->vertex : vk->triangle),

@@ -10,17 +10,27 @@ bool aob_vk_stamps_create(struct vk *vk, struct aob_error *error)
                                         "create timestamps", error);
 }
 
-/* When all that was recorded before is done. What is recorded behind it waits by its own barriers. */
+/* When all that was recorded before is done. What is recorded behind it waits by its own barriers only: a pass that reads
+ * nothing of the one before it may begin while that one still runs, as in a renderer, and is in its time as far. */
 static void stamp(struct vk *vk, uint32_t index)
 {
     vkCmdWriteTimestamp2(vk->commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, vk->stamps, index);
 }
 
+/* No frame runs beside the next one, which is the same work again: a frame's time would be that of half of two. */
+static void record_repeat(struct vk *vk, int repeat)
+{
+    if (repeat > 0)
+        aob_vk_record_wait(vk->commands);
+}
+
 static void record_plain(struct vk *vk, const struct aob_gpu_run_desc *desc)
 {
-    for (int r = 0; r < desc->repeats; r++)
+    for (int r = 0; r < desc->repeats; r++) {
+        record_repeat(vk, r);
         for (size_t i = 0; i < desc->count; i++)
             aob_vk_pass_record(desc->passes[i], vk->commands);
+    }
 }
 
 static void record_stamped(struct vk *vk, const struct aob_gpu_run_desc *desc)
@@ -28,12 +38,14 @@ static void record_stamped(struct vk *vk, const struct aob_gpu_run_desc *desc)
     uint32_t used = 2 * (uint32_t)desc->count * (uint32_t)desc->repeats + 2, at = 0;
     vkCmdResetQueryPool(vk->commands, vk->stamps, 0, used);
     stamp(vk, at++);
-    for (int r = 0; r < desc->repeats; r++)
+    for (int r = 0; r < desc->repeats; r++) {
+        record_repeat(vk, r);
         for (size_t i = 0; i < desc->count; i++) {
             stamp(vk, at++);
             aob_vk_pass_record(desc->passes[i], vk->commands);
             stamp(vk, at++);
         }
+    }
     stamp(vk, at);
 }
 

@@ -13,6 +13,7 @@ const struct aob_gpu_fns aob_gpu_vulkan = {
     .devices = aob_vk_devices,
     .open = open_device,
     .close = aob_vk_close,
+    .format_lacks = aob_vk_lacks,
     .texture_create = aob_vk_texture_create,
     .texture_destroy = aob_vk_texture_destroy,
     .texture_read = aob_vk_texture_read,

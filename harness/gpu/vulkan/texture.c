@@ -4,14 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool check_format(struct vk *vk, const struct aob_gpu_texture_desc *desc, struct aob_error *error)
+const char *aob_vk_lacks(const struct aob_gpu *gpu, enum aob_format format, uint32_t needs)
 {
+    const struct vk *vk = (const struct vk *)gpu;
     VkFormatProperties can;
-    vkGetPhysicalDeviceFormatProperties(vk->physical, aob_vk_format(desc->format), &can);
-    const char *lacks =
-        aob_vk_format_lacks(desc->format, desc->uses, can.optimalTilingFeatures, vk->extended_storage);
-    return !lacks || aob_fail(error, "vulkan: %s has no %s of format %s: use another device or backend",
-                              vk->properties.deviceName, lacks, aob_gpu_format_layout(desc->format));
+    vkGetPhysicalDeviceFormatProperties(vk->physical, aob_vk_format(format), &can);
+    return aob_vk_format_lacks(format, needs, can.optimalTilingFeatures, vk->extended_storage);
 }
 
 static VkBufferImageCopy whole_level(const struct aob_gpu_texture *texture, int level)
@@ -26,7 +24,7 @@ static VkBufferImageCopy whole_level(const struct aob_gpu_texture *texture, int 
 }
 
 static void record_move(struct vk *vk, const struct vk_texture *texture, VkImageSubresourceRange range,
-                        VkImageLayout from, VkImageLayout to)
+                        struct vk_state from, struct vk_state to)
 {
     VkImageMemoryBarrier2 move = aob_vk_move(texture->image.image, range, from, to);
     aob_vk_record_moves(vk->commands, &move, 1);
@@ -35,12 +33,12 @@ static void record_move(struct vk *vk, const struct vk_texture *texture, VkImage
 static void record_upload(struct vk *vk, const struct vk_texture *texture, VkBuffer texels)
 {
     VkImageSubresourceRange all = aob_vk_levels(0, texture->base.levels);
-    VkImageLayout from = VK_IMAGE_LAYOUT_UNDEFINED, filled = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    struct vk_state from = {VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE};
     VkBufferImageCopy region = whole_level(&texture->base, 0);
     if (texels) {
-        record_move(vk, texture, all, from, filled);
-        vkCmdCopyBufferToImage(vk->commands, texels, texture->image.image, filled, 1, &region);
-        from = filled;
+        record_move(vk, texture, all, from, aob_vk_copied_to);
+        from = aob_vk_copied_to;
+        vkCmdCopyBufferToImage(vk->commands, texels, texture->image.image, from.layout, 1, &region);
     }
     record_move(vk, texture, all, from, texture->rest);
 }
@@ -68,18 +66,12 @@ bool aob_vk_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_des
                            struct aob_gpu_texture **texture, struct aob_error *error)
 {
     struct vk *vk = (struct vk *)gpu;
-    int width = desc->width, height = desc->height;
-    uint32_t limit = vk->properties.limits.maxImageDimension2D;
-    if ((uint32_t)width > limit || (uint32_t)height > limit)
-        return aob_fail(error, "vulkan: texture size %dx%d is beyond this device's %u", width, height, limit);
-    if (!check_format(vk, desc, error))
-        return false;
     struct vk_texture *made = AOB_NEW(struct vk_texture);
     made->base = aob_gpu_texture_base(desc);
-    made->rest = aob_vk_rest_layout(desc->uses);
+    made->rest = aob_vk_rest(desc->uses);
     const struct vk_image_desc image = {.format = aob_vk_format(desc->format),
-                                        .width = width,
-                                        .height = height,
+                                        .width = desc->width,
+                                        .height = desc->height,
                                         .levels = made->base.levels,
                                         .usage = aob_vk_usage(desc->uses, desc->texels)};
     if (aob_vk_image_init(vk, &image, &made->image, error) && upload(vk, made, desc->texels, error)) {
@@ -87,7 +79,8 @@ bool aob_vk_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_des
         return true;
     }
     aob_vk_texture_destroy(gpu, &made->base);
-    return aob_fail_in(error, "texture %dx%d %s", width, height, aob_gpu_format_layout(desc->format));
+    return aob_fail_in(error, "texture %dx%d %s", desc->width, desc->height,
+                       aob_gpu_format_layout(desc->format));
 }
 
 void aob_vk_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture)
@@ -100,10 +93,10 @@ void aob_vk_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture
 static void record_read(struct vk *vk, const struct vk_texture *texture, int level, VkBuffer texels)
 {
     VkImageSubresourceRange range = aob_vk_levels(level, 1);
-    VkImageLayout read = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    struct vk_state read = aob_vk_copied_from;
     VkBufferImageCopy region = whole_level(&texture->base, level);
     record_move(vk, texture, range, texture->rest, read);
-    vkCmdCopyImageToBuffer(vk->commands, texture->image.image, read, texels, 1, &region);
+    vkCmdCopyImageToBuffer(vk->commands, texture->image.image, read.layout, texels, 1, &region);
     record_move(vk, texture, range, read, texture->rest);
 }
 

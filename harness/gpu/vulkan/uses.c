@@ -13,6 +13,8 @@ static const struct {
      "target"},
     {AOB_GPU_USE_READ_BACK, VK_IMAGE_USAGE_TRANSFER_SRC_BIT, VK_FORMAT_FEATURE_TRANSFER_SRC_BIT,
      "texture to read back"},
+    {AOB_GPU_NEED_FILTER, 0, VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT, "filtered texture"},
+    {AOB_GPU_NEED_BLEND, 0, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT, "blended target"},
 };
 
 VkImageUsageFlags aob_vk_usage(uint32_t uses, bool filled)
@@ -23,30 +25,17 @@ VkImageUsageFlags aob_vk_usage(uint32_t uses, bool filled)
     return usage;
 }
 
-/* It is not known which pass runs after which, so between passes a texture lies in one layout, that of its readers.
- * GENERAL serves all but costs a real GPU its compression; a storage image may be read in no other. */
-VkImageLayout aob_vk_rest_layout(uint32_t uses)
-{
-    if (uses & AOB_GPU_USE_STORAGE)
-        return VK_IMAGE_LAYOUT_GENERAL;
-    if (uses & AOB_GPU_USE_SAMPLED)
-        return VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    if (uses & AOB_GPU_USE_TARGET)
-        return VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    return VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
-}
-
 /* The others need the feature shaderStorageImageExtendedFormats. */
 static bool is_plain_storage(enum aob_format format)
 {
     return format == AOB_R32F || format == AOB_RGBA8 || format == AOB_RGBA16F || format == AOB_RGBA32F;
 }
 
-const char *aob_vk_format_lacks(enum aob_format format, uint32_t uses, VkFormatFeatureFlags has,
+const char *aob_vk_format_lacks(enum aob_format format, uint32_t needs, VkFormatFeatureFlags has,
                                 bool extended)
 {
     for (size_t i = 0; i < AOB_COUNT(uses_table); i++)
-        if (uses & uses_table[i].use && !(has & uses_table[i].feature))
+        if (needs & uses_table[i].use && !(has & uses_table[i].feature))
             return uses_table[i].word;
-    return uses & AOB_GPU_USE_STORAGE && !extended && !is_plain_storage(format) ? "storage image" : NULL;
+    return needs & AOB_GPU_USE_STORAGE && !extended && !is_plain_storage(format) ? "storage image" : NULL;
 }

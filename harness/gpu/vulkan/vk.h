@@ -46,10 +46,17 @@ struct vk_image {
     VkDeviceMemory memory;
 };
 
+/* How an image is used at some point of a list of commands: its layout, and what touches it there. */
+struct vk_state {
+    VkImageLayout layout;
+    VkPipelineStageFlags2 stages;
+    VkAccessFlags2 access;
+};
+
 struct vk_texture {
     struct aob_gpu_texture base;
     struct vk_image image;
-    VkImageLayout rest; /* between passes, and while it is read */
+    struct vk_state rest; /* between passes, and while it is read */
 };
 
 struct vk_program {
@@ -82,6 +89,9 @@ void aob_vk_close(struct aob_gpu *gpu);
 bool aob_vk_begin(struct vk *vk, struct aob_error *error);
 bool aob_vk_finish(struct vk *vk, struct aob_gpu_time *time, struct aob_error *error);
 bool aob_vk_flush(struct vk *vk, struct aob_error *error);
+
+/* What is recorded behind it begins when all that was recorded before has ended. */
+void aob_vk_record_wait(VkCommandBuffer commands);
 
 /* memory.c. Of the types that the driver allows, the first that suits best what the memory is for; false: none will do. */
 enum vk_memory_use {
@@ -126,17 +136,28 @@ bool aob_vk_view_create(struct vk *vk, VkImage image, VkFormat format, const VkI
                         VkImageView *view, struct aob_error *error);
 VkImageSubresourceRange aob_vk_levels(int first, int count); /* of a colour image */
 
-/* A move from layout to layout, after all earlier writes and before all later reads and writes. */
-VkImageMemoryBarrier2 aob_vk_move(VkImage image, VkImageSubresourceRange range, VkImageLayout from,
-                                  VkImageLayout to);
+/* A move from what an image was used for to what it is used for next: it waits for the stages of the one and lets those of
+ * the other wait, and no others. */
+VkImageMemoryBarrier2 aob_vk_move(VkImage image, VkImageSubresourceRange range, struct vk_state from,
+                                  struct vk_state to);
 void aob_vk_record_moves(VkCommandBuffer commands, const VkImageMemoryBarrier2 *moves, uint32_t count);
 
-/* uses.c: what a texture's uses (bits of enum aob_gpu_use; `filled`: it is made with texels) need of a device, and the
- * layout that it rests in. `has`: what the device has for the format; `extended`: struct vk's extended_storage. The word
- * for the first use that is missing ("storage image"); NULL: none is. */
+/* limits.c: lacks_depth stays false, as these do not tell it. */
+struct aob_gpu_limits aob_vk_limits(const VkPhysicalDeviceLimits *device);
+
+/* states.c. aob_vk_rest: between passes, of a texture with those uses (bits of enum aob_gpu_use), whatever pass comes next.
+ * The others: in a pass, or a copy. */
+struct vk_state aob_vk_rest(uint32_t uses);
+struct vk_state aob_vk_drawn(enum aob_gpu_blend blend);
+extern const struct vk_state aob_vk_depth_state, aob_vk_copied_to, aob_vk_copied_from;
+
+/* The same place with undefined content, which is not kept. */
+struct vk_state aob_vk_undefined(struct vk_state state);
+
+/* uses.c: what a texture's uses (bits of enum aob_gpu_use; `filled`: it is made with texels) need of a device. `needs`: those bits and those of enum aob_gpu_need; `has`: what the device has for the format;
+ * `extended`: struct vk's extended_storage. The word for the first need that is missing ("storage image"); NULL: none is. */
 VkImageUsageFlags aob_vk_usage(uint32_t uses, bool filled);
-VkImageLayout aob_vk_rest_layout(uint32_t uses);
-const char *aob_vk_format_lacks(enum aob_format format, uint32_t uses, VkFormatFeatureFlags has,
+const char *aob_vk_format_lacks(enum aob_format format, uint32_t needs, VkFormatFeatureFlags has,
                                 bool extended);
 
 /* depth.c: the depth of a pass, float. aob_vk_depth_move makes it an attachment of undefined content. */
@@ -162,11 +183,12 @@ bool aob_vk_binds_init(struct vk *vk, const struct aob_gpu_pass_desc *desc, stru
                        struct aob_error *error);
 void aob_vk_binds_finish(struct vk *vk, struct vk_binds *binds);
 
-/* pipeline.c: how a pass draws. False also where the device cannot draw to such targets. */
+/* pipeline.c: how a pass draws. */
 bool aob_vk_pipeline_create(struct vk *vk, const struct aob_gpu_pass_desc *desc, VkPipelineLayout layout,
                             VkPipeline *pipeline, struct aob_error *error);
 
 /* The table's slots, texture.c, shader.c and pass.c. */
+const char *aob_vk_lacks(const struct aob_gpu *gpu, enum aob_format format, uint32_t needs);
 bool aob_vk_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
                            struct aob_gpu_texture **texture, struct aob_error *error);
 void aob_vk_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture);

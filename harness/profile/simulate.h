@@ -1,0 +1,45 @@
+/* The caches of a profile, fed with a capture. The simulation is a sink (trace.h): it orders the invocations of each band
+ * as the profile says, gives each texel its address, and sends it through the levels, once with one warp in flight and
+ * once with the most.
+ *
+ * Memory does not grow with the number of samples, but with the textures of the frame and with the profile: for each
+ * cache and each of the two orders at most 4 bytes for each line of the textures (16 with a curve of powers of two, 34 with
+ * one of every size), a bit for each of their sectors, and 16 for each line of the cache; and for each unit 16 bytes for
+ * each texel that the warps in flight ask for. The first part is compared with the machine's memory before a frame begins.
+ * Threads: one at a time for each object. */
+#ifndef AOB_PROFILE_SIMULATE_H
+#define AOB_PROFILE_SIMULATE_H
+#include "result.h"
+#include "trace.h"
+
+enum aob_curve_kind {
+    AOB_CURVE_NONE,
+    AOB_CURVE_POWERS, /* sizes of 1, 2, 4 ... lines, and the level's own */
+    AOB_CURVE_EVERY,  /* every size; slower */
+};
+
+struct aob_simulation_desc {
+    const struct aob_profile *profile; /* borrowed, until the simulation is destroyed */
+    enum aob_curve_kind
+        curve; /* of the first level; without one capacity and conflict are not told apart either */
+    bool map;  /* of misses by pixel */
+    enum aob_flight map_flight; /* that the map is of */
+};
+
+struct aob_simulation;
+struct aob_simulation *aob_simulation_create(const struct aob_simulation_desc *desc);
+void aob_simulation_destroy(struct aob_simulation *simulation);
+
+/* Takes one frame. It fails with a line where a texture or a cache is too large to be simulated. */
+struct aob_trace_sink aob_simulation_sink(struct aob_simulation *simulation);
+
+/* After the last pass has ended. It belongs to the simulation. */
+const struct aob_cache_result *aob_simulation_result(const struct aob_simulation *simulation);
+
+/* Several sinks as one, such as several profiles over one capture. The struct is borrowed. */
+struct aob_trace_fan {
+    const struct aob_trace_sink *sinks;
+    size_t count;
+};
+struct aob_trace_sink aob_trace_fan_sink(struct aob_trace_fan *fan);
+#endif

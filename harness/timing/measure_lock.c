@@ -1,0 +1,191 @@
+#include "measure_lock.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+#include "base/file.h"
+#include "base/text.h"
+
+static const char *const places[] = {"/run/lock/aobudget-measure.lock", "/tmp/aobudget-measure.lock", NULL};
+
+/* Everybody shall be able to lock it, whatever the umask, from the moment that it has its name: so it is made under another
+ * one, and linked. False with errno, which is EEXIST if somebody was faster. */
+static bool create_file(const char *path)
+{
+    struct aob_text name = {0};
+    aob_text_add(&name, "%s.XXXXXX", path);
+    int file = mkostemp(name.data, O_CLOEXEC);
+    bool ok = file >= 0 && fchmod(file, 0666) == 0 && link(name.data, path) == 0;
+    int cause = errno;
+    if (file >= 0) {
+        unlink(name.data);
+        close(file);
+    }
+    aob_text_finish(&name);
+    errno = cause;
+    return ok;
+}
+
+/* Without O_CREAT: in a folder that anybody may write to, Linux refuses to open another user's file with it
+ * (fs.protected_regular). A file that may only be read can be locked as well. */
+static int open_existing(const char *path)
+{
+    const int flags = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+    int file = open(path, O_RDWR | flags);
+    return file < 0 && errno == EACCES ? open(path, O_RDONLY | flags) : file;
+}
+
+static int open_file(const char *path)
+{
+    int file = open_existing(path);
+    if (file < 0 && errno == ENOENT && (create_file(path) || errno == EEXIST))
+        file = open_existing(path);
+    return file;
+}
+
+static int open_regular(const char *path, struct aob_error *error)
+{
+    struct stat info;
+    int file = open_file(path);
+    if (file >= 0 && fstat(file, &info) == 0 && S_ISREG(info.st_mode))
+        return file;
+    aob_fail(error, "%s: cannot be used as the lock of measuring: %s; AOBUDGET_LOCK may name another file",
+             path, file >= 0 ? "it is no regular file" : strerror(errno));
+    if (file >= 0)
+        close(file);
+    return -1;
+}
+
+int aob_measure_lock_open(const char *const *files, const char **path, struct aob_error *error)
+{
+    struct stat there;
+    for (const char *const *p = files; *p; p++) {
+        int file = open_regular(*p, error);
+        *path = *p;
+        if (file >= 0 && error)
+            *error->text = '\0'; /* of the first place */
+        if (file >= 0 || lstat(*p, &there) == 0)
+            return file;
+    }
+    return -1;
+}
+
+static int open_lock(const char **path, struct aob_error *error)
+{
+    const char *own[] = {getenv("AOBUDGET_LOCK"), NULL};
+    return aob_measure_lock_open(own[0] ? own : places, path, error);
+}
+
+bool aob_measure_lock_check(struct aob_error *error)
+{
+    const char *path;
+    int file = open_lock(&path, error);
+    if (file >= 0)
+        close(file);
+    return file >= 0;
+}
+
+/* What the holder wrote is shown if it is a process' number; anybody may write there. */
+static void tell(int file, const char *path)
+{
+    char number[16] = {0}, since[16] = "?", holder[48] = "another process";
+    struct stat info;
+    struct tm local;
+    if (pread(file, number, sizeof number - 1, 0) > 0) {
+        size_t digits = strspn(number, "0123456789");
+        if (digits > 0 && digits <= 10 && number[digits] == '\n')
+            snprintf(holder, sizeof holder, "process %.*s", (int)digits, number);
+    }
+    if (fstat(file, &info) == 0 && localtime_r(&info.st_mtime, &local))
+        strftime(since, sizeof since, "%H:%M:%S", &local);
+    aob_note("waiting for %s, which has measured since %s: one at a time on a machine (%s)", holder, since,
+             path);
+}
+
+static void sign(int file)
+{
+    char text[16];
+    int size = snprintf(text, sizeof text, "%d\n", (int)getpid());
+    if (ftruncate(file, 0) == 0 && !aob_file_send(file, text, (size_t)size))
+        return; /* a full disk: the lock holds without a name */
+}
+
+static bool wait_for(struct aob_measure_lock *lock, int file, const char *path)
+{
+    if (flock(file, LOCK_EX | LOCK_NB) == 0)
+        return true;
+    if (errno == EWOULDBLOCK && !lock->told)
+        tell(lock->file, path);
+    lock->told = true;
+    int got;
+    while ((got = flock(file, LOCK_EX)) != 0 && errno == EINTR)
+        continue;
+    return got == 0;
+}
+
+/* -1 where there can be none: then it is anybody's turn. */
+static int open_turn(const char *path)
+{
+    struct aob_text name = {0};
+    aob_text_add(&name, "%s.turn", path);
+    int turn = open_regular(name.data, NULL);
+    aob_text_finish(&name);
+    return turn;
+}
+
+/* Who has measured and wants to again finds the turn taken by the first of those who wait, and queues behind them. */
+static bool lock_in_turn(struct aob_measure_lock *lock, const char *path)
+{
+    int turn = open_turn(path);
+    bool ok = (turn < 0 || wait_for(lock, turn, path)) && wait_for(lock, lock->file, path);
+    int cause = errno;
+    if (turn >= 0) {
+        flock(turn, LOCK_UN); /* a child that was just started may still have the file */
+        close(turn);
+    }
+    errno = cause;
+    return ok;
+}
+
+/* The file may have been removed while it was waited for, as old files in /tmp are; who comes next locks another then. */
+static bool is_current(int file, const char *path)
+{
+    struct stat own, named;
+    return fstat(file, &own) == 0 && lstat(path, &named) == 0 && own.st_dev == named.st_dev &&
+           own.st_ino == named.st_ino;
+}
+
+bool aob_measure_lock_take(struct aob_measure_lock *lock, struct aob_error *error)
+{
+    const char *path;
+    for (;;) {
+        lock->file = open_lock(&path, error);
+        if (lock->file < 0)
+            return false;
+        if (!lock_in_turn(lock, path)) {
+            aob_fail(error, "%s: cannot lock: %s", path, strerror(errno));
+            close(lock->file);
+            return false;
+        }
+        if (is_current(lock->file, path))
+            break;
+        close(lock->file);
+    }
+    sign(lock->file);
+    lock->held = true;
+    return true;
+}
+
+void aob_measure_lock_release(struct aob_measure_lock *lock)
+{
+    if (lock->held) {
+        flock(lock->file, LOCK_UN); /* as above */
+        close(lock->file);
+    }
+    lock->held = false;
+}

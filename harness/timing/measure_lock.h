@@ -1,0 +1,30 @@
+/* One measuring process a machine: two that measure at a time would measure each other. The lock is held while a worker
+ * of a timed block runs (the first of a block scores its images too), and not while views are traced or pages drawn. It is
+ * a file that is locked and never removed: /run/lock/aobudget-measure.lock, or in /tmp where that folder takes no file of
+ * ours; AOBUDGET_LOCK names another. Whoever ends without giving it back, by a crash or a signal, has given it back.
+ *
+ * A program that measures in many processes takes the lock for each of them. Between two of them another one that waits has
+ * it: who waits holds a second file's lock (the first's name and .turn), which everybody needs to take the first. Where
+ * that file cannot be made, only the turns are lost. Threads: one. */
+#ifndef AOB_TIMING_MEASURE_LOCK_H
+#define AOB_TIMING_MEASURE_LOCK_H
+#include <stdbool.h>
+#include "base/error.h"
+
+struct aob_measure_lock { /* zeroed: not held */
+    int file;
+    bool held, told; /* told: that it is waited for, once */
+};
+
+/* Whether a lock can be had at all, so that a run fails at its start. */
+bool aob_measure_lock_check(struct aob_error *error);
+
+/* The first of these files (NULL-ended) that can be locked, open, and its path. -1 after a line if none can; also where one
+ * is there already and cannot be used, as others may hold it. Close it. */
+int aob_measure_lock_open(const char *const *files, const char **path, struct aob_error *error);
+
+/* Waits for as long as it takes. The first time that it has to, one line on standard error says for whom. False with a
+ * line if the file cannot be opened. */
+bool aob_measure_lock_take(struct aob_measure_lock *lock, struct aob_error *error);
+void aob_measure_lock_release(struct aob_measure_lock *lock);
+#endif

@@ -1,0 +1,340 @@
+#include "check.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/file.h>
+#include <sys/inotify.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "base/file.h"
+#include "base/text.h"
+#include "timing/measure_lock.h"
+
+/* A second process waits for the first, says so in one line, and has the lock when it is given back. */
+
+static char folder[] = "/tmp/aobudget-lock-XXXXXX", *path;
+
+static char *turn_path(void)
+{
+    struct aob_text text = {0};
+    aob_text_add(&text, "%s.turn", path);
+    return text.data;
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    path = mkdtemp(folder) ? aob_path_join(folder, "lock") : NULL;
+    return path ? setenv("AOBUDGET_LOCK", path, 1) : -1;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    char *turn = turn_path();
+    unlink(path);
+    unlink(turn);
+    free(turn);
+    free(path);
+    return rmdir(folder);
+}
+
+struct
+    other { /* process that takes the lock so many times and keeps it: its standard error, and a byte for each time that it has it */
+    pid_t pid;
+    int said, got;
+};
+
+static void be_other(int takes, int said, int got)
+{
+    struct aob_measure_lock lock = {0};
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* of a test that failed nothing is left over */
+    dup2(said, STDERR_FILENO);
+    for (int i = 1; i <= takes; i++) {
+        if (!aob_measure_lock_take(&lock, NULL) || !aob_file_send(got, "x", 1))
+            _exit(1);
+        if (i < takes)
+            aob_measure_lock_release(&lock);
+    }
+    pause(); /* it holds the lock until it is killed */
+}
+
+static struct other start_other(int takes)
+{
+    int said[2], got[2];
+    assert_true(pipe2(said, O_CLOEXEC) == 0 && pipe2(got, O_CLOEXEC) == 0);
+    struct other other = {fork(), said[0], got[0]};
+    if (other.pid == 0)
+        be_other(takes, said[1], got[1]);
+    close(said[1]);
+    close(got[1]);
+    return other;
+}
+
+static void end_other(struct other *other)
+{
+    kill(other->pid, SIGKILL);
+    waitpid(other->pid, NULL, 0);
+    close(other->said);
+    close(other->got);
+}
+
+static bool comes(int file, int ms)
+{
+    struct pollfd poll_file = {.fd = file, .events = POLLIN};
+    return poll(&poll_file, 1, ms) == 1;
+}
+
+static void read_line(int file, char line[256])
+{
+    size_t used = 0;
+    while (used < 255 && read(file, line + used, 1) == 1 && line[used] != '\n')
+        used++;
+    line[used] = '\0';
+}
+
+/* Whether somebody has what lies at the path. */
+static bool is_locked(void)
+{
+    int file = open(path, O_RDONLY | O_CLOEXEC);
+    bool locked = file >= 0 && flock(file, LOCK_EX | LOCK_NB) != 0;
+    if (file >= 0)
+        close(file);
+    return locked;
+}
+
+static void test_waits_and_tells(void **state)
+{
+    (void)state;
+    struct aob_measure_lock lock = {0};
+    char line[256], expected[64], byte;
+    assert_true(aob_measure_lock_take(&lock, NULL));
+    struct other other = start_other(2);
+    snprintf(expected, sizeof expected, "waiting for process %d, which has measured since ", (int)getpid());
+    read_line(other.said, line);
+    assert_contains(line, expected);
+    assert_contains(line, path);
+    assert_false(comes(other.got, 200)); /* it waits for as long as this takes */
+    aob_measure_lock_release(&lock);
+    assert_int_equal(read(other.got, &byte, 1), 1);
+    assert_int_equal(read(other.got, &byte, 1), 1);
+    assert_true(is_locked());
+    assert_false(comes(other.said, 0));
+    end_other(&other);
+    assert_true(aob_measure_lock_take(&lock, NULL)); /* who is dead holds nothing */
+    aob_measure_lock_release(&lock);
+    assert_false(is_locked());
+}
+
+/* Whether somebody waits, for whom the turn is kept. */
+static bool somebody_waits(void)
+{
+    char *turn = turn_path();
+    int file = open(turn, O_RDONLY | O_CLOEXEC);
+    bool waits = file >= 0 && flock(file, LOCK_SH | LOCK_NB) != 0;
+    if (file >= 0)
+        close(file);
+    free(turn);
+    return waits;
+}
+
+/* Takes the lock again and again, writes its letter each time, and gives it back as soon as somebody waits. */
+static void take_for_ever(char letter, int order)
+{
+    struct aob_measure_lock lock = {.told = true};
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    for (;;) {
+        if (!aob_measure_lock_take(&lock, NULL) || write(order, &letter, 1) != 1)
+            _exit(1);
+        while (!somebody_waits())
+            usleep(1000);
+        aob_measure_lock_release(&lock);
+    }
+}
+
+/* Three that want it without end: nobody has it twice while another one waits. */
+static void test_in_turn(void **state)
+{
+    (void)state;
+    enum { COUNT = 3, TAKES = 60 };
+    pid_t pids[COUNT];
+    int order[2];
+    char letter, last = 0;
+    assert_int_equal(pipe2(order, O_CLOEXEC), 0);
+    for (int i = 0; i < COUNT; i++)
+        if ((pids[i] = fork()) == 0)
+            take_for_ever((char)('a' + i), order[1]);
+    close(order[1]);
+    for (int t = 0; t < TAKES; t++, last = letter) {
+        assert_true(comes(order[0], 60000));
+        assert_int_equal(read(order[0], &letter, 1), 1);
+        assert_true(letter != last);
+    }
+    for (int i = 0; i < COUNT; i++) {
+        kill(pids[i], SIGKILL);
+        waitpid(pids[i], NULL, 0);
+    }
+    close(order[0]);
+}
+
+/* A file that is removed meanwhile: the next one locks what lies there then, and so must who has waited. */
+static void test_removed_while_waiting(void **state)
+{
+    (void)state;
+    struct aob_measure_lock lock = {0};
+    char line[256], byte;
+    assert_true(aob_measure_lock_take(&lock, NULL));
+    struct other other = start_other(1);
+    read_line(other.said, line);
+    unlink(path);
+    aob_measure_lock_release(&lock);
+    assert_int_equal(read(other.got, &byte, 1), 1);
+    assert_true(is_locked());
+    end_other(&other);
+}
+
+/* What stands in the file is anybody's. */
+static void test_content_is_not_trusted(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {"\033[2J1\n", "12 34\n", "999999999999999999999\n", "", "\n"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        struct aob_measure_lock lock = {0};
+        char line[256];
+        assert_true(aob_measure_lock_take(&lock, NULL));
+        int file = open(path, O_WRONLY | O_TRUNC | O_CLOEXEC);
+        assert_true(file >= 0 && aob_file_send(file, texts[i], strlen(texts[i])));
+        close(file);
+        struct other other = start_other(2);
+        read_line(other.said, line);
+        assert_contains(line, "waiting for another process, which has measured since ");
+        aob_measure_lock_release(&lock);
+        end_other(&other);
+    }
+}
+
+/* Every user of the machine can lock what one of them has made, and one that may only be read is locked as well. */
+static void test_is_for_everybody(void **state)
+{
+    (void)state;
+    struct aob_measure_lock lock = {0};
+    struct stat info;
+    mode_t mask = umask(077);
+    unlink(path);
+    assert_true(aob_measure_lock_take(&lock, NULL));
+    umask(mask);
+    assert_int_equal(stat(path, &info), 0);
+    assert_int_equal(info.st_mode & 0777, 0666);
+    aob_measure_lock_release(&lock);
+    chmod(path, 0444);
+    assert_true(aob_measure_lock_take(&lock, NULL));
+    assert_true(is_locked());
+    aob_measure_lock_release(&lock);
+}
+
+/* Nobody ever finds it shut: its mode does not change once it has its name. */
+static void test_is_for_everybody_at_once(void **state)
+{
+    (void)state;
+    union {
+        struct inotify_event first;
+        char bytes[8192];
+    } events;
+    struct aob_measure_lock lock = {0};
+    int created = 0, watch = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+    unlink(path);
+    assert_true(inotify_add_watch(watch, folder, IN_CREATE | IN_ATTRIB) >= 0);
+    assert_true(aob_measure_lock_take(&lock, NULL));
+    aob_measure_lock_release(&lock);
+    ssize_t size = read(watch, events.bytes, sizeof events.bytes);
+    assert_true(size > 0);
+    for (ssize_t at = 0; at < size;) {
+        const struct inotify_event *event = (const void *)(events.bytes + at);
+        if (strcmp(event->name, "lock") == 0) {
+            assert_true(event->mask & IN_CREATE);
+            created++;
+        }
+        at += (ssize_t)(sizeof *event + event->len);
+    }
+    assert_int_equal(created, 1);
+    close(watch);
+}
+
+/* Without a second file there are no turns, but there is the lock. */
+static void test_without_turns(void **state)
+{
+    (void)state;
+    struct aob_measure_lock lock = {0};
+    char *turn = turn_path();
+    unlink(turn);
+    assert_int_equal(symlink("/dev/null", turn), 0);
+    assert_true(aob_measure_lock_take(&lock, NULL));
+    assert_true(is_locked());
+    aob_measure_lock_release(&lock);
+    unlink(turn);
+    free(turn);
+}
+
+static void refuse(const char *cause)
+{
+    struct aob_measure_lock lock = {0};
+    struct aob_error error = {{0}};
+    assert_false(aob_measure_lock_check(&error));
+    assert_contains(error.text, path);
+    assert_contains(error.text, cause);
+    assert_contains(error.text, "AOBUDGET_LOCK");
+    assert_false(aob_measure_lock_take(&lock, &error));
+    aob_measure_lock_release(&lock);
+}
+
+static void test_only_a_regular_file(void **state)
+{
+    (void)state;
+    unlink(path);
+    assert_int_equal(symlink("/dev/null", path), 0);
+    refuse("symbolic links");
+    unlink(path);
+    assert_int_equal(mkfifo(path, 0666), 0);
+    refuse("no regular file");
+    unlink(path);
+    assert_int_equal(mkdir(path, 0777), 0);
+    refuse("directory");
+    rmdir(path);
+}
+
+/* The second place serves where nothing lies at the first and nothing can. What is there and cannot be used may be held. */
+static void test_second_place(void **state)
+{
+    (void)state;
+    struct aob_error error = {{0}};
+    char *nowhere = aob_path_join(folder, "none/lock");
+    const char *const places[] = {nowhere, path, NULL}, *const twice[] = {path, nowhere, NULL}, *chosen;
+    int file = aob_measure_lock_open(places, &chosen, &error);
+    assert_true(file >= 0 && chosen == path && !*error.text);
+    close(file);
+    unlink(path);
+    assert_int_equal(symlink("/dev/null", path), 0);
+    assert_int_equal(aob_measure_lock_open(twice, &chosen, &error), -1);
+    assert_contains(error.text, "symbolic links");
+    assert_int_equal(aob_measure_lock_open(places, &chosen, NULL), -1);
+    unlink(path);
+    free(nowhere);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_waits_and_tells),
+                                       cmocka_unit_test(test_removed_while_waiting),
+                                       cmocka_unit_test(test_content_is_not_trusted),
+                                       cmocka_unit_test(test_is_for_everybody),
+                                       cmocka_unit_test(test_in_turn),
+                                       cmocka_unit_test(test_is_for_everybody_at_once),
+                                       cmocka_unit_test(test_without_turns),
+                                       cmocka_unit_test(test_only_a_regular_file),
+                                       cmocka_unit_test(test_second_place)};
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
