@@ -1,5 +1,5 @@
 # Bash completion of aobudget. It offers commands, flags, and the names that the program itself lists.
-_aobudget_names() { # techniques|scenes|backends
+_aobudget_names() { # techniques|scenes|backends|profiles
   "${COMP_WORDS[0]}" list "$1" --json - 2>/dev/null | sed -n 's/^      "name": "\([^"]*\)".*/\1/p'
 }
 
@@ -17,6 +17,7 @@ _aobudget() {
       --handed) words="right left" ;;
       --backend) words=$(_aobudget_names backends) ;;
       --target-weighting) words="cosine uniform" ;;
+      --profile) words=$(_aobudget_names profiles) ;;
       list) words="techniques scenes backends profiles" ;;
       --index) words="modulo xor" ;;
       *)

@@ -1,24 +1,29 @@
 #include <stdint.h>
 #include "base/json.h"
 #include "base/text.h"
+#include "cache_frame.h"
 #include "command.h"
 #include "profile/lines.h"
 
 struct options {
     struct aob_common common;
+    struct aob_single_flags frame;
+    const char *profile, *out;
     const char *lines, *sets, *ways, *index;
 };
 
-#define TEXT(name, value, field, help)                                                                       \
-    {                                                                                                        \
-        name, value, help, AOB_FLAG_TEXT, offsetof(struct options, field)                                    \
-    }
 static const struct aob_flag flags[] = {
-    TEXT("lines", "FILE", lines, "a stream of 32-bit line numbers, little-endian"),
-    TEXT("sets", "N", sets, "of the cache that the stream goes through"),
-    TEXT("ways", "N", ways, "of a set"),
-    TEXT("index", "modulo|xor", index,
-         "which set a line is in: line, or line ^ line >> b ^ line >> 2b of 2^b sets"),
+    AOB_FLAG_OF(struct options, profile, "profile", "P[,P...]",
+                "whose caches: a name (see: aobudget list profiles) or a file"),
+    AOB_FLAG_OF(struct options, out, "out", "FILE.exr",
+                "misses by pixel, and a picture of them for each profile"),
+    AOB_SINGLE_FLAGS(struct options, frame),
+    AOB_FLAG_OF(struct options, lines, "lines", "FILE",
+                "no frame, but a stream of 32-bit line numbers, little-endian"),
+    AOB_FLAG_OF(struct options, sets, "sets", "N", "of the cache that the stream goes through"),
+    AOB_FLAG_OF(struct options, ways, "ways", "N", "of a set"),
+    AOB_FLAG_OF(struct options, index, "index", "modulo|xor",
+                "which set a line is in: line, or line ^ line >> b ^ line >> 2b of 2^b sets"),
     {0},
 };
 
@@ -84,18 +89,30 @@ static enum aob_exit cache_lines(struct options *o, struct aob_error *error)
 static enum aob_exit cache(void *from, struct aob_error *error)
 {
     struct options *o = from;
-    if (o->lines)
-        return cache_lines(o, error);
-    aob_fail(error, "cache: say which stream of line numbers: --lines FILE; see: aobudget cache --help");
-    return AOB_EXIT_USAGE;
+    const struct aob_cache_frame_desc desc = {&o->common, &o->frame, o->profile, o->out};
+    bool frame = o->frame.technique || o->frame.scene || o->profile;
+    if (frame && o->lines)
+        aob_fail(error, "cache: give a frame or --lines, not both");
+    else if (!frame && !o->lines)
+        aob_fail(error,
+                 "cache: say of what: --technique T --scene S --profile P, or --lines FILE; see: aobudget "
+                 "cache --help");
+    enum aob_exit code = *error->text ? AOB_EXIT_USAGE
+                         : frame      ? aob_cache_frame(&desc, error)
+                                      : cache_lines(o, error);
+    aob_words_finish(&o->frame.params);
+    return code;
 }
 
 const struct aob_command aob_command_cache = {
     .name = "cache",
     .help = "what caches miss",
-    .usage = "--lines FILE --sets N --ways N --index modulo|xor [--json FILE]",
-    .summary = "What a set-associative cache misses of a stream of line numbers, and why.",
+    .usage = "--technique T --scene S --profile P[,P...] [flags], or --lines FILE --sets N --ways N --index "
+             "modulo|xor",
+    .summary = "What the caches of a profile miss of the fetches of one frame, or one cache of a stream.",
     .flags = flags,
+    .modules = true,
+    .devices = true,
     .size = sizeof(struct options),
     .run = cache,
 };

@@ -221,6 +221,16 @@ static bool read_precision(struct aob_yaml *yaml, yaml_node_t *node, double *pre
     return aob_config_parse_precision(text, precision, &why) || aob_yaml_fail(yaml, node, "%s", why.text);
 }
 
+static bool read_profile(struct aob_yaml *yaml, yaml_node_t *node, void *user)
+{
+    struct aob_config *config = user;
+    const char *text;
+    if (!aob_yaml_text(yaml, node, &text))
+        return false;
+    *AOB_PUSH(config->profiles, config->profile_count, config->profile_capacity) = aob_yaml_value(node, text);
+    return true;
+}
+
 static bool read_measure_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
 {
     struct aob_config *config = user;
@@ -228,6 +238,9 @@ static bool read_measure_entry(struct aob_yaml *yaml, const char *key, yaml_node
         return aob_yaml_number(yaml, node, 0.01, 3600, &config->seconds);
     if (strcmp(key, "precision") == 0)
         return read_precision(yaml, node, &config->precision);
+    if (strcmp(key, "cache") == 0)
+        return aob_yaml_sequence(yaml, node, read_profile, config) &&
+               (config->profile_count || aob_yaml_fail(yaml, node, "the list of profiles is empty"));
     bool *into = strcmp(key, "time") == 0    ? &config->measure_time
                  : strcmp(key, "error") == 0 ? &config->measure_error
                                              : &config->images;
@@ -272,7 +285,8 @@ static bool read_name(struct aob_yaml *yaml, const yaml_node_t *node, struct aob
 
 static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
 {
-    static const char *const measure_keys[] = {"time", "error", "images", "seconds", "precision", NULL};
+    static const char *const measure_keys[] = {"time",      "error", "images", "seconds",
+                                               "precision", "cache", NULL};
     struct aob_config *config = user;
     struct axes options = {&config->options, &config->option_count, &config->option_capacity};
     if (strcmp(key, "name") == 0)

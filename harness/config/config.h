@@ -23,6 +23,7 @@
  *         - {param: slices, values: [1, 3]}
  *   measure: {time: true, error: true, images: true, seconds: 1.5, precision: 3%}   # seconds of timing a case, at most;
  *                                    # it ends early where the interval of its cost reaches so far to either side
+ *     cache: [ps4, ./my.yaml]        # simulate the caches of these profiles (docs/cache.md)
  *   target: {radius: 1, weighting: cosine}   # what every image is compared with: the ray-traced visibility of this radius
  *                                    # (inf allowed) and weighting (cosine, uniform). One or a list; default: each radius
  *                                    # of the sweep, cosine
@@ -110,6 +111,9 @@ struct aob_config {
     struct aob_technique_choice *techniques;
     size_t technique_count, technique_capacity;
     bool measure_time, measure_error, images;
+    struct aob_value
+        *profiles; /* of caches that are simulated, as written; not judged here. None: no cache is */
+    size_t profile_count, profile_capacity;
     double seconds;   /* of timing, a case */
     int processes;    /* to time in, at least; 0: as timing/processes.h says. No key of a file */
     double precision; /* share of a cost that its interval may reach to either side: timing ends there */

@@ -62,6 +62,9 @@ void aob_config_finish(struct aob_config *config)
         aob_scene_choice_finish(&config->scenes[i]);
     for (size_t i = 0; i < config->technique_count; i++)
         aob_technique_choice_finish(&config->techniques[i]);
+    for (size_t i = 0; i < config->profile_count; i++)
+        free(config->profiles[i].text);
+    free(config->profiles);
     free_backends(&config->backends);
     free_axes(config->options, config->option_count);
     free(config->scenes);

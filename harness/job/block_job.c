@@ -19,11 +19,11 @@ static json_t *targets_to_json(const struct aob_block_job *job)
 
 static json_t *case_to_json(const struct aob_block_case *c)
 {
-    return json_pack("{s:o, s:o, s:o, s:I, s:o, s:o, s:o}", "technique", aob_address_to_json(&c->technique),
-                     "params", aob_json_vector(c->params, c->param_count), "options",
-                     aob_json_vector(c->options, AOB_OPTION_COUNT), "target", (json_int_t)c->target,
-                     "definition", aob_json_path(c->definition), "screen", aob_json_path(c->screen), "image",
-                     aob_json_path(c->image));
+    json_t *object = json_pack("{s:I, s:o, s:o, s:o}", "target", (json_int_t)c->target, "definition",
+                               aob_json_path(c->definition), "screen", aob_json_path(c->screen), "image",
+                               aob_json_path(c->image));
+    aob_job_frame_to_json(&c->frame, object);
+    return object;
 }
 
 json_t *aob_block_job_to_json(const struct aob_block_job *job)
@@ -32,15 +32,13 @@ json_t *aob_block_job_to_json(const struct aob_block_job *job)
     for (size_t i = 0; i < job->case_count; i++)
         json_array_append_new(cases, case_to_json(&job->cases[i]));
     json_t *object =
-        json_pack("{s:s, s:s, s:s?, s:b, s:b, s:b, s:b, s:b, s:b, s:o, s:o}", "job", "block", "backend",
-                  job->backend, "device", job->device, "validate", job->validate, "raster", job->raster,
-                  "triangles", job->triangles, "score", job->score, "time", job->time, "error", job->error,
-                  "targets", targets_to_json(job), "cases", cases);
+        json_pack("{s:s, s:b, s:b, s:b, s:o, s:o}", "job", "block", "score", job->score, "time", job->time,
+                  "error", job->error, "targets", targets_to_json(job), "cases", cases);
     json_object_set_new(object, "timing",
                         json_pack("{s:i, s:I, s:f, s:f, s:s?, s:s?}", "process", job->process, "seed",
                                   (json_int_t)job->seed, "seconds", job->seconds, "precision", job->precision,
                                   "clock", job->clock, "clock_reason", job->clock_reason));
-    aob_job_view_to_json(&job->view, object);
+    aob_job_drawing_to_json(&job->drawing, object);
     return object;
 }
 
@@ -63,18 +61,12 @@ static bool read_targets(const json_t *array, struct aob_block_job *job, struct 
 static bool read_case(const json_t *object, const struct aob_block_job *job, struct aob_block_case *c,
                       struct aob_error *error)
 {
-    const json_t *params = json_object_get(object, "params");
-    *c = (struct aob_block_case){.param_count = json_array_size(params),
-                                 .target = (size_t)json_integer_value(json_object_get(object, "target")),
+    *c = (struct aob_block_case){.target = (size_t)json_integer_value(json_object_get(object, "target")),
                                  .definition = json_string_value(json_object_get(object, "definition")),
                                  .screen = json_string_value(json_object_get(object, "screen")),
                                  .image = json_string_value(json_object_get(object, "image"))};
-    if (!aob_address_from_json(json_object_get(object, "technique"), &c->technique, error))
+    if (!aob_job_frame_from_json(object, &c->frame, error))
         return false;
-    if (c->param_count > AOB_MAX_PARAM || !aob_json_to_vector(params, c->params, c->param_count))
-        return aob_fail(error, "a block job's case has no technique with its parameters");
-    if (!aob_json_to_vector(json_object_get(object, "options"), c->options, AOB_OPTION_COUNT))
-        return aob_fail(error, "a block job's case has not %d options", AOB_OPTION_COUNT);
     return c->target < job->target_count || job->target_count == 0 ||
            aob_fail(error, "a block job's case has target %zu of %zu", c->target, job->target_count);
 }
@@ -94,15 +86,10 @@ static bool read_cases(const json_t *array, struct aob_block_job *job, struct ao
 
 static bool read_flags(const json_t *object, struct aob_block_job *job, struct aob_error *error)
 {
-    int validate, raster, triangles, score, time, compare;
-    if (json_unpack((json_t *)(uintptr_t)object, "{s:s, s:b, s:b, s:b, s:b, s:b, s:b}", "backend",
-                    &job->backend, "validate", &validate, "raster", &raster, "triangles", &triangles, "score",
-                    &score, "time", &time, "error", &compare) != 0)
+    int score, time, compare;
+    if (json_unpack((json_t *)(uintptr_t)object, "{s:b, s:b, s:b}", "score", &score, "time", &time, "error",
+                    &compare) != 0)
         return aob_fail(error, "a block job lacks a field");
-    job->device = json_string_value(json_object_get(object, "device"));
-    job->validate = validate;
-    job->raster = raster;
-    job->triangles = triangles;
     job->score = score;
     job->time = time;
     job->error = compare;
@@ -126,7 +113,7 @@ bool aob_block_job_from_json(const json_t *object, struct aob_block_job *job, st
 {
     *job = (struct aob_block_job){0};
     if (read_flags(object, job, error) && read_timing(json_object_get(object, "timing"), job, error) &&
-        aob_job_view_from_json(object, &job->view, error) &&
+        aob_job_drawing_from_json(object, &job->drawing, error) &&
         read_targets(json_object_get(object, "targets"), job, error) &&
         read_cases(json_object_get(object, "cases"), job, error))
         return true;

@@ -8,12 +8,10 @@
 #include <jansson.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include "address.h"
 #include "base/clock.h"
 #include "base/error.h"
 #include "plan/plan.h"
-#include "technique/option.h"
-#include "view_job.h"
+#include "drawing_job.h"
 
 struct aob_block_target { /* what every case of the block is compared with */
     double radius;        /* scene units; INFINITY allowed */
@@ -22,23 +20,16 @@ struct aob_block_target { /* what every case of the block is compared with */
     bool bent;            /* a case of the block gives a bent normal */
 };
 struct aob_block_case {
-    struct aob_address technique;
-    double params[AOB_MAX_PARAM]; /* param_count, in the order of the technique's table */
-    size_t param_count;
-    double options[AOB_OPTION_COUNT];
+    struct aob_job_frame frame;
     size_t target; /* of the targets: the one that its image file and its `error` are against */
     const char *definition,
         *screen;       /* its definition, traced freely and against the bound; NULL: it has none */
     const char *image; /* EXR file to write; NULL: none */
 };
 struct aob_block_job {
-    struct aob_job_view view;
-    const char *backend;
-    const char *device;     /* of the backend (gpu/gpu.h); NULL: its default */
-    bool validate;          /* Vulkan runs under its validation layer */
-    bool raster, triangles; /* the device draws the G-buffer; a pass draws the scene's triangles */
-    bool score;             /* images are drawn, judged and written; */
-    bool error;             /* and compared with the targets */
+    struct aob_job_drawing drawing;
+    bool score;     /* images are drawn, judged and written; */
+    bool error;     /* and compared with the targets */
     bool time;      /* Where it scores as well, those are timed that turn out good, cheap and dear ones apart:
                                what it times is in its answer. Else all are timed, or the job fails. */
     int process;    /* from here on for timing/timing.h: the process' place among those of the block, */

@@ -9,6 +9,7 @@
 #include "gather.h"
 #include "gpu/gpu.h"
 #include "key.h"
+#include "plan_profile.h"
 #include "plan_scene.h"
 #include "target.h"
 #include "technique/param.h"
@@ -127,8 +128,8 @@ bool aob_plan_create(struct aob_plan *plan, const struct aob_config *config,
                      const struct aob_technique_list *techniques, struct aob_error *error)
 {
     *plan = (struct aob_plan){.config = config, .techniques = techniques};
-    if (!aob_plan_choose_scenes(plan, error) || !judge_all_backends(config, error) || !expand(plan, error) ||
-        !aob_plan_add_targets(plan, error))
+    if (!aob_plan_choose_profiles(plan, error) || !aob_plan_choose_scenes(plan, error) ||
+        !judge_all_backends(config, error) || !expand(plan, error) || !aob_plan_add_targets(plan, error))
         goto error;
     aob_plan_make_keys(plan);
     aob_plan_settle_targets(plan);
@@ -148,6 +149,7 @@ void aob_plan_finish(struct aob_plan *plan)
         aob_plan_scene_finish(&plan->scenes[i]);
     free(plan->cases);
     free(plan->scenes);
+    aob_plan_profiles_finish(plan);
     free(plan->variation.params);
     free(plan->variation.builds);
     *plan = (struct aob_plan){0};
@@ -209,7 +211,8 @@ double aob_plan_estimate_s(const struct aob_plan *plan)
         double pixels = (double)c->width * c->height;
         seconds += case_s + (plan->config->measure_time ? again_s + timing : 0) +
                    estimate_reference(&seen, c, plan) +
-                   (double)c->scene->target_count * (target_s + target_pixel_s * pixels);
+                   (double)c->scene->target_count * (target_s + target_pixel_s * pixels) +
+                   aob_plan_estimate_cache_s(plan, c);
     }
     aob_table_finish(&seen);
     return seconds;

@@ -44,6 +44,11 @@ struct aob_case {
      * every run that asks the same question. */
     char key[AOB_KEY_SIZE];
 };
+struct aob_plan_profile { /* whose caches are simulated for each case: a wish, in no key */
+    char *name;           /* of its file, without folder and ending; no two have one name */
+    char *path;
+    char digest[AOB_KEY_SIZE]; /* of what it says (profile/profile.h) */
+};
 struct aob_variation { /* what has more than one value in a plan */
     bool scene, backend, size, options[AOB_OPTION_COUNT];
     bool (*params)[AOB_MAX_PARAM]; /* a row for each technique of the list */
@@ -57,6 +62,8 @@ struct aob_plan {
     struct aob_case
         *cases; /* those of one block lie together, and in it builds of one; no two have the same key */
     size_t case_count, case_capacity;
+    struct aob_plan_profile *profiles;
+    size_t profile_count;
     struct aob_variation variation; /* of the whole plan: a filter changes no description */
 };
 

@@ -91,9 +91,14 @@ static bool fail_unknown(const char *name, struct aob_error *error)
     return false;
 }
 
+bool aob_profile_is_file(const char *name)
+{
+    return strchr(name, '/') || ends_in_yaml(name);
+}
+
 bool aob_profile_find(struct aob_profile *profile, const char *name, struct aob_error *error)
 {
-    if (strchr(name, '/') || ends_in_yaml(name))
+    if (aob_profile_is_file(name))
         return aob_profile_read(profile, name, error);
     char *folder = find_folder(), *file = NULL;
     struct aob_text text = {0};

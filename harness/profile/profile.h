@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "base/error.h"
+#include "base/hash.h"
 #include "tags.h"
 
 enum { AOB_PROFILE_MAX_LEVEL = 4, AOB_PROFILE_MAX_FACT = 64 };
@@ -69,6 +70,13 @@ void aob_profile_finish(struct aob_profile *profile); /* frees; a zeroed one too
 
 /* Reads the profile of a name, which lies beside the program, or of a path: what has a slash or ends in .yaml. */
 bool aob_profile_find(struct aob_profile *profile, const char *name, struct aob_error *error);
+
+/* Whether it is a path, and no name. */
+bool aob_profile_is_file(const char *name);
+
+/* Of all its numbers and words, with what the machine tells; comments and sources do not count. Figures of one digest are
+ * of one device. */
+void aob_profile_digest(const struct aob_profile *profile, char digest[AOB_KEY_SIZE]);
 
 /* The names of those beside the program, in order of the alphabet. */
 struct aob_profile_names {

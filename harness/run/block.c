@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/sealed.h"
+#include "cache_case.h"
 #include "record.h"
 
 const struct aob_case *aob_run_block_case(const struct aob_run_block *block, size_t place)
@@ -64,6 +65,14 @@ void aob_run_block_finish_case(struct aob_run_block *block, size_t i, const char
     json_decref(record);
 }
 
+void aob_run_block_finish_held(struct aob_run_block *block, size_t i)
+{
+    json_t *answer = block->held[i];
+    if (block->m->plan->profile_count)
+        json_object_set_new(answer, "cache", aob_cache_case(block->m, block->indices[i], block->files));
+    aob_run_block_finish_case(block, i, "ok", NULL, answer);
+}
+
 /* Of the process that scores. */
 static void take_case(struct aob_run_block *block, const json_t *answer)
 {
@@ -74,7 +83,8 @@ static void take_case(struct aob_run_block *block, const json_t *answer)
         return;
     if (block->count > 1 && strcmp(status, "failed") == 0)
         return; /* it may be a neighbour's fault: it is tried alone */
-    if (block->m->plan->config->measure_time && strcmp(status, "ok") == 0)
+    bool lacks = block->m->plan->config->measure_time || block->m->plan->profile_count;
+    if (lacks && strcmp(status, "ok") == 0)
         block->held[i] = json_deep_copy(answer);
     else
         aob_run_block_finish_case(block, i, status, json_string_value(json_object_get(answer, "reason")),
@@ -163,6 +173,9 @@ static void measure(struct aob_run_block *block)
     snprintf(block->reason, sizeof block->reason, "%s", error.text);
     if (block->m->plan->config->measure_time)
         aob_run_block_time(block, &reply, ok ? NULL : error.text);
+    for (size_t i = 0; !block->m->plan->config->measure_time && i < block->count; i++)
+        if (block->held[i])
+            aob_run_block_finish_held(block, i);
     aob_block_timed_finish(&reply.timed);
     aob_rounds_finish(&rounds);
 }

@@ -13,7 +13,7 @@ struct aob_run_block {
     const struct aob_view_files *files;   /* while its workers run */
     char *truths[AOB_CONFIG_MAX_TARGETS]; /* "truths/HASH.exr" below the run's folder; NULL: it is not kept */
     bool answered[AOB_BLOCK_MAX];
-    json_t *held[AOB_BLOCK_MAX]; /* a good answer that still lacks its times */
+    json_t *held[AOB_BLOCK_MAX]; /* a good answer that still lacks its times or cache figures */
     char reason[768];            /* why what is not answered is not; empty: the worker did not say */
 };
 
@@ -46,6 +46,9 @@ void aob_run_block_image(const struct aob_case *c, char name[AOB_KEY_SIZE + 16])
 /* Writes the record of a case. */
 void aob_run_block_finish_case(struct aob_run_block *block, size_t place, const char *status,
                                const char *reason, const json_t *answer);
+
+/* The record of a case that is held, with the cache figures that the plan asks for; its times are in it. */
+void aob_run_block_finish_held(struct aob_run_block *block, size_t place);
 
 /* How the cases at `places` (not needed for `count` alone) are timed over processes. */
 struct aob_processes_desc aob_run_block_processes(const struct aob_run_block *block, size_t place,

@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "block.h"
-#include "gpu/gpu.h"
+#include "drawing.h"
 
 /* Where the worker is to write the case's image; NULL: nowhere. free() it. */
 static char *image_path(const struct aob_run_block *block, size_t i)
@@ -21,15 +21,11 @@ static char *image_path(const struct aob_run_block *block, size_t i)
 static struct aob_block_case describe_case(const struct aob_run_block *block, size_t i, const char *image)
 {
     const struct aob_case *c = aob_run_block_case(block, i);
-    struct aob_block_case described = {.technique = aob_technique_address(c->technique),
-                                       .param_count = c->technique->param_count,
-                                       .target = aob_case_own_target(c),
-                                       .definition = block->files->definition[i],
-                                       .screen = block->files->screen[i],
-                                       .image = image};
-    memcpy(described.params, c->params, c->technique->param_count * sizeof *c->params);
-    memcpy(described.options, c->options, sizeof described.options);
-    return described;
+    return (struct aob_block_case){.frame = aob_job_frame_of(c),
+                                   .target = aob_case_own_target(c),
+                                   .definition = block->files->definition[i],
+                                   .screen = block->files->screen[i],
+                                   .image = image};
 }
 
 static json_t *make_job(const struct aob_run_block *block, const struct aob_run_block_job *sent)
@@ -41,11 +37,8 @@ static json_t *make_job(const struct aob_run_block *block, const struct aob_run_
     struct aob_block_case cases[AOB_BLOCK_MAX];
     struct aob_block_target targets[AOB_CONFIG_MAX_TARGETS];
     char *images[AOB_BLOCK_MAX] = {NULL};
-    struct aob_block_job job = {.view = aob_job_view_of(c, files),
-                                .backend = c->backend,
-                                .device = block->m->dispatch->device,
-                                .validate = block->m->dispatch->validate,
-                                .raster = aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER,
+    struct aob_block_job job = {.drawing =
+                                    aob_job_drawing_of(block->m, block->indices[sent->places[0]], files),
                                 .score = sent->score,
                                 .error = sent->score && config->measure_error,
                                 .time = config->measure_time,
@@ -66,7 +59,7 @@ static json_t *make_job(const struct aob_run_block *block, const struct aob_run_
         size_t place = sent->places[i];
         images[i] = sent->score ? image_path(block, place) : NULL;
         cases[i] = describe_case(block, place, images[i]);
-        job.triangles = job.triangles || block->m->states[block->indices[place]].triangles;
+        job.drawing.triangles = job.drawing.triangles || block->m->states[block->indices[place]].triangles;
     }
     json_t *object = aob_block_job_to_json(&job);
     for (size_t i = 0; i < sent->count; i++)
@@ -82,45 +75,19 @@ static double time_limit(const struct aob_run_block *block, const struct aob_run
     return 120 + (double)job->count * (10 * job->process->seconds + 2e-6 * scores);
 }
 
-/* Texts of an environment; free them. Mesa compiles a block's shaders anew in each process, which takes longer than its
- * timing (docs/measuring.md); so the processes of a run share what it has compiled, in a folder that no other run has. */
-static void add_environment(const struct aob_run_block *block, char *env[], size_t room)
-{
-    const struct aob_case *c = aob_run_block_case(block, 0);
-    int threads = (int)aob_case_options(c).threads;
-    struct aob_text text = {0};
-    size_t used = 0;
-    for (const char *const *e = aob_gpu_find(c->backend)->environment; *e && used < room - 3; e++)
-        if (!block->m->shaders || strcmp(*e, "MESA_SHADER_CACHE_DISABLE=true") != 0)
-            env[used++] = aob_strdup(*e);
-    if (threads) {
-        aob_text_add(&text, "LP_NUM_THREADS=%d", threads);
-        env[used++] = text.data;
-    }
-    if (!block->m->shaders)
-        return;
-    char *folder = aob_path_absolute(block->m->shaders);
-    text = (struct aob_text){0};
-    aob_text_add(&text, "MESA_SHADER_CACHE_DIR=%s", folder);
-    env[used++] = text.data;
-    free(folder);
-}
-
 static bool run_worker(const struct aob_run_block *block, const struct aob_run_block_job *job,
                        struct aob_run_block_reply *reply, struct aob_error *error)
 {
-    enum { ROOM = 32 };
-    char *env[ROOM] = {0};
-    add_environment(block, env, ROOM);
+    struct aob_drawing_environment env;
+    aob_drawing_environment_init(&env, block->m, aob_run_block_case(block, 0));
     struct aob_job_desc desc = {.job = make_job(block, job),
-                                .env = (const char *const *)env,
+                                .env = (const char *const *)env.texts,
                                 .timeout_s = time_limit(block, job),
                                 .output_limit = (size_t)(64 * (1 + job->process->seconds)) << 20,
                                 .on_answer = aob_run_block_take,
                                 .user = reply};
     bool ok = aob_dispatch_job(block->m->dispatch, &desc, error) || reply->complete;
-    for (char **e = env; *e; e++)
-        free(*e);
+    aob_drawing_environment_finish(&env);
     return ok && (!*reply->garbled.text || aob_fail(error, "%s", reply->garbled.text));
 }
 

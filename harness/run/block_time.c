@@ -121,9 +121,8 @@ static void finish_group(struct group *group, const struct aob_processes_desc *a
                                                   .at = i,
                                                   .slots = slots,
                                                   .rounds_file = file};
-        json_t *answer = group->block->held[group->places[i]];
-        json_object_set_new(answer, "time", aob_time_record_create(&desc));
-        aob_run_block_finish_case(group->block, group->places[i], "ok", NULL, answer);
+        json_object_set_new(group->block->held[group->places[i]], "time", aob_time_record_create(&desc));
+        aob_run_block_finish_held(group->block, group->places[i]);
     }
     free(file);
     json_decref(slots);

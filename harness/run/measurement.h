@@ -28,12 +28,16 @@ struct aob_measurement {
     const char *
         shaders; /* folder that drivers may keep compiled shaders in, of this run alone; NULL: they keep none */
     const char *image; /* in place of that: the file for the image of a plan's only case */
+    const char *map;   /* the file for the map of misses of a plan's only case; NULL: none */
     struct aob_shares shares;
     struct aob_measure_lock lock;
     struct aob_run_clocks clocks;
     uint32_t seed; /* of the orders of its timing, drawn anew for each measurement; records tell it */
     void (*on_work)(void *user, size_t index,
                     const char *work); /* "tracing", of the case's view; NULL: nobody asks */
+    void (*on_foretold)(
+        void *user, const char *work,
+        double seconds); /* once a case's fetches are counted: what follows; NULL: nobody asks */
     void (*on_record)(void *user, size_t index, json_t *record); /* one case done; the record is borrowed */
     void *user;
 };

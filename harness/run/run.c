@@ -8,7 +8,6 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "again.h"
-#include "base/sealed.h"
 #include "config/config_builds.h"
 #include "info.h"
 #include "measurement.h"
@@ -16,6 +15,7 @@
 #include "record.h"
 #include "reports/page/page.h"
 #include "store/run_folder.h"
+#include "stored.h"
 
 /* One run, from its config to its page. */
 struct run {
@@ -83,75 +83,20 @@ static bool open_folder(struct run *run, struct aob_error *error)
     return ok;
 }
 
-/* Null, where no interval was reached, is not. */
-static bool is_precise(const struct run *run, const json_t *time)
-{
-    return aob_json_to_number(json_object_get(time, "precision")) <= run->sweep.config.precision;
-}
-
-/* A time that was asked to be no finer than this is not what is wanted now. One that was, and ran out of its seconds, would
- * run out of them again. */
-static bool is_coarse(const struct run *run, const json_t *time)
-{
-    const double rounding = 1 + 1e-6; /* of a figure in the journal */
-    double asked = aob_json_to_number(json_object_get(time, "precision_wanted"));
-    return asked > run->sweep.config.precision * rounding && !is_precise(run, time);
-}
-
-/* A record foretells the precision that it was asked for, and no other. */
-static double seconds_needed(const struct run *run, const json_t *time)
-{
-    const double rounding = 1e-6;
-    double asked = aob_json_to_number(json_object_get(time, "precision_wanted"));
-    if (!(fabs(asked / run->sweep.config.precision - 1) <= rounding))
-        return NAN;
-    return aob_json_to_number(json_object_get(time, "seconds_needed"));
-}
-
 static void count(struct run *run, const json_t *record)
 {
     const char *status = json_string_value(json_object_get(record, "status"));
     for (size_t i = 0; status && i < AOB_COUNT(status_names); i++)
         run->counts[i] += strcmp(status, status_names[i]) == 0;
     const json_t *time = json_object_get(record, "time");
-    if (!json_object_get(time, "precision") || is_precise(run, time))
+    if (!json_object_get(time, "precision") || aob_stored_is_precise(&run->sweep.config, time))
         return;
     run->imprecise++;
-    double needed = seconds_needed(run, time);
+    double needed = aob_stored_seconds_needed(&run->sweep.config, time);
     if (!isfinite(needed))
         return;
     run->foretold++;
     run->seconds_needed = fmax(run->seconds_needed, needed);
-}
-
-/* Below the run's folder: a file that is there and not known to be wrong. One that cannot be read may be good. */
-static bool has_file(const struct run *run, const json_t *name)
-{
-    if (!json_is_string(name))
-        return false;
-    char *path = aob_path_join(run->folder.path, json_string_value(name));
-    enum aob_sealed state = aob_sealed_judge(path, NULL);
-    free(path);
-    return state == AOB_SEALED_GOOD || state == AOB_SEALED_SHUT;
-}
-
-/* Cases with a verdict stay; failed and unsupported ones get another chance, and so does one that lacks what is
- * wanted. */
-static bool is_finished(const struct run *run, const json_t *record)
-{
-    const char *status = json_string_value(json_object_get(record, "status"));
-    if (!status)
-        return false;
-    if (strcmp(status, "invalid") == 0)
-        return true;
-    const struct aob_config *config = &run->sweep.config;
-    const json_t *error = json_object_get(record, "error"), *time = json_object_get(record, "time");
-    if (strcmp(status, "ok") != 0 || (config->measure_time && !time) || (config->measure_error && !error))
-        return false;
-    if (config->measure_time && is_coarse(run, time))
-        return false;
-    return !config->images || (has_file(run, json_object_get(record, "image")) &&
-                               (!error || has_file(run, json_object_get(error, "truth"))));
 }
 
 static bool skip_finished(struct run *run, struct aob_error *error)
@@ -169,7 +114,8 @@ static bool skip_finished(struct run *run, struct aob_error *error)
         const char *key = json_string_value(json_object_get(record, "key"));
         const json_t *place = key ? json_object_get(places, key) : NULL;
         struct aob_state *state = place ? &run->measurement.states[json_integer_value(place)] : NULL;
-        if (!state || state->stage != AOB_PENDING || !is_finished(run, record))
+        if (!state || state->stage != AOB_PENDING ||
+            !aob_stored_is_finished(&run->sweep.plan, run->folder.path, record))
             continue;
         state->stage = AOB_DONE;
         count(run, record);

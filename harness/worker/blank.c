@@ -23,7 +23,8 @@ static void add_radius(const struct aob_technique *technique, const struct aob_b
     double unit = desc->pixel_scale * (desc->perspective ? median_depth(desc) : 1);
     if (radius)
         aob_text_add(text, "; radius %g covers %.2g pixels at the median depth",
-                     c->params[radius - technique->params], c->params[radius - technique->params] / unit);
+                     c->frame.params[radius - technique->params],
+                     c->frame.params[radius - technique->params] / unit);
 }
 
 /* A default length depends on the scene, and the radius tells enough of it. */
@@ -33,10 +34,10 @@ static void add_settings(const struct aob_technique *technique, const struct aob
     const char *before = "; not at its default: ";
     for (size_t i = 0; i < technique->param_count; i++) {
         const struct aob_param *param = &technique->params[i];
-        if (param->unit == AOB_UNIT_LENGTH || (float)c->params[i] == (float)param->initial)
+        if (param->unit == AOB_UNIT_LENGTH || (float)c->frame.params[i] == (float)param->initial)
             continue;
         aob_text_add(text, "%s%s=", before, param->name);
-        aob_param_print(param, c->params[i], text);
+        aob_param_print(param, c->frame.params[i], text);
         before = ", ";
     }
 }

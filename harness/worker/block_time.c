@@ -13,7 +13,7 @@ static bool choose_clock(const struct aob_block *block, struct aob_timer_choice 
 {
     const struct aob_block_job *job = &block->job;
     if (!job->clock)
-        return aob_timer_choose(block->gpu, choice, error);
+        return aob_timer_choose(block->drawing.gpu, choice, error);
     *choice = (struct aob_timer_choice){0};
     snprintf(choice->reason, sizeof choice->reason, "%s", job->clock_reason);
     return aob_clock_find(job->clock, &choice->clock) ||
@@ -88,7 +88,7 @@ static bool time_frames(struct aob_block *block, enum aob_clock clock, const siz
     struct aob_frame *frames[AOB_BLOCK_MAX];
     for (size_t i = 0; i < count; i++)
         frames[i] = &block->frames[which[i]];
-    return aob_frame_init(&block->fixed, &block->screens[0], &aob_technique_fixed_pass, &(int32_t){0},
+    return aob_frame_init(&block->fixed, &block->drawing.screens[0], &aob_technique_fixed_pass, &(int32_t){0},
                           AOB_FETCH_SAMPLED, error) &&
            aob_timing_run(&(struct aob_timing_desc){.fixed = &block->fixed,
                                                     .frames = frames,

@@ -21,11 +21,11 @@ void aob_case_image_finish(struct aob_case_image *image)
 
 void aob_case_image_crop(const struct aob_block *block, const float *from, int stride, float *into)
 {
-    const struct aob_job_view *view = &block->job.view;
+    const struct aob_job_view *view = &block->job.drawing.view;
     for (int y = 0; y < view->height; y++)
         for (int x = 0; x < view->width; x++)
             into[y * view->width + x] =
-                from[((size_t)(y + view->guard) * (size_t)block->gbuffer.projection.width +
+                from[((size_t)(y + view->guard) * (size_t)block->drawing.gbuffer.projection.width +
                       (size_t)(x + view->guard)) *
                      (size_t)stride];
 }
@@ -68,7 +68,7 @@ static void add_surface(struct aob_image *file, const struct aob_block *block,
 {
     static const char *const normals[3] = {"N.X", "N.Y", "N.Z"}, *const velocities[2] = {"V.X", "V.Y"},
                              *const albedo[3] = {"albedo.R", "albedo.G", "albedo.B"};
-    const struct aob_gbuffer *gbuffer = &block->gbuffer;
+    const struct aob_gbuffer *gbuffer = &block->drawing.gbuffer;
     float *z = aob_image_add(file, "Z");
     for (size_t i = 0; i < (size_t)file->width * (size_t)file->height; i++)
         z[i] = is_sky(image, i) ? INFINITY : image->depth[i];
@@ -92,7 +92,8 @@ void aob_case_image_digest(const struct aob_block *block, const struct aob_case_
 {
     struct aob_hash hash;
     aob_hash_begin(&hash);
-    for (size_t i = 0; i < (size_t)block->job.view.width * (size_t)block->job.view.height; i++) {
+    for (size_t i = 0; i < (size_t)block->job.drawing.view.width * (size_t)block->job.drawing.view.height;
+         i++) {
         if (is_sky(image, i))
             continue;
         aob_hash_add(&hash, &image->ao[i], sizeof image->ao[i]);
@@ -105,7 +106,8 @@ void aob_case_image_digest(const struct aob_block *block, const struct aob_case_
 bool aob_case_image_write(const struct aob_block *block, const struct aob_block_case *c,
                           const struct aob_case_image *image, struct aob_error *error)
 {
-    struct aob_image file = {.width = block->job.view.width, .height = block->job.view.height};
+    struct aob_image file = {.width = block->job.drawing.view.width,
+                             .height = block->job.drawing.view.height};
     add_surface(&file, block, image);
     add_plane(&file, "technique.AO", image->ao);
     add_plane(&file, "reference.AO", image->truth);
@@ -115,8 +117,8 @@ bool aob_case_image_write(const struct aob_block *block, const struct aob_block_
     add_plane(&file, "definition.AO", image->definition);
     add_plane(&file, "screen.AO", image->screen);
     add_error(&file, image);
-    add_camera(&file, &block->job.view.camera);
-    aob_image_set_text(&file, "aobudget.technique", c->technique.technique);
+    add_camera(&file, &block->job.drawing.view.camera);
+    aob_image_set_text(&file, "aobudget.technique", c->frame.technique.technique);
     bool ok = aob_image_write(&file, c->image, error);
     aob_image_finish(&file);
     return ok;

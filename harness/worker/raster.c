@@ -5,7 +5,7 @@
 #include "frame/raster.h"
 #include "scene/mesh.h"
 #include "store/image.h"
-#include "block.h"
+#include "drawing.h"
 
 /* The canonical G-buffer with its primitives, which techniques and scores do not read. */
 static bool load_canonical(const char *path, struct aob_hits *hits, struct aob_error *error)
@@ -43,20 +43,20 @@ static json_t *to_json(const struct aob_raster_difference *d)
                      "normal_max", d->normal_max);
 }
 
-bool aob_block_draw(struct aob_block *block, struct aob_error *error)
+bool aob_drawing_draw(struct aob_drawing *drawing, struct aob_error *error)
 {
-    const struct aob_job_view *view = &block->job.view;
+    const struct aob_job_view *view = &drawing->job->view;
     struct aob_hits canonical = {0}, drawn = {0};
     struct aob_raster_difference difference;
-    if (!block->job.raster)
+    if (!drawing->job->raster)
         return true;
-    bool ok =
-        aob_raster_draw(block->gpu, &block->mesh, &view->camera, &block->gbuffer.projection, &drawn, error) &&
-        load_canonical(view->gbuffer, &canonical, error);
+    bool ok = aob_raster_draw(drawing->gpu, &drawing->mesh, &view->camera, &drawing->gbuffer.projection,
+                              &drawn, error) &&
+              load_canonical(view->gbuffer, &canonical, error);
     if (ok) {
         aob_raster_compare(&canonical, &drawn, &difference);
-        aob_gbuffer_init(&block->drawn, &drawn, &block->gbuffer.projection, view->guard);
-        block->difference = to_json(&difference);
+        aob_gbuffer_init(&drawing->drawn, &drawn, &drawing->gbuffer.projection, view->guard);
+        drawing->difference = to_json(&difference);
     }
     aob_hits_finish(&canonical);
     aob_hits_finish(&drawn);

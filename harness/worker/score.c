@@ -17,7 +17,7 @@
 
 static size_t pixels_of(const struct aob_block *block)
 {
-    return (size_t)block->job.view.width * (size_t)block->job.view.height;
+    return (size_t)block->job.drawing.view.width * (size_t)block->job.drawing.view.height;
 }
 
 static float *copy_channel(const struct aob_image *image, const char *name, size_t count)
@@ -64,14 +64,15 @@ static bool load_traced(const char *path, const struct aob_block *block, bool be
     size_t count = pixels_of(block);
     if (!aob_image_read(&image, path, error))
         return false;
-    bool fits = image.width == block->job.view.width && image.height == block->job.view.height;
+    bool fits =
+        image.width == block->job.drawing.view.width && image.height == block->job.drawing.view.height;
     if (fits)
         *traced = (struct traced){copy_channel(&image, "AO", count), copy_channel(&image, "SE", count),
                                   bent ? copy_directions(&image, count) : NULL};
     aob_image_finish(&image);
     return (traced->ao && traced->se && (!bent || traced->open)) ||
-           aob_fail(error, "%s: not a reference of %dx%d", path, block->job.view.width,
-                    block->job.view.height);
+           aob_fail(error, "%s: not a reference of %dx%d", path, block->job.drawing.view.width,
+                    block->job.drawing.view.height);
 }
 
 /* Only the visibility of a claim is compared. */
@@ -102,7 +103,7 @@ static void map_claims(const struct aob_technique *technique, const struct aob_b
 {
     unsigned char values[4 * AOB_MAX_PARAM];
     if (!image->definition || !technique->definition.map ||
-        !aob_worker_values(technique, c->params, c->param_count, values, NULL))
+        !aob_worker_values(technique, c->frame.params, c->frame.param_count, values, NULL))
         return;
     for (size_t i = 0; i < count; i++) {
         image->definition[i] = technique->definition.map(values, image->definition[i]);
@@ -116,10 +117,10 @@ static void map_claims(const struct aob_technique *technique, const struct aob_b
 static json_t *oracle_to_json(const struct aob_block *block, const struct aob_block_target *target,
                               const float *ao, const float *truth)
 {
-    const char *scene = block->job.view.scene;
+    const char *scene = block->job.drawing.view.scene;
     struct aob_oracle_desc desc = {.oracle = scene && !target->uniform ? aob_oracle_find(scene) : NULL,
-                                   .camera = &block->job.view.camera,
-                                   .gbuffer = &block->gbuffer,
+                                   .camera = &block->job.drawing.view.camera,
+                                   .gbuffer = &block->drawing.gbuffer,
                                    .radius = target->radius};
     struct aob_oracle_score score, reference;
     if (!desc.oracle)
@@ -139,9 +140,9 @@ static json_t *oracle_to_json(const struct aob_block *block, const struct aob_bl
 static struct aob_score_desc describe(const struct aob_block *block, const struct aob_case_image *image,
                                       const float *truth, const float *se, double radius)
 {
-    const struct aob_projection *view = &block->gbuffer.projection;
-    return (struct aob_score_desc){.width = block->job.view.width,
-                                   .height = block->job.view.height,
+    const struct aob_projection *view = &block->drawing.gbuffer.projection;
+    return (struct aob_score_desc){.width = block->job.drawing.view.width,
+                                   .height = block->job.drawing.view.height,
                                    .image = image->ao,
                                    .truth = truth,
                                    .truth_se = se,
@@ -170,7 +171,7 @@ static json_t *score_target(const struct aob_block *block, const struct aob_bloc
     }
     json_t *entry = json_pack("{s:{s:o, s:s}, s:s}", "target", "radius", aob_json_number(target->radius),
                               "weighting", target->uniform ? "uniform" : "cosine", "reference",
-                              block->job.view.captured ? "screen" : "ray-traced");
+                              block->job.drawing.view.captured ? "screen" : "ray-traced");
     aob_metrics_to_json(&metrics, outputs, entry);
     json_t *oracle = oracle_to_json(block, target, image->ao, truth->ao);
     if (oracle)
@@ -184,7 +185,7 @@ static bool judge_drawn(const struct aob_block *block, size_t f, const struct ao
 {
     const struct aob_block_case *c = &block->job.cases[block->case_of_frame[f]];
     struct aob_score_desc desc = describe(block, image, image->truth, NULL, 1);
-    if (!c->definition || block->gpu->info.draws_nothing ||
+    if (!c->definition || block->drawing.gpu->info.draws_nothing ||
         aob_score_judge_drawn(&desc, image->definition, error))
         return true;
     return aob_blank_explain(block->frames[f].graph.technique, c, &desc, error);
@@ -279,7 +280,7 @@ bool aob_block_score(struct aob_block *block, size_t f, json_t *answer, struct a
                                    .depth = AOB_NEW_ARRAY(float, pixels_of(block))};
     int64_t start = aob_clock_wall_ns();
     bool drawn = draw(block, f, &image, error);
-    aob_case_image_crop(block, block->gbuffer.depth, 1, image.depth);
+    aob_case_image_crop(block, block->drawing.gbuffer.depth, 1, image.depth);
     bool ok = drawn && judge_and_score(block, f, &image, answer, error);
     /* An image that is refused is stored too, because one may want to look at it. */
     if (drawn && c->image && !aob_case_image_write(block, c, &image, ok ? error : NULL))

@@ -26,7 +26,7 @@ struct aob_worker_job {
 };
 extern const struct aob_worker_job aob_worker_describe, aob_worker_probe, aob_worker_devices,
     aob_worker_timer, aob_worker_layout, aob_worker_mesh, aob_worker_capture, aob_worker_check,
-    aob_worker_view, aob_worker_block;
+    aob_worker_view, aob_worker_block, aob_worker_cache;
 
 /* Reads a job and does it by the NULL-ended list; the exit code. */
 int aob_worker_main(const struct aob_worker_job *const *jobs);

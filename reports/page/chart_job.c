@@ -16,11 +16,11 @@ json_t *aob_chart_axis(const char *label, struct aob_span span, double factor)
     return json_pack("{s:s, s:b}", "label", text, "log", (int)log);
 }
 
-struct aob_figure *aob_chart_add(struct aob_gallery *gallery, const struct aob_panel *panel, const char *name,
-                                 json_t *job)
+struct aob_figure *aob_chart_add(struct aob_gallery *gallery, const struct aob_panel *panel,
+                                 enum aob_figure_kind kind, const char *name, json_t *job)
 {
     json_t *copy = json_copy(job);
-    aob_gallery_add(gallery, panel, AOB_FIGURE_CHART, name, ".svg", job);
-    aob_gallery_add(gallery, panel, AOB_FIGURE_CHART, name, ".png", copy);
+    aob_gallery_add(gallery, panel, kind, name, ".svg", job);
+    aob_gallery_add(gallery, panel, kind, name, ".png", copy);
     return &gallery->figures[gallery->count - 2];
 }

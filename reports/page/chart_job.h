@@ -14,6 +14,6 @@ void aob_span_include(struct aob_span *span, double value);
 json_t *aob_chart_axis(const char *label, struct aob_span span, double factor);
 
 /* The chart twice: the returned SVG for the page, and a PNG for slides. Takes `job` over. */
-struct aob_figure *aob_chart_add(struct aob_gallery *gallery, const struct aob_panel *panel, const char *name,
-                                 json_t *job);
+struct aob_figure *aob_chart_add(struct aob_gallery *gallery, const struct aob_panel *panel,
+                                 enum aob_figure_kind kind, const char *name, json_t *job);
 #endif

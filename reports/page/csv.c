@@ -4,6 +4,7 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/text.h"
+#include "cache_figures.h"
 #include "label.h"
 
 static const char names[] =
@@ -59,8 +60,25 @@ static void add_case(struct aob_text *csv, const struct aob_rows *rows, const st
     free(options);
 }
 
+/* The figures of caches that some row has: their columns come last, as each run has others. */
+struct cache_columns {
+    struct aob_cache_column *list;
+    size_t count;
+};
+
+static void add_cache_names(struct aob_text *csv, const struct cache_columns *columns)
+{
+    for (size_t i = 0; i < columns->count; i++) {
+        const struct aob_cache_column *c = &columns->list[i];
+        struct aob_text name = {0};
+        aob_text_add(&name, "cache.%s.%s.%s.%s", c->profile, c->level, c->flight, c->name);
+        add_text(csv, name.data);
+        aob_text_finish(&name);
+    }
+}
+
 static void add_line(struct aob_text *csv, const struct aob_rows *rows, const struct aob_row *row,
-                     const struct aob_score *score)
+                     const struct aob_score *score, const struct cache_columns *columns)
 {
     const struct aob_target *target = score ? &rows->targets[score->target] : NULL;
     add_case(csv, rows, row);
@@ -74,26 +92,32 @@ static void add_line(struct aob_text *csv, const struct aob_rows *rows, const st
     add_number(csv, row->memory_bytes);
     for (const struct aob_metric *m = aob_metric_table; m->name; m++)
         add_number(csv, score ? aob_metric_get(&score->metrics, m) : NAN);
+    for (size_t i = 0; i < columns->count; i++)
+        add_number(csv, aob_cache_column_value(&columns->list[i], row));
     aob_text_add(csv, "\r\n");
 }
 
 bool aob_csv_write(const struct aob_rows *rows, const char *folder, struct aob_error *error)
 {
     struct aob_text csv = {0};
+    struct cache_columns columns = {0};
+    columns.list = aob_cache_columns(rows, &columns.count);
     char *path = aob_path_join(folder, "cases.csv");
     aob_text_add(&csv, "%s", names);
     for (const struct aob_metric *m = aob_metric_table; m->name; m++)
         aob_text_add(&csv, ",%s", m->name);
+    add_cache_names(&csv, &columns);
     aob_text_add(&csv, "\r\n");
     for (size_t i = 0; i < rows->count; i++) {
         const struct aob_row *row = &rows->list[i];
         for (size_t k = 0; k < row->score_count; k++)
-            add_line(&csv, rows, row, &row->scores[k]);
+            add_line(&csv, rows, row, &row->scores[k], &columns);
         if (!row->score_count)
-            add_line(&csv, rows, row, NULL);
+            add_line(&csv, rows, row, NULL, &columns);
     }
     bool ok = aob_file_write(path, csv.data, csv.size, error);
     aob_text_finish(&csv);
+    free(columns.list);
     free(path);
     return ok;
 }

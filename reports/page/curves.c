@@ -10,24 +10,12 @@
 
 enum { CURVE_LIMIT = 8 };
 
-/* What the x axis of a timing chart may be. */
-struct axis {
-    const char *name, *label, *title;
-    double (*value)(const struct aob_row *row); /* NaN: the row has none */
-    const char *const *words;                   /* parameters that make up the value */
-};
-
-struct sample {
-    double x;
-    const struct aob_row *row;
-};
-
 /* Cases that differ in nothing but the axis. */
 struct group {
     const char *technique;
     size_t place; /* of the technique in the rows' list */
     json_t *rest; /* what they share */
-    struct sample *samples;
+    struct aob_curve_point *samples;
     size_t count, capacity;
     size_t turn; /* its place among the technique's groups */
 };
@@ -63,16 +51,17 @@ static double megapixels_of(const struct aob_row *row)
     return row->width && row->height ? row->width * 1e-6 * row->height : NAN;
 }
 
-static const struct axis axes[] = {
-    {"radius", "radius (scene units", "Time over radius", radius_of, (const char *const[]){"radius", NULL}},
-    {"samples", "depth samples a pixel (count", "Time over sample count", samples_of,
+const struct aob_curve_axis aob_curve_axes[] = {
+    {"radius", "radius (scene units", "radius", radius_of, (const char *const[]){"radius", NULL}},
+    {"samples", "depth samples a pixel (count", "sample count", samples_of,
      (const char *const[]){"samples", "slices", "directions", "rays", "steps", NULL}},
-    {"megapixels", "resolution (megapixels", "Time over resolution", megapixels_of,
+    {"megapixels", "resolution (megapixels", "resolution", megapixels_of,
      (const char *const[]){"size", NULL}},
+    {NULL},
 };
 
 /* Everything of the row that may make it another curve. */
-static json_t *rest_of(const struct aob_row *row, const struct axis *axis)
+static json_t *rest_of(const struct aob_row *row, const struct aob_curve_axis *axis)
 {
     json_t *rest = json_object(), *params = json_object_get(row->json, "params");
     char size[32];
@@ -89,7 +78,7 @@ static json_t *rest_of(const struct aob_row *row, const struct axis *axis)
 }
 
 static struct group *group_of(struct groups *groups, json_t *places, const struct aob_row *row,
-                              const struct axis *axis)
+                              const struct aob_curve_axis *axis)
 {
     json_t *rest = rest_of(row, axis);
     size_t place = aob_place(places, json_pack("[s, O]", row->technique, rest));
@@ -113,9 +102,8 @@ static void free_groups(struct groups *groups)
 
 static int by_x(const void *a, const void *b)
 {
-    const struct sample *p = a, *q = b;
-    return p->x != q->x ? (p->x > q->x) - (p->x < q->x)
-                        : (p->row->cost_ms > q->row->cost_ms) - (p->row->cost_ms < q->row->cost_ms);
+    const struct aob_curve_point *p = a, *q = b;
+    return p->x != q->x ? (p->x > q->x) - (p->x < q->x) : (p->y > q->y) - (p->y < q->y);
 }
 
 static bool is_curve(struct group *g)
@@ -124,27 +112,28 @@ static bool is_curve(struct group *g)
     return g->count > 1 && g->samples[0].x < g->samples[g->count - 1].x;
 }
 
-/* The cases of the section that have a place on the axis, in groups. */
-static struct groups group_rows(const struct aob_rows *rows, size_t section, const struct axis *axis)
+/* The cases of the section that have a place on the axis and a figure, in groups. */
+static struct groups group_rows(const struct aob_rows *rows, size_t section,
+                                const struct aob_curves_desc *desc)
 {
     struct groups all = {0};
     json_t *places = json_object();
     for (size_t i = 0; i < rows->sections[section].count; i++) {
         const struct aob_row *row = &rows->list[rows->sections[section].rows[i]];
-        double x = axis->value(row);
-        if (!aob_row_is_ok(row) || !isfinite(x) || !(row->cost_ms > 0) || !isfinite(row->cost_ms))
+        struct aob_curve_point point = {.x = desc->axis->value(row), .low = NAN, .high = NAN};
+        if (!aob_row_is_ok(row) || !isfinite(point.x) || !desc->measure(row, desc->user, &point))
             continue;
-        struct group *g = group_of(&all, places, row, axis);
-        *AOB_PUSH(g->samples, g->count, g->capacity) = (struct sample){x, row};
+        struct group *g = group_of(&all, places, row, desc->axis);
+        *AOB_PUSH(g->samples, g->count, g->capacity) = point;
     }
     json_decref(places);
     return all;
 }
 
 /* The section's curves over the axis; groups with a single x are dropped. */
-static struct groups collect(const struct aob_rows *rows, size_t section, const struct axis *axis)
+static struct groups collect(const struct aob_rows *rows, size_t section, const struct aob_curves_desc *desc)
 {
-    struct groups all = group_rows(rows, section, axis), curves = {0};
+    struct groups all = group_rows(rows, section, desc), curves = {0};
     for (size_t i = 0; i < all.count; i++) {
         struct group *g = &all.list[i];
         if (!is_curve(g))
@@ -222,11 +211,9 @@ static char *curve_name(const struct groups *groups, size_t shown, const struct 
     return text.data;
 }
 
-/* The interval of the ratio, moved to the time. */
-static json_t *bar_end(const struct aob_row *row, double end)
+static json_t *known(double value)
 {
-    bool known = isfinite(end) && isfinite(row->ratio) && row->ratio > 0;
-    return known ? json_real(row->cost_ms * end / row->ratio) : json_null();
+    return isfinite(value) ? json_real(value) : json_null();
 }
 
 static json_t *curve_json(const struct aob_rows *rows, const struct groups *groups, size_t shown,
@@ -234,11 +221,10 @@ static json_t *curve_json(const struct aob_rows *rows, const struct groups *grou
 {
     json_t *x = json_array(), *y = json_array(), *low = json_array(), *high = json_array();
     for (size_t i = 0; i < g->count; i++) {
-        const struct aob_row *row = g->samples[i].row;
         json_array_append_new(x, json_real(g->samples[i].x));
-        json_array_append_new(y, json_real(row->cost_ms));
-        json_array_append_new(low, bar_end(row, row->ci_low));
-        json_array_append_new(high, bar_end(row, row->ci_high));
+        json_array_append_new(y, json_real(g->samples[i].y));
+        json_array_append_new(low, known(g->samples[i].low));
+        json_array_append_new(high, known(g->samples[i].high));
     }
     char *name = curve_name(groups, shown, g);
     size_t colour = g->place + g->turn * rows->technique_count;
@@ -248,7 +234,8 @@ static json_t *curve_json(const struct aob_rows *rows, const struct groups *grou
     return curve;
 }
 
-static char *timing_subtitle(const struct groups *groups, size_t shown, const struct aob_section *section)
+static char *subtitle_of(const struct groups *groups, size_t shown, const struct aob_section *section,
+                         const char *bars_are)
 {
     static const char *const places[] = {"size", "backend"};
     struct aob_text text = {0};
@@ -261,16 +248,32 @@ static char *timing_subtitle(const struct groups *groups, size_t shown, const st
     }
     for (size_t i = 0; i < shown; i++)
         for (size_t k = 0; k < groups->list[i].count; k++)
-            bars = bars || isfinite(groups->list[i].samples[k].row->ci_low);
+            bars = bars || isfinite(groups->list[i].samples[k].low);
     if (bars)
-        aob_text_add(&text, " \u00b7 bars: 95 %% interval");
+        aob_text_add(&text, " \u00b7 bars: %s", bars_are);
     if (shown < groups->count)
         aob_text_add(&text, " \u00b7 %zu of %zu curves", shown, groups->count);
     return text.data;
 }
 
-static void add_timing_chart(struct aob_gallery *gallery, const struct aob_panel *panel,
-                             const struct axis *axis, const struct groups *groups)
+/* What is said below the chart, of each curve; NULL where nothing is. free() it. */
+static char *notes_of(const struct groups *groups, size_t shown, const struct aob_curves_desc *desc)
+{
+    struct aob_text notes = {0};
+    for (size_t i = 0; desc->note && i < shown; i++) {
+        struct aob_text note = {0};
+        char *name = curve_name(groups, shown, &groups->list[i]);
+        desc->note(groups->list[i].samples, groups->list[i].count, &note);
+        if (note.data)
+            aob_text_add(&notes, "%s%s: %s", notes.data ? "; " : "", name, note.data);
+        aob_text_finish(&note);
+        free(name);
+    }
+    return notes.data;
+}
+
+static void add_chart(struct aob_gallery *gallery, const struct aob_panel *panel,
+                      const struct aob_curves_desc *desc, const struct groups *groups)
 {
     size_t shown = groups->count < CURVE_LIMIT ? groups->count : CURVE_LIMIT;
     struct aob_span across = AOB_SPAN_EMPTY, up = AOB_SPAN_EMPTY;
@@ -279,25 +282,28 @@ static void add_timing_chart(struct aob_gallery *gallery, const struct aob_panel
         json_array_append_new(series, curve_json(gallery->rows, groups, shown, &groups->list[i]));
         for (size_t k = 0; k < groups->list[i].count; k++) {
             aob_span_include(&across, groups->list[i].samples[k].x);
-            aob_span_include(&up, groups->list[i].samples[k].row->cost_ms);
+            aob_span_include(&up, groups->list[i].samples[k].y);
         }
     }
-    char *subtitle = timing_subtitle(groups, shown, &gallery->rows->sections[panel->section]);
-    json_t *job = json_pack("{s:s, s:s, s:o, s:o, s:o}", "title", axis->title, "subtitle", subtitle, "x",
-                            aob_chart_axis(axis->label, across, 4), "y",
-                            aob_chart_axis("time a frame (ms", up, 5), "series", series);
-    aob_chart_add(gallery, panel, axis->name, job);
+    char *subtitle = subtitle_of(groups, shown, &gallery->rows->sections[panel->section], desc->bars);
+    struct aob_text title = {0};
+    aob_text_add(&title, "%s over %s", desc->title, desc->axis->title);
+    json_t *job = json_pack("{s:s, s:s, s:o, s:o, s:o}", "title", title.data, "subtitle", subtitle, "x",
+                            aob_chart_axis(desc->axis->label, across, 4), "y",
+                            aob_chart_axis(desc->label, up, 5), "series", series);
+    struct aob_figure *figure = aob_chart_add(gallery, panel, desc->kind, desc->name, job);
+    figure->note = notes_of(groups, shown, desc);
+    aob_text_finish(&title);
     free(subtitle);
 }
 
-void aob_curves_add_timing(struct aob_gallery *gallery, const struct aob_panel *panel)
+void aob_curves_add(struct aob_gallery *gallery, const struct aob_panel *panel,
+                    const struct aob_curves_desc *desc)
 {
-    for (size_t i = 0; i < AOB_COUNT(axes); i++) {
-        struct groups groups = collect(gallery->rows, panel->section, &axes[i]);
-        if (groups.count) {
-            order_groups(&groups, gallery->rows->technique_count);
-            add_timing_chart(gallery, panel, &axes[i], &groups);
-        }
-        free_groups(&groups);
+    struct groups groups = collect(gallery->rows, panel->section, desc);
+    if (groups.count) {
+        order_groups(&groups, gallery->rows->technique_count);
+        add_chart(gallery, panel, desc, &groups);
     }
+    free_groups(&groups);
 }

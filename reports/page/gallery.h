@@ -9,7 +9,8 @@ enum aob_figure_kind {
     AOB_FIGURE_SPLIT,
     AOB_FIGURE_HEIGHT,
     AOB_FIGURE_VTI,
-    AOB_FIGURE_CHART
+    AOB_FIGURE_CHART,
+    AOB_FIGURE_CACHE /* a chart of cache figures */
 };
 
 /* The target of what is compared with no truth. */
@@ -24,6 +25,7 @@ struct aob_figure {
     char *file;                    /* relative to the page: "figures/0003-corner-front-gtao.png" */
     char *failure;                 /* why there is no such file; NULL: there is */
     json_t *job;                   /* as in figure.h */
+    char *note;                    /* a line below it; NULL: none */
     const struct aob_row **front;  /* the Pareto set of a quality chart, cheapest first; NULL for others */
     size_t front_count;
 };

@@ -160,9 +160,10 @@ static size_t count_cases(const struct aob_rows *rows, size_t section, size_t ta
 static void add_panel(struct aob_gallery *g, size_t section, size_t target)
 {
     struct aob_panel panel = {.section = section, .target = target, .first = g->count};
-    if (target == AOB_NO_TARGET)
+    if (target == AOB_NO_TARGET) {
         aob_curves_add_timing(g, &panel);
-    else
+        aob_curves_add_cache(g, &panel);
+    } else
         panel.cases = count_cases(g->rows, section, target);
     if (panel.cases)
         aob_curves_add_quality(g, &panel);

@@ -3,6 +3,14 @@
 #include <stdio.h>
 #include <string.h>
 
+static const char cache_heading[] = "<h3>Cache</h3>\n<p class=soft>Caches of named devices, simulated over "
+                                    "what the shaders fetched. How a device "
+                                    "orders its warps is not known, so each figure is a band: from one warp "
+                                    "in flight to as many as a unit holds. "
+                                    "Trust where a curve bends and which of two lies higher more than a "
+                                    "figure itself. The knee is the radius at "
+                                    "which misses reach half of their plateau.</p>\n";
+
 /* The figures of one panel. */
 struct view {
     const struct aob_figure *figures;
@@ -78,16 +86,22 @@ static void add_chart(struct aob_text *page, const struct aob_figure *svg, const
     add_link(page, png, "PNG");
     if (svg->front_count)
         add_front(page, svg);
+    if (svg->note) {
+        aob_text_add(page, "<div>");
+        aob_html_escape(page, svg->note);
+        aob_text_add(page, "</div>");
+    }
     aob_text_add(page, "</figcaption></figure>\n");
 }
 
 /* Each SVG is followed by its PNG. */
-static void add_charts(struct aob_text *page, const struct view *view, const char *heading)
+static void add_charts(struct aob_text *page, const struct view *view, enum aob_figure_kind kind,
+                       const char *heading)
 {
     bool any = false;
     for (size_t i = 0; i + 1 < view->count; i++) {
         const struct aob_figure *svg = &view->figures[i];
-        if (svg->kind != AOB_FIGURE_CHART || !strstr(svg->file, ".svg"))
+        if (svg->kind != kind || !strstr(svg->file, ".svg"))
             continue;
         if (!any)
             aob_text_add(page, "%s<div class=grid>\n", heading);
@@ -142,11 +156,12 @@ static void add_panel(struct aob_text *page, const struct aob_gallery *g, const 
     struct view view = {&g->figures[panel->first], panel->count};
     if (panel->target == AOB_NO_TARGET) {
         add_triptychs(page, &view, "Each technique\u2019s image: there is no reference");
-        add_charts(page, &view, "<h3>What time follows from</h3>\n");
+        add_charts(page, &view, AOB_FIGURE_CHART, "<h3>What time follows from</h3>\n");
+        add_charts(page, &view, AOB_FIGURE_CACHE, cache_heading);
         return;
     }
     aob_html_target_open(page, g->rows, panel->target, "");
-    add_charts(page, &view, "");
+    add_charts(page, &view, AOB_FIGURE_CHART, "");
     aob_html_split(page, g, panel);
     if (!panel->cases)
         aob_text_add(page, "<p class=soft>No case of this view is compared with it.</p>\n");

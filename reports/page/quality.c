@@ -124,7 +124,7 @@ static void add_chart(struct aob_gallery *g, const struct aob_panel *panel, stru
                             aob_chart_axis("time a frame (ms", across, 5), "y",
                             aob_chart_axis("RMSE where occluded (visibility", up, 5), "series",
                             all_series(g->rows, cloud, &front));
-    set_front(aob_chart_add(g, panel, "quality", job), &front);
+    set_front(aob_chart_add(g, panel, AOB_FIGURE_CHART, "quality", job), &front);
     free(front.points);
     free(title);
     free(subtitle);

@@ -28,6 +28,7 @@ static bool take_map(const json_t *figure, const struct aob_figure_image *from, 
         .height = from->image->height,
         .error = alone ? NULL : channel(figure, from->error, "error", "error.AO", error),
         .limit = json_number_value(json_object_get(figure, "limit")),
+        .amount = aob_figure_text(figure, "amount", NULL),
     };
     return alone || map->error;
 }

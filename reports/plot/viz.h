@@ -29,6 +29,8 @@ struct aob_viz_map {
     int width, height;
     const float *error;
     double limit;
+    const char *
+        amount; /* NULL, or the unit of what is no error but an amount from 0 up: white to red. Flat maps only */
 };
 
 /* As a flat map: every pixel becomes a square of whole pixels, as large as fits 1440 x 1080, at least 1:1. */

@@ -131,18 +131,29 @@ void draw_panel(canvas &sheet, const panel &p, int x, int y)
     sheet.frame(x, y, width, height);
 }
 
-void draw_error_bar(canvas &sheet, int x, int y, int height, double limit, const std::string &label)
+/* What the colours mean, from -limit, or of an amount from 0. */
+struct legend {
+    double low, limit;
+    std::string label;
+};
+
+void draw_error_bar(canvas &sheet, int x, int y, int height, const legend &of)
 {
     const unsigned char ink[3] = {FRAME >> 16, FRAME >> 8 & 255, FRAME & 255};
+    const double span = of.limit - of.low;
     for (int j = 0; j < height; j++)
-        sheet.fill(x, y + j, BAR_WIDTH, 1, error_colour(1 - 2.0 * j / std::max(height - 1, 1), 1));
+        sheet.fill(x, y + j, BAR_WIDTH, 1,
+                   error_colour(of.limit - span * j / std::max(height - 1, 1), of.limit));
     sheet.frame(x, y, BAR_WIDTH, height);
-    for (const tick &t : error_ticks(limit, height)) {
-        int at = y + static_cast<int>(std::lround((1 - t.value / limit) / 2 * (height - 1)));
+    for (const tick &t : error_ticks(of.limit, height * 2 * of.limit / span)) {
+        if (t.value < of.low)
+            continue;
+        int at = y + static_cast<int>(std::lround((of.limit - t.value) / span * (height - 1)));
         sheet.fill(x + BAR_WIDTH + 1, at, 5, 1, ink);
-        sheet.text(x + BAR_WIDTH + 10, at, t.label, TICK);
+        bool plus = of.low == 0 && t.label[0] == '+'; /* an amount has no sign */
+        sheet.text(x + BAR_WIDTH + 10, at, t.label.substr(plus), TICK);
     }
-    sheet.text(x + BAR_WIDTH + 76, y + height / 2, label, LABEL);
+    sheet.text(x + BAR_WIDTH + 76, y + height / 2, of.label, LABEL);
 }
 
 void draw_titles(canvas &sheet, const aob_viz_map &map, int y)
@@ -166,7 +177,9 @@ void draw_map(const aob_viz_map &map, const std::string &path)
     canvas sheet(MARGIN + std::max(width, 420) + BAR_GAP + BAR_WIDTH + BAR_ROOM, top + bar + 36);
     draw_titles(sheet, map, 26);
     draw_panel(sheet, {map.error, map.width, map.height, size, map.limit}, MARGIN, top);
-    draw_error_bar(sheet, MARGIN + width + BAR_GAP, top, bar, map.limit, bar_label(bar));
+    draw_error_bar(sheet, MARGIN + width + BAR_GAP, top, bar,
+                   map.amount ? legend{0, map.limit, map.amount}
+                              : legend{-map.limit, map.limit, bar_label(bar)});
     save_png(sheet.Image, path);
 }
 
@@ -209,7 +222,7 @@ void draw_row(const aob_viz_map &map, const float *const images[3], const char *
         draw_panel(sheet, {images[i], map.width, map.height, size, i >= first_error ? map.limit : 0}, x, top);
     }
     std::string label = first_error ? bar_label(bar) : bar_label(bar, PART_LABEL, "part of the error");
-    draw_error_bar(sheet, end + BAR_GAP, top, bar, map.limit, label);
+    draw_error_bar(sheet, end + BAR_GAP, top, bar, {-map.limit, map.limit, label});
     save_png(sheet.Image, path);
 }
 

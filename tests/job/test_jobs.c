@@ -103,38 +103,36 @@ static void a_view_job(void **state)
 }
 
 static struct aob_block_target targets[] = {{0.25, false, "t.exr", true}, {INFINITY, true, NULL, false}};
-static struct aob_block_case cases[] = {{.technique = {"gtao", "one.so", "0123"},
-                                         .params = {0.5, 3},
-                                         .param_count = 2,
-                                         .options = {16, 1},
+static struct aob_block_case cases[] = {{.frame = {.technique = {"gtao", "one.so", "0123"},
+                                                   .params = {0.5, 3},
+                                                   .param_count = 2,
+                                                   .options = {16, 1}},
                                          .target = 1,
                                          .definition = "d.exr",
                                          .screen = "s.exr",
                                          .image = "i.exr"},
-                                        {.technique = {"none", NULL, "4567"}}};
-static const struct aob_block_job block = {.view = view,
-                                           .backend = "gl-egl",
-                                           .device = "radeon",
-                                           .validate = true,
-                                           .triangles = true,
-                                           .score = true,
-                                           .error = true,
-                                           .process = 2,
-                                           .seed = 0xfedcba98,
-                                           .seconds = 0.75,
-                                           .precision = 0.015,
-                                           .clock = "wall",
-                                           .clock_reason = "it lies",
-                                           .targets = targets,
-                                           .target_count = 2,
-                                           .cases = cases,
-                                           .case_count = 2};
+                                        {.frame = {.technique = {"none", NULL, "4567"}}}};
+static const struct aob_block_job block = {
+    .drawing = {.view = view, .backend = "gl-egl", .device = "radeon", .validate = true, .triangles = true},
+    .score = true,
+    .error = true,
+    .process = 2,
+    .seed = 0xfedcba98,
+    .seconds = 0.75,
+    .precision = 0.015,
+    .clock = "wall",
+    .clock_reason = "it lies",
+    .targets = targets,
+    .target_count = 2,
+    .cases = cases,
+    .case_count = 2};
 
 static void check_block(const struct aob_block_job *job)
 {
-    assert_string_equal(job->backend, "gl-egl");
-    assert_string_equal(job->device, "radeon");
-    assert_true(job->validate && !job->raster && job->triangles && job->score && !job->time && job->error);
+    assert_string_equal(job->drawing.backend, "gl-egl");
+    assert_string_equal(job->drawing.device, "radeon");
+    assert_true(job->drawing.validate && !job->drawing.raster && job->drawing.triangles && job->score &&
+                !job->time && job->error);
     assert_true(job->process == 2 && job->seed == 0xfedcba98 && job->seconds == 0.75 &&
                 job->precision == 0.015);
     assert_string_equal(job->clock, "wall");
@@ -145,21 +143,21 @@ static void check_block(const struct aob_block_job *job)
     assert_true(isinf(job->targets[1].radius) && job->targets[1].uniform && !job->targets[1].truth &&
                 !job->targets[1].bent);
     assert_int_equal(job->case_count, 2);
-    assert_string_equal(job->cases[0].technique.technique, "gtao");
-    assert_path(job->cases[0].technique.module, "one.so");
-    assert_string_equal(job->cases[0].technique.digest, "0123");
-    assert_string_equal(job->cases[1].technique.technique, "none");
-    assert_null(job->cases[1].technique.module);
-    assert_string_equal(job->cases[1].technique.digest, "4567");
-    assert_int_equal(job->cases[0].param_count, 2);
-    assert_true(job->cases[0].params[0] == 0.5 && job->cases[0].params[1] == 3);
-    assert_true(job->cases[0].options[0] == 16 && job->cases[0].options[1] == 1 &&
-                job->cases[0].options[2] == 0);
+    assert_string_equal(job->cases[0].frame.technique.technique, "gtao");
+    assert_path(job->cases[0].frame.technique.module, "one.so");
+    assert_string_equal(job->cases[0].frame.technique.digest, "0123");
+    assert_string_equal(job->cases[1].frame.technique.technique, "none");
+    assert_null(job->cases[1].frame.technique.module);
+    assert_string_equal(job->cases[1].frame.technique.digest, "4567");
+    assert_int_equal(job->cases[0].frame.param_count, 2);
+    assert_true(job->cases[0].frame.params[0] == 0.5 && job->cases[0].frame.params[1] == 3);
+    assert_true(job->cases[0].frame.options[0] == 16 && job->cases[0].frame.options[1] == 1 &&
+                job->cases[0].frame.options[2] == 0);
     assert_int_equal(job->cases[0].target, 1);
     assert_path(job->cases[0].definition, "d.exr");
     assert_path(job->cases[0].screen, "s.exr");
     assert_path(job->cases[0].image, "i.exr");
-    assert_int_equal(job->cases[1].param_count, 0);
+    assert_int_equal(job->cases[1].frame.param_count, 0);
     assert_true(!job->cases[1].definition && !job->cases[1].screen && !job->cases[1].image);
 }
 
@@ -171,7 +169,7 @@ static void a_block_job(void **state)
     json_t *message = send(aob_block_job_to_json(&block));
     assert_string_equal(json_string_value(json_object_get(message, "job")), "block");
     assert_true(aob_block_job_from_json(message, &job, &error));
-    check_view(&job.view);
+    check_view(&job.drawing.view);
     check_block(&job);
     aob_block_job_finish(&job);
     json_object_del(json_object_get(message, "timing"), "clock_reason");

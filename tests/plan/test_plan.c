@@ -224,6 +224,7 @@ static const struct {
     {HEAD NONE "reference: {spp: 33}\n", ":6:18", "even"},
     {HEAD NONE "options: {fetch: texture}\n", ":6:18", "sampled, storage"},
     {HEAD NONE "measure: {time: yes}\n", ":6:17", "true nor false"},
+    {HEAD NONE "measure: {cache: []}\n", ":6:18", "list of profiles is empty"},
 };
 
 static void test_refusals(void **state)
