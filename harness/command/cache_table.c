@@ -91,8 +91,8 @@ void aob_cache_table_print(const char *profile, const json_t *figures, struct ao
     const json_t *frame = json_object_get(figures, "frame"), *level;
     double pixels = number(frame, "width") * number(frame, "height");
     size_t i;
-    aob_text_add_line(out, "%s: %.0f units, 1 .. %.0f warps in flight", profile, number(figures, "units"),
-                      number(figures, "in_flight"));
+    aob_text_add_line(out, "%s: %.0f %s, 1 .. %.0f warps in flight", profile, number(figures, "units"),
+                      number(figures, "units") == 1 ? "unit" : "units", number(figures, "in_flight"));
     aob_text_add_line(out,
                       "  fetched %.0f times, %.4g a pixel; distinct within an invocation %.0f, %.4g a pixel; "
                       "lanes busy %.1f %%",
