@@ -21,10 +21,9 @@ static json_t *describe(const struct aob_cache_map_desc *desc)
     struct aob_text channel = {0}, subtitle = {0};
     aob_text_add(&channel, "%s.misses", desc->profile);
     aob_text_add(&subtitle, "%s, first level, as many warps in flight as there may be", desc->profile);
-    json_t *job =
-        json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s}", "kind", "map", "title", desc->title, "subtitle",
-                  subtitle.data, "image", desc->image, "error", channel.data, "amount", "misses a pixel",
-                  "limit_group", desc->profile);
+    json_t *job = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s}", "kind", "map", "title", desc->title,
+                            "subtitle", subtitle.data, "image", desc->image, "error", channel.data, "amount",
+                            "misses a pixel", "limit_group", desc->profile);
     aob_text_finish(&channel);
     aob_text_finish(&subtitle);
     return job ? job : json_object();

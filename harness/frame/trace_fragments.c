@@ -13,6 +13,7 @@ struct triangles {
     uint32_t slots, all; /* words of a fragment; triangles that are drawn */
     size_t entry, room;  /* words of a fragment with its head; fragments that fit */
     uint32_t seen;       /* fragments of the last range */
+    uint64_t read;       /* of all ranges */
 };
 
 enum { ENTRY_HEAD = 2 }; /* words: pixel, triangle */
@@ -89,9 +90,10 @@ static bool hand_on(const struct triangles *triangles, const uint32_t *entries, 
     return ok;
 }
 
-static bool read_range(const struct triangles *triangles, struct aob_error *error)
+static bool read_range(struct triangles *triangles, struct aob_error *error)
 {
     size_t count = triangles->seen;
+    triangles->read += count;
     uint32_t *entries = AOB_NEW_ARRAY(uint32_t, count * triangles->entry);
     bool ok = aob_trace_read(triangles->trace, 0, count * triangles->entry, entries, error) &&
               hand_on(triangles, entries, count, error);
@@ -172,6 +174,8 @@ bool aob_trace_fragments_cost(struct aob_trace *trace, int index, struct aob_err
     const struct aob_trace_counts *counts = &trace->capture->counts[index];
     if (!triangles_init(&triangles, trace, index, error))
         return false;
+    if (!triangles.all)
+        return true;
     uint32_t count = range_size(&triangles);
     int64_t start = aob_clock_wall_ns();
     if (!capture_range(&triangles, (triangles.all - count) / 2, &count, error))
@@ -196,5 +200,11 @@ bool aob_trace_fragments(struct aob_trace *trace, int index, const struct aob_tr
         if (!capture_range(&triangles, first, &count, error))
             return false;
     }
-    return true;
+    return triangles.read == trace->capture->counts[index].fragments ||
+           aob_fail(
+               error,
+               "pass '%s' drew %llu fragments where it had drawn %u: the device gives other results from "
+               "run to run",
+               triangles.pass->name, (unsigned long long)triangles.read,
+               trace->capture->counts[index].fragments);
 }

@@ -74,7 +74,7 @@ static bool read_rows(struct rows *rows, int first, int end, uint32_t *words, st
 
 static uint32_t *band_words(const struct rows *rows)
 {
-    return AOB_NEW_ARRAY(uint32_t, AOB_TRACE_BAND_ROWS * rows->row_words);
+    return AOB_NEW_ARRAY(uint32_t, least((size_t)rows->pass->height, AOB_TRACE_BAND_ROWS) * rows->row_words);
 }
 
 bool aob_trace_screen_cost(struct aob_trace *trace, int index, struct aob_error *error)

@@ -35,6 +35,11 @@ static bool read_stream(const char *path, struct stream *stream, struct aob_erro
         finish_stream(stream);
         return aob_fail(error, "%s: %zu bytes are no whole number of 32-bit line numbers", path, size);
     }
+    if (stream->count > UINT32_MAX) {
+        finish_stream(stream);
+        return aob_fail(error, "%s: a stream has at most %u line numbers, and these are %zu", path,
+                        UINT32_MAX, size / sizeof(uint32_t));
+    }
     for (size_t i = 0; i < stream->count; i++)
         stream->lines[i] = le32toh(stream->lines[i]);
     return true;

@@ -5,6 +5,7 @@
 #include "base/machine.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "profile_machine.h"
 
 /* A number, or a word in place of one, with how it is known. */
 struct fact {
@@ -126,11 +127,11 @@ static bool read_cold(struct aob_yaml *yaml, const struct fact *fact, bool *at_p
            aob_yaml_fail(yaml, fact->value, "'%s' is neither pass nor frame", fact->text);
 }
 
-/* A whole number, or "machine": the processors that this process may use. */
+/* A whole number, or "machine": the first caches of data of the processors that this process may use. */
 static bool read_cores(struct aob_yaml *yaml, const struct fact *fact, const struct aob_field *field,
                        int *units)
 {
-    double number = aob_machine_cores();
+    double number = aob_profile_machine_units(AOB_PROFILE_SYSFS, aob_machine_cores());
     if (strcmp(fact->text, "machine") != 0 && !read_number(yaml, fact, field, &number))
         return false;
     *units = (int)number;

@@ -7,7 +7,7 @@
 
 enum aob_field_kind {
     AOB_FIELD_WHOLE,  /* uint32_t, or an int that is not negative */
-    AOB_FIELD_CORES,  /* int; "machine": the processors of this one */
+    AOB_FIELD_CORES,  /* int; "machine": the first caches of this one's processors */
     AOB_FIELD_UNITS,  /* int; "all": 0 */
     AOB_FIELD_BYTES,  /* uint64_t; with KiB, MiB ... behind it or without */
     AOB_FIELD_SIZE2,  /* struct aob_size2, both powers of two */

@@ -60,7 +60,7 @@ static void note(struct aob_profile *profile, const char *folder, int cache, con
 }
 
 /* 0: not a cache of data, or a level that is one already; below 0: the folder does not tell. */
-static int add_cache(struct aob_profile *profile, const char *folder, int cache, int *first_share)
+static int add_cache(struct aob_profile *profile, const char *folder, int cache, int first)
 {
     char type[32], sharing[256] = "";
     uint64_t number, size, line, ways;
@@ -71,18 +71,17 @@ static int add_cache(struct aob_profile *profile, const char *folder, int cache,
         !read_whole(folder, cache, "size", 1, (uint64_t)1 << 36, &size) ||
         !read_whole(folder, cache, "coherency_line_size", 16, 4096, &line) ||
         !read_whole(folder, cache, "ways_of_associativity", 1, 65536, &ways) || (line & (line - 1)) ||
-        size % (line * ways))
+        size % (line * ways) || size / line > INT32_MAX)
         return -1;
     read_line(folder, cache, "shared_cpu_list", sharing, sizeof sharing);
     struct aob_profile_level *level = &profile->levels[profile->level_count++];
     int share = count_processors(sharing);
-    *first_share = *first_share ? *first_share : share > 0 ? share : 1;
     *level = (struct aob_profile_level){.size = size,
                                         .line = (uint32_t)line,
                                         .sector = (uint32_t)line,
                                         .ways = (uint32_t)ways,
                                         .sets = (uint32_t)(size / line / ways),
-                                        .units = share > *first_share ? share / *first_share : 1,
+                                        .units = share > first ? share / first : 1,
                                         .cold_at_pass = profile->level_count == 1};
     snprintf(level->name, sizeof level->name, "L%llu", (unsigned long long)number);
     note(profile, folder, cache, level->name, "size", size);
@@ -92,11 +91,30 @@ static int add_cache(struct aob_profile *profile, const char *folder, int cache,
     return 1;
 }
 
+/* How many processors share their first cache of data, as two threads of a core do; 1 where it is not told. */
+static int first_share(const char *folder)
+{
+    char type[32], sharing[256] = "";
+    for (int cache = 0; cache < MAX_CACHE; cache++)
+        if (read_line(folder, cache, "type", type, sizeof type) && strcmp(type, "Instruction") != 0) {
+            read_line(folder, cache, "shared_cpu_list", sharing, sizeof sharing);
+            break;
+        }
+    int share = count_processors(sharing);
+    return share > 0 ? share : 1;
+}
+
+int aob_profile_machine_units(const char *folder, int processors)
+{
+    int share = first_share(folder);
+    return (processors + share - 1) / share;
+}
+
 bool aob_profile_machine(struct aob_profile *profile, const char *folder, struct aob_error *error)
 {
-    int first_share = 0;
+    int first = first_share(folder);
     for (int cache = 0; cache < MAX_CACHE; cache++)
-        if (add_cache(profile, folder, cache, &first_share) < 0)
+        if (add_cache(profile, folder, cache, first) < 0)
             return aob_fail(error,
                             "%s/index%d does not tell the cache's level, size, line and ways: write a "
                             "profile with levels of your own",

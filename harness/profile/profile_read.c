@@ -73,6 +73,9 @@ static bool judge_level(struct aob_yaml *yaml, const struct aob_field_reader *re
         level->sector = level->line;
     if (!judge_lines(yaml, reader))
         return false;
+    if (level->size / level->line > INT32_MAX)
+        return aob_yaml_fail(yaml, reader->nodes[SIZE], "a cache of %llu lines: there are %d at most",
+                             (unsigned long long)(level->size / level->line), INT32_MAX);
     level->sets = (uint32_t)(level->size / level->line / level->ways);
     if (level->index == AOB_INDEX_XOR && !is_power(level->sets))
         return aob_yaml_fail(yaml, reader->nodes[INDEX], "xor needs a power of two of sets, and these are %u",
@@ -89,8 +92,9 @@ static bool read_level_entry(struct aob_yaml *yaml, const char *key, yaml_node_t
     return strcmp(key, "name") == 0 || aob_field_read(yaml, key, value, user);
 }
 
-static bool read_level_name(struct aob_yaml *yaml, const yaml_node_t *node, struct aob_profile_level *level)
+static bool read_level_name(struct aob_yaml *yaml, const yaml_node_t *node, struct aob_profile *profile)
 {
+    struct aob_profile_level *level = &profile->levels[profile->level_count - 1];
     const char *name;
     const yaml_node_t *value = aob_yaml_find(yaml, node, "name");
     if (!value)
@@ -99,6 +103,9 @@ static bool read_level_name(struct aob_yaml *yaml, const yaml_node_t *node, stru
         return false;
     if (strlen(name) >= sizeof level->name)
         return aob_yaml_fail(yaml, value, "'%s' has more than %zu letters", name, sizeof level->name - 1);
+    for (const struct aob_profile_level *other = profile->levels; other < level; other++)
+        if (strcmp(other->name, name) == 0)
+            return aob_yaml_fail(yaml, value, "there is a level '%s' already", name);
     snprintf(level->name, sizeof level->name, "%s", name);
     return true;
 }
@@ -114,7 +121,7 @@ static bool read_level(struct aob_yaml *yaml, yaml_node_t *node, void *user)
     if (profile->level_count == AOB_PROFILE_MAX_LEVEL)
         return aob_yaml_fail(yaml, node, "more than %d levels", AOB_PROFILE_MAX_LEVEL);
     struct aob_profile_level *level = &profile->levels[profile->level_count++];
-    if (!read_level_name(yaml, node, level))
+    if (!read_level_name(yaml, node, profile))
         return false;
     snprintf(prefix, sizeof prefix, "levels.%s.", level->name);
     level->cold_at_pass = is_first;
@@ -122,6 +129,25 @@ static bool read_level(struct aob_yaml *yaml, yaml_node_t *node, void *user)
     struct aob_field_reader reader = {profile, prefix, level_fields, level, {NULL}};
     return aob_yaml_mapping(yaml, node, is_first ? first : later, read_level_entry, &reader) &&
            aob_field_need(yaml, node, &reader) && judge_level(yaml, &reader);
+}
+
+static bool accept(struct aob_yaml *yaml, const char *key, yaml_node_t *value, void *user)
+{
+    const char *text;
+    (void)key;
+    (void)user;
+    return aob_yaml_text(yaml, value, &text);
+}
+
+/* Levels that the machine tells have a source too, as every number has. */
+static bool judge_machine(struct aob_yaml *yaml, const yaml_node_t *node)
+{
+    static const char *const keys[] = {"value", "confirmed", "unverified", NULL};
+    bool confirmed = aob_yaml_find(yaml, node, "confirmed"),
+         unverified = aob_yaml_find(yaml, node, "unverified");
+    return aob_yaml_mapping(yaml, node, keys, accept, NULL) &&
+           (confirmed != unverified ||
+            aob_yaml_fail(yaml, node, "write one source beside machine, as confirmed or as unverified"));
 }
 
 /* A list, or {value: machine, ...}: the caches of the processor that this program runs on. */
@@ -133,7 +159,7 @@ static bool read_levels(struct aob_yaml *yaml, yaml_node_t *node, struct aob_pro
     if (!value)
         return aob_yaml_sequence(yaml, node, read_level, profile) &&
                (profile->level_count || aob_yaml_fail(yaml, node, "a profile has one level at least"));
-    if (!aob_yaml_text(yaml, value, &text))
+    if (!aob_yaml_text(yaml, value, &text) || !judge_machine(yaml, node))
         return false;
     if (strcmp(text, "machine") != 0)
         return aob_yaml_fail(yaml, value, "'%s' is not machine: write it so, or a list of levels", text);

@@ -10,56 +10,30 @@
 static char folder[] = "/tmp/aobudget-profile-XXXXXX", path[64];
 
 #define FACT(value) "{value: " value ", unverified: made}"
+/* clang-format off */
 static const char good[] =
     "title: made\n"
-    "units: " FACT(
-        "3") "\n"
-             "in_flight: " FACT(
-                 "4") "\n"
-                      "tile: " FACT(
-                          "8x8") "\n"
-                                 "warp: {value: 8x4, confirmed: 'a text'}\n"
-                                 "layout: " FACT(
-                                     "block_linear") "\n"
-                                                     "depth_bytes: " FACT(
-                                                         "8") "\n"
-                                                              "levels:\n"
-                                                              "  - name: L1\n"
-                                                              "    size: " FACT(
-                                                                  "12 KiB") "\n"
-                                                                            "    line: " FACT(
-                                                                                "128") "\n"
-                                                                                       "    sector: " FACT(
-                                                                                           "32") "\n"
-                                                                                                 "    "
-                                                                                                 "ways:"
-                                                                                                 " " FACT(
-                                                                                                     "24") "\n"
-                                                                                                           " "
-                                                                                                           " "
-                                                                                                           " "
-                                                                                                           " "
-                                                                                                           "i"
-                                                                                                           "n"
-                                                                                                           "d"
-                                                                                                           "e"
-                                                                                                           "x"
-                                                                                                           ":"
-                                                                                                           " " FACT(
-                                                                                                               "xor") "\n"
-                                                                                                                      "  - name: L2\n"
-                                                                                                                      "    size: " FACT(
-                                                                                                                          "786432") "\n"
-                                                                                                                                    "    line: " FACT(
-                                                                                                                                        "128") "\n"
-                                                                                                                                               "    ways: " FACT(
-                                                                                                                                                   "8") "\n"
-                                                                                                                                                        "    index: " FACT(
-                                                                                                                                                            "modulo") "\n"
-                                                                                                                                                                      "    units: " FACT(
-                                                                                                                                                                          "2") "\n"
-                                                                                                                                                                               "    cold: " FACT(
-                                                                                                                                                                                   "pass") "\n";
+    "units: " FACT("3") "\n"
+    "in_flight: " FACT("4") "\n"
+    "tile: " FACT("8x8") "\n"
+    "warp: {value: 8x4, confirmed: 'a text'}\n"
+    "layout: " FACT("block_linear") "\n"
+    "depth_bytes: " FACT("8") "\n"
+    "levels:\n"
+    "  - name: L1\n"
+    "    size: " FACT("12 KiB") "\n"
+    "    line: " FACT("128") "\n"
+    "    sector: " FACT("32") "\n"
+    "    ways: " FACT("24") "\n"
+    "    index: " FACT("xor") "\n"
+    "  - name: L2\n"
+    "    size: " FACT("786432") "\n"
+    "    line: " FACT("128") "\n"
+    "    ways: " FACT("8") "\n"
+    "    index: " FACT("modulo") "\n"
+    "    units: " FACT("2") "\n"
+    "    cold: " FACT("pass") "\n";
+/* clang-format on */
 
 static void write_file(const char *text)
 {
@@ -156,6 +130,9 @@ static const struct damage damages[] = {
      ":17:19: ", "it brings 16 bytes at a time"},
     {"cold: " FACT("pass"), "cold: " FACT("always"), ":21:19: ", "neither pass nor frame"},
     {"levels:\n", "levels: " FACT("somewhere") "\nother:\n", ":8:17: ", "'somewhere' is not machine"},
+    {"levels:\n", "levels: {value: machine}\nother:\n", ":8:9: ", "write one source beside machine"},
+    {"levels:\n", "levels: {value: machine, unverified: a, nonsense: 3}\nother:\n", ":8:41: ", "'nonsense'"},
+    {"name: L2", "name: L1", ":15:11: ", "there is a level 'L1' already"},
 };
 
 static void test_damaged(void **state)
@@ -231,6 +208,35 @@ static void test_machine(void **state)
     assert_contains(error.text, "names no data cache");
 }
 
+/* Two processors share a first cache, so 16 of them are 8 units, all of which share the last level. */
+static void test_machine_units(void **state)
+{
+    (void)state;
+    write_machine();
+    assert_int_equal(aob_profile_machine_units(folder, 16), 8);
+    assert_int_equal(aob_profile_machine_units(folder, 1), 1);
+    assert_int_equal(aob_profile_machine_units("/nowhere", 3), 3);
+}
+
+static void test_machine_large(void **state)
+{
+    (void)state;
+    struct aob_error error = {{0}};
+    struct aob_profile profile = {.units = 8};
+    char file[128];
+    write_machine();
+    static const char *const large[][2] = {{"size", "67108864K"},
+                                           {"coherency_line_size", "16"},
+                                           {"ways_of_associativity", "1"}}; /* 2^32 lines */
+    for (size_t i = 0; i < AOB_COUNT(large); i++) {
+        snprintf(file, sizeof file, "%s/index3/%s", folder, large[i][0]);
+        assert_true(aob_file_write(file, large[i][1], strlen(large[i][1]), &error));
+    }
+    assert_false(aob_profile_machine(&profile, folder, &error));
+    assert_contains(error.text, "index3 does not tell");
+    aob_profile_finish(&profile);
+}
+
 /* Every profile in the tree is read, and each of its numbers has a source. */
 static void test_tree(void **state)
 {
@@ -275,10 +281,9 @@ static int remove_folder(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_good),
-        cmocka_unit_test(test_damaged),
-        cmocka_unit_test(test_machine),
-        cmocka_unit_test(test_tree),
+        cmocka_unit_test(test_good),          cmocka_unit_test(test_damaged),
+        cmocka_unit_test(test_machine),       cmocka_unit_test(test_machine_units),
+        cmocka_unit_test(test_machine_large), cmocka_unit_test(test_tree),
     };
     return cmocka_run_group_tests(tests, open_folder, remove_folder);
 }
