@@ -90,21 +90,24 @@ bool aob_measure_lock_check(struct aob_error *error)
     return file >= 0;
 }
 
-/* What the holder wrote is shown if it is a process' number; anybody may write there. */
-static void tell(int file, const char *path)
+/* What the holder wrote is shown if it is another process' number; anybody may write there. */
+static void tell(struct aob_measure_lock *lock, const char *path)
 {
-    char number[16] = {0}, since[16] = "?", holder[48] = "another process";
+    char number[16] = {0}, since[16] = "?", holder[48] = "another process", own[16];
     struct stat info;
     struct tm local;
-    if (pread(file, number, sizeof number - 1, 0) > 0) {
+    snprintf(own, sizeof own, "%d\n", (int)getpid());
+    if (pread(lock->file, number, sizeof number - 1, 0) > 0 && strcmp(number, own) != 0) {
         size_t digits = strspn(number, "0123456789");
         if (digits > 0 && digits <= 10 && number[digits] == '\n')
             snprintf(holder, sizeof holder, "process %.*s", (int)digits, number);
     }
-    if (fstat(file, &info) == 0 && localtime_r(&info.st_mtime, &local))
+    if (fstat(lock->file, &info) == 0 && localtime_r(&info.st_mtime, &local))
         strftime(since, sizeof since, "%H:%M:%S", &local);
-    aob_note("waiting for %s, which has measured since %s: one at a time on a machine (%s)", holder, since,
-             path);
+    if (!lock->told)
+        aob_note("waiting for %s, which has measured since %s: one at a time on a machine (%s)", holder,
+                 since, path);
+    lock->told = true;
 }
 
 static void sign(int file)
@@ -113,19 +116,6 @@ static void sign(int file)
     int size = snprintf(text, sizeof text, "%d\n", (int)getpid());
     if (ftruncate(file, 0) == 0 && !aob_file_send(file, text, (size_t)size))
         return; /* a full disk: the lock holds without a name */
-}
-
-static bool wait_for(struct aob_measure_lock *lock, int file, const char *path)
-{
-    if (flock(file, LOCK_EX | LOCK_NB) == 0)
-        return true;
-    if (errno == EWOULDBLOCK && !lock->told)
-        tell(lock->file, path);
-    lock->told = true;
-    int got;
-    while ((got = flock(file, LOCK_EX)) != 0 && errno == EINTR)
-        continue;
-    return got == 0;
 }
 
 /* -1 where there can be none: then it is anybody's turn. */
@@ -138,12 +128,48 @@ static int open_turn(const char *path)
     return turn;
 }
 
-/* Who has measured and wants to again finds the turn taken by the first of those who wait, and queues behind them. */
+/* Whether it is locked now; without waiting. */
+static bool is_ours(int file)
+{
+    return flock(file, LOCK_EX | LOCK_NB) == 0;
+}
+
+/* Waits for the turn, and gives true if the lock itself came first: whose turn it is takes a lock that is free at once,
+ * unless it is stopped, which must not stop everybody else. */
+static bool is_passed_over(struct aob_measure_lock *lock, int turn, const char *path)
+{
+    const struct timespec step = {.tv_nsec = AOB_MEASURE_LOCK_STEP_MS * 1000000L};
+    for (int waited = 0; !is_ours(turn); waited += AOB_MEASURE_LOCK_STEP_MS) {
+        if (waited >= AOB_MEASURE_LOCK_PATIENCE_MS && is_ours(lock->file))
+            return true;
+        if (waited >= AOB_MEASURE_LOCK_PATIENCE_MS)
+            tell(lock, path);
+        nanosleep(&step, NULL);
+    }
+    return false;
+}
+
+static bool wait_for(struct aob_measure_lock *lock, const char *path)
+{
+    if (is_ours(lock->file))
+        return true;
+    if (errno == EWOULDBLOCK)
+        tell(lock, path);
+    int got;
+    while ((got = flock(lock->file, LOCK_EX)) != 0 && errno == EINTR)
+        continue;
+    return got == 0;
+}
+
+/* Who has measured and wants to again finds the turn taken by one of those who wait. It is given back after the lock is
+ * signed, so that whoever has the turn reads there for whom it waits. */
 static bool lock_in_turn(struct aob_measure_lock *lock, const char *path)
 {
     int turn = open_turn(path);
-    bool ok = (turn < 0 || wait_for(lock, turn, path)) && wait_for(lock, lock->file, path);
+    bool ok = (turn >= 0 && is_passed_over(lock, turn, path)) || wait_for(lock, path);
     int cause = errno;
+    if (ok)
+        sign(lock->file);
     if (turn >= 0) {
         flock(turn, LOCK_UN); /* a child that was just started may still have the file */
         close(turn);
@@ -176,7 +202,6 @@ bool aob_measure_lock_take(struct aob_measure_lock *lock, struct aob_error *erro
             break;
         close(lock->file);
     }
-    sign(lock->file);
     lock->held = true;
     return true;
 }

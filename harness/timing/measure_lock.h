@@ -5,11 +5,17 @@
  *
  * A program that measures in many processes takes the lock for each of them. Between two of them another one that waits has
  * it: who waits holds a second file's lock (the first's name and .turn), which everybody needs to take the first. Where
- * that file cannot be made, only the turns are lost. Threads: one. */
+ * that file cannot be made, or who holds it is stopped while nobody measures, only the turns are lost. Threads: one. */
 #ifndef AOB_TIMING_MEASURE_LOCK_H
 #define AOB_TIMING_MEASURE_LOCK_H
 #include <stdbool.h>
 #include "base/error.h"
+
+enum {
+    AOB_MEASURE_LOCK_STEP_MS = 20, /* between two questions whether it is our turn */
+    AOB_MEASURE_LOCK_PATIENCE_MS =
+        2000, /* with somebody whose turn it is and who does not take what is free */
+};
 
 struct aob_measure_lock { /* zeroed: not held */
     int file;

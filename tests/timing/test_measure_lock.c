@@ -156,6 +156,62 @@ static void take_for_ever(char letter, int order)
     }
 }
 
+/* Who has measured, and waits for the next: it reads whom it waits for, and not its own number. */
+static void be_former(int said, int got)
+{
+    struct aob_measure_lock lock = {0};
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    dup2(said, STDERR_FILENO);
+    if (!aob_measure_lock_take(&lock, NULL) || !aob_file_send(got, "x", 1))
+        _exit(1);
+    while (!somebody_waits())
+        usleep(1000);
+    aob_measure_lock_release(&lock);
+    aob_measure_lock_take(&lock, NULL);
+    _exit(0);
+}
+
+static void test_former_holder_waits(void **state)
+{
+    (void)state;
+    int said[2], got[2];
+    char line[256], expected[64], byte;
+    assert_true(pipe2(said, O_CLOEXEC) == 0 && pipe2(got, O_CLOEXEC) == 0);
+    struct other former = {fork(), said[0], got[0]};
+    if (former.pid == 0)
+        be_former(said[1], got[1]);
+    close(said[1]);
+    close(got[1]);
+    assert_int_equal(read(former.got, &byte, 1), 1);
+    struct other next = start_other(1);
+    read_line(former.said, line);
+    snprintf(expected, sizeof expected, "waiting for process %d, which", (int)next.pid);
+    assert_contains(line, expected);
+    end_other(&next);
+    end_other(&former);
+}
+
+/* Whose turn it is may be stopped: the others measure all the same. */
+static void test_stopped_waiter(void **state)
+{
+    (void)state;
+    struct aob_measure_lock lock = {0};
+    char line[256];
+    int status;
+    assert_true(aob_measure_lock_take(&lock, NULL));
+    struct other stopped = start_other(1);
+    read_line(stopped.said, line);
+    assert_int_equal(kill(stopped.pid, SIGSTOP), 0);
+    assert_true(waitpid(stopped.pid, &status, WUNTRACED) == stopped.pid && WIFSTOPPED(status));
+    aob_measure_lock_release(&lock);
+    assert_true(somebody_waits());
+    struct other next = start_other(1);
+    assert_true(comes(next.got, 60000));
+    assert_true(is_locked());
+    end_other(&next);
+    end_other(&stopped);
+}
+
 /* Three that want it without end: nobody has it twice while another one waits. */
 static void test_in_turn(void **state)
 {
@@ -332,6 +388,8 @@ int main(void)
                                        cmocka_unit_test(test_content_is_not_trusted),
                                        cmocka_unit_test(test_is_for_everybody),
                                        cmocka_unit_test(test_in_turn),
+                                       cmocka_unit_test(test_former_holder_waits),
+                                       cmocka_unit_test(test_stopped_waiter),
                                        cmocka_unit_test(test_is_for_everybody_at_once),
                                        cmocka_unit_test(test_without_turns),
                                        cmocka_unit_test(test_only_a_regular_file),
