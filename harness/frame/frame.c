@@ -155,11 +155,14 @@ static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph
         binds[count] = make_bind(input_kind(in, frame->fetch), AOB_BINDING_FIRST_INPUT + i, in->filter,
                                  frame->textures[in->texture]);
         binds[count].first_level = in->level;
+        binds[count].vertex = pass->draw == AOB_TRIANGLES; /* as aob_prelude_write_vertex declares it */
         binds[count++].level_count = in->level_count;
     }
-    if (pass->draw == AOB_TRIANGLES)
-        binds[count++] =
+    if (pass->draw == AOB_TRIANGLES) {
+        binds[count] =
             make_bind(AOB_GPU_SAMPLED, AOB_BINDING_TRIANGLES, AOB_NEAREST, frame->screen->geometry->texture);
+        binds[count++].vertex = true;
+    }
     return count;
 }
 

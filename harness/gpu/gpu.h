@@ -107,6 +107,7 @@ struct aob_gpu_bind {
     const struct aob_gpu_texture *texture;
     int first_level; /* GLSL's lod 0 */
     int level_count; /* 0: all from first_level on. A storage image shows one level */
+    bool vertex;     /* the vertex text has it too */
 };
 enum { AOB_GPU_MAX_BINDING = 31 };
 

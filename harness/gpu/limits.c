@@ -30,7 +30,8 @@ bool aob_gpu_texture_fits(const struct aob_gpu *gpu, const struct aob_gpu_textur
 }
 
 struct counts {
-    uint32_t sampled, storage, bindings; /* bindings: one beyond the last of the storage images */
+    uint32_t sampled, storage, vertex_sampled, vertex_storage; /* vertex: that the vertex text has too */
+    uint32_t bindings; /* bindings: one beyond the last of the storage images */
 };
 
 static struct counts count_binds(const struct aob_gpu_pass_desc *desc)
@@ -38,8 +39,11 @@ static struct counts count_binds(const struct aob_gpu_pass_desc *desc)
     struct counts counts = {0};
     for (size_t i = 0; i < desc->bind_count; i++) {
         const struct aob_gpu_bind *bind = &desc->binds[i];
+        bool vertex = desc->vertex_count && bind->vertex;
         counts.sampled += bind->kind == AOB_GPU_SAMPLED;
         counts.storage += bind->kind == AOB_GPU_STORAGE;
+        counts.vertex_sampled += vertex && bind->kind == AOB_GPU_SAMPLED;
+        counts.vertex_storage += vertex && bind->kind == AOB_GPU_STORAGE;
         if (bind->kind == AOB_GPU_STORAGE && bind->binding >= counts.bindings)
             counts.bindings = bind->binding + 1;
     }
@@ -55,7 +59,6 @@ static bool has_enough(const struct aob_gpu *gpu, const struct aob_gpu_pass_desc
     const struct counts counts = count_binds(desc);
     const uint32_t targets = (uint32_t)desc->target_count;
     const uint32_t buffers = desc->storage ? 1 : 0;
-    const bool vertex = desc->vertex_count;
     const struct {
         const char *what;
         uint32_t count, most;
@@ -64,8 +67,8 @@ static bool has_enough(const struct aob_gpu *gpu, const struct aob_gpu_pass_desc
         {"targets", targets, limits->targets, other},
         {"sampled textures", counts.sampled, limits->sampled, other},
         {"storage images", counts.storage, limits->storage, sampled},
-        {"sampled textures in its vertex text", vertex ? counts.sampled : 0, limits->vertex_sampled, other},
-        {"storage images in its vertex text", vertex ? counts.storage : 0, limits->vertex_storage, sampled},
+        {"sampled textures in its vertex text", counts.vertex_sampled, limits->vertex_sampled, other},
+        {"storage images in its vertex text", counts.vertex_storage, limits->vertex_storage, sampled},
         {"bindings up to its last storage image", counts.bindings, limits->storage_bindings, sampled},
         {"storage images, buffers and targets", counts.storage + buffers + targets,
          limits->storage_and_targets, sampled},

@@ -28,7 +28,8 @@ static void init_stand(struct stand *stand, struct aob_gpu *gpu)
     for (int i = 0; i < BINDS; i++) /* two of each kind */
         stand->binds[i] = (struct aob_gpu_bind){.kind = i < 2 ? AOB_GPU_STORAGE : AOB_GPU_SAMPLED,
                                                 .binding = 1 + (uint32_t)i,
-                                                .texture = stand->read};
+                                                .texture = stand->read,
+                                                .vertex = true};
 }
 
 static void finish_stand(struct stand *stand)
@@ -110,6 +111,11 @@ static void refuses_a_pass_with_too_much(void **state)
             expect_pass(&stand, false, NULL);
         gpu->limits = own;
     }
+    /* What only the fragment text has is none of the vertex text's. */
+    stand.binds[0].vertex = stand.binds[2].vertex = false;
+    gpu->limits.vertex_storage = gpu->limits.vertex_sampled = 1;
+    expect_pass(&stand, true, NULL);
+    gpu->limits = own;
     finish_stand(&stand);
 }
 
