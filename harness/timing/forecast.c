@@ -15,18 +15,23 @@ static bool scatter_of(const struct aob_round_list *rounds, size_t slot, struct 
     return ok;
 }
 
+static double seconds_of(const struct aob_round_list *rounds)
+{
+    double seconds = 0;
+    for (size_t r = 0; r < rounds->count; r++)
+        seconds += aob_round_seconds(&rounds->items[r]);
+    return seconds;
+}
+
 bool aob_forecast_init(struct aob_forecast *forecast, const struct aob_round_list *rounds, size_t slot,
                        int least)
 {
     struct aob_scatter scatter;
-    double seconds = 0;
     *forecast = (struct aob_forecast){.least = least};
     if (!rounds->count)
         return false;
     const size_t slots = rounds->items[0].slot_count;
-    for (size_t r = 0; r < rounds->count; r++)
-        seconds += aob_round_seconds(&rounds->items[r]);
-    forecast->round_s = seconds / (double)rounds->count / (double)(slots - AOB_SLOT_CASES);
+    forecast->round_s = seconds_of(rounds) / (double)rounds->count / (double)(slots - AOB_SLOT_CASES);
     for (size_t s = AOB_SLOT_CASES; s < slots; s++) {
         if (!scatter_of(rounds, s, &scatter))
             return false;
@@ -76,7 +81,7 @@ static bool is_reached(const struct aob_forecast *f, double seconds, double prec
 double aob_forecast_seconds(const struct aob_forecast *f, double precision)
 {
     double low = f->round_s, high = SECONDS_MOST;
-    if (!is_reached(f, high, precision))
+    if (!(f->round_s > 0) || !is_reached(f, high, precision))
         return INFINITY;
     while (high / low > 1 + 1e-9) {
         double middle = sqrt(low * high);
@@ -97,5 +102,7 @@ double aob_seconds_needed(const struct aob_round_list *rounds, size_t slot,
     if (aob_estimate_half_width(&ratio) <= asked->precision ||
         !aob_forecast_init(&forecast, rounds, slot, asked->least))
         return NAN;
-    return aob_forecast_seconds(&forecast, asked->precision);
+    double spent = seconds_of(rounds) / (double)(rounds->items[0].slot_count - AOB_SLOT_CASES);
+    double next = aob_process_describe(asked, 0).seconds;
+    return fmax(aob_forecast_seconds(&forecast, asked->precision), spent + next);
 }
