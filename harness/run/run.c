@@ -49,6 +49,8 @@ static bool read_config(struct run *run, struct aob_error *error)
     if (desc->seconds > 0)
         config->seconds = desc->seconds;
     config->processes = desc->processes;
+    if (desc->builds || desc->again)
+        aob_config_leave_profiles(config);
     if (desc->precision > 0)
         config->precision = desc->precision;
     if (desc->max_spp && config->spp > desc->max_spp)
@@ -99,6 +101,12 @@ static void count(struct run *run, const json_t *record)
     run->seconds_needed = fmax(run->seconds_needed, needed);
 }
 
+static const struct aob_case *state_case(const struct run *run, const struct aob_state *state)
+{
+    return &run->sweep.plan.cases[state - run->measurement.states];
+}
+
+/* What is left is timed by the clock of what is there. */
 static bool skip_finished(struct run *run, struct aob_error *error)
 {
     struct aob_error damage = {{0}};
@@ -119,6 +127,7 @@ static bool skip_finished(struct run *run, struct aob_error *error)
             continue;
         state->stage = AOB_DONE;
         count(run, record);
+        aob_run_clocks_take(&run->measurement.clocks, state_case(run, state)->backend, record);
     }
     json_decref(places);
     json_decref(records);

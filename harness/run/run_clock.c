@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/error.h"
+#include "base/member.h"
 #include "base/memory.h"
 
 const struct aob_run_clock *aob_run_clocks_find(const struct aob_run_clocks *clocks, const char *backend)
@@ -26,6 +27,14 @@ void aob_run_clocks_keep(struct aob_run_clocks *clocks, const char *backend, enu
             "%s: costs are wall time, the way to the device and back included, as the device's own clock "
             "cannot be trusted: %s",
             backend, reason);
+}
+
+void aob_run_clocks_take(struct aob_run_clocks *clocks, const char *backend, const json_t *record)
+{
+    const json_t *time = json_object_get(record, "time");
+    enum aob_clock clock;
+    if (aob_clock_find(aob_member_text(time, "clock"), &clock))
+        aob_run_clocks_keep(clocks, backend, clock, aob_member_text(time, "clock_reason"));
 }
 
 void aob_run_clocks_finish(struct aob_run_clocks *clocks)

@@ -3,6 +3,7 @@
  * machine are the same all the time. */
 #ifndef AOB_RUN_RUN_CLOCK_H
 #define AOB_RUN_RUN_CLOCK_H
+#include <jansson.h>
 #include <stddef.h>
 #include "base/clock.h"
 
@@ -21,5 +22,8 @@ const struct aob_run_clock *aob_run_clocks_find(const struct aob_run_clocks *clo
  * each such device and run. */
 void aob_run_clocks_keep(struct aob_run_clocks *clocks, const char *backend, enum aob_clock clock,
                          const char *reason);
+
+/* The same by a record of this run's folder, so that a run that goes on has one clock too. One without a time says nothing. */
+void aob_run_clocks_take(struct aob_run_clocks *clocks, const char *backend, const json_t *record);
 void aob_run_clocks_finish(struct aob_run_clocks *clocks);
 #endif

@@ -94,6 +94,24 @@ check "once more" "$program" run wish.yaml --out kept --quiet --filter slices=1
 check "nothing is measured" test "$(wc -l <kept/journal.jsonl)" -eq "$lines"
 check "what a killed run left half-written is gone" test -z "$(find kept -name '*.part')"
 check "and all is there" test -z "$(jq -rs '.[] | .image, .errors[].truth' kept/journal.jsonl | sort -u | while read -r f; do [ -f "kept/$f" ] || echo "$f"; done)"
+
+# A run that goes on is timed by the clock that its folder has, and says why; a fresh one chooses anew.
+cat >clock.yaml <<EOF
+name: clock
+scenes: [{name: corner}]
+resolutions: [48x27]
+backends: [vulkan]
+techniques: [{name: none}, {name: alchemy}]
+measure: {error: false, images: false, seconds: 0.05}
+EOF
+check "half of a run" "$program" run clock.yaml --out clock --quiet --filter none
+sed -i 's/"clock":"cpu","clock_reason":""/"clock":"wall","clock_reason":"planted"/' clock/journal.jsonl
+check "the plant" grep -q planted clock/journal.jsonl
+"$program" run clock.yaml --out clock --quiet 2>said
+check "the other half has its clock" test "$(jq -rs 'map(.time.clock + .time.clock_reason) | unique | join(" ")' clock/journal.jsonl)" = wallplanted
+check "one warning says why" test "$(grep -c 'vulkan: costs are wall time.*: planted' said)" -eq 1
+check "afresh" "$program" run clock.yaml --out clock --quiet --fresh
+check "it is the processor's" test "$(jq -rs 'map(.time.clock) | unique | join(" ")' clock/journal.jsonl)" = cpu
 echo "$kills kills"
 check "at least one kill hit a run" test "$kills" -ge 1
 finish
