@@ -104,7 +104,7 @@ bool aob_builds_measure(const struct aob_compare_desc *desc, const char *folder,
 }
 
 /* A module that the run's config does not name stood in for the techniques of its names, as a --module does. */
-bool aob_builds_measure_again(const struct aob_compare_desc *desc, const struct aob_stored *stored,
+bool aob_builds_measure_again(const struct aob_compare_desc *desc, const struct aob_old_module *stored,
                               const char *folder, struct aob_error *error)
 {
     const char *const paths[] = {stored->file, desc->sides[1]}, *const names[] = {stored->name,

@@ -2,7 +2,7 @@
 #ifndef AOB_COMPARE_BUILDS_H
 #define AOB_COMPARE_BUILDS_H
 #include "compare.h"
-#include "stored.h"
+#include "old_module.h"
 
 /* Whether the two files are the same, byte for byte. False with a line if one cannot be read. */
 bool aob_builds_identical(const char *a, const char *b, bool *identical, struct aob_error *error);
@@ -13,6 +13,6 @@ bool aob_builds_measure(const struct aob_compare_desc *desc, const char *folder,
 
 /* Runs the cases that the stored run has of its old module, as its own config has them, with both builds. False with a line
  * if none of them can be made again or measured; of one that cannot a warning says what is missing. */
-bool aob_builds_measure_again(const struct aob_compare_desc *desc, const struct aob_stored *stored,
+bool aob_builds_measure_again(const struct aob_compare_desc *desc, const struct aob_old_module *stored,
                               const char *folder, struct aob_error *error);
 #endif

@@ -170,7 +170,7 @@ static enum aob_exit tell_identical(const struct aob_compare_desc *desc, const c
 }
 
 /* `stored`: of sides[0], which is a run; NULL: that is a module. */
-static bool measure(const struct aob_compare_desc *desc, const struct aob_stored *stored,
+static bool measure(const struct aob_compare_desc *desc, const struct aob_old_module *stored,
                     struct aob_error *error)
 {
     if (stored && !desc->config)
@@ -180,7 +180,7 @@ static bool measure(const struct aob_compare_desc *desc, const struct aob_stored
     return aob_builds_measure(&now, folder_of(desc), error);
 }
 
-static enum aob_exit compare_builds(const struct aob_compare_desc *desc, const struct aob_stored *stored,
+static enum aob_exit compare_builds(const struct aob_compare_desc *desc, const struct aob_old_module *stored,
                                     struct aob_text *out, struct aob_error *error)
 {
     const char *old = stored ? stored->file : desc->sides[0];
@@ -215,10 +215,10 @@ static enum aob_exit compare_builds(const struct aob_compare_desc *desc, const s
 static enum aob_exit compare_with_stored(const struct aob_compare_desc *desc, struct aob_text *out,
                                          struct aob_error *error)
 {
-    struct aob_stored stored = {0};
-    enum aob_exit code =
-        aob_stored_find(&stored, desc, error) ? compare_builds(desc, &stored, out, error) : AOB_EXIT_USAGE;
-    aob_stored_finish(&stored);
+    struct aob_old_module stored = {0};
+    enum aob_exit code = aob_old_module_find(&stored, desc, error) ? compare_builds(desc, &stored, out, error)
+                                                                   : AOB_EXIT_USAGE;
+    aob_old_module_finish(&stored);
     return code;
 }
 

@@ -1,11 +1,10 @@
 #include "compared.h"
-#include <dirent.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "map_list.h"
 #include "plane.h"
 #include "quotient.h"
 #include "reports/page/gallery.h"
@@ -88,41 +87,21 @@ static char *map_path(const struct aob_compared_table *table, const struct aob_c
     return path;
 }
 
-/* "0001-corner-front-gtao.exr": a name that a comparison gives. A user's own files have others. */
-static bool is_map(const char *name)
-{
-    static const char *const endings[] = {".exr", ".png", ".vti"};
-    size_t digits = strspn(name, "0123456789"), size = strlen(name);
-    for (size_t i = 0; i < AOB_COUNT(endings); i++)
-        if (digits >= 4 && name[digits] == '-' && size > 4 && strcmp(name + size - 4, endings[i]) == 0)
-            return true;
-    return strcmp(name, strrchr(AOB_PLANE_FILE, '/') + 1) == 0;
-}
-
-/* Those of an earlier comparison would pass for this one's. */
+/* Also of a second table, which this comparison may not have (compare.c). */
 static void discard_maps(const struct aob_compared_table *table)
 {
-    char *folder = aob_path_join(table->folder, "maps");
-    DIR *directory = opendir(folder);
-    for (struct dirent *entry; directory && (entry = readdir(directory));) {
-        char *file = aob_path_join(folder, entry->d_name);
-        if (is_map(entry->d_name))
-            unlink(file);
-        free(file);
-    }
-    if (directory)
-        closedir(directory);
-    free(folder);
+    char *then = aob_path_join(table->folder, "then");
+    aob_map_list_discard(table->folder);
+    aob_map_list_discard(then);
+    free(then);
 }
 
 static bool keep_map(const struct aob_compared_table *table, struct aob_compared *item,
                      const struct aob_image *a, const struct aob_image *b, struct aob_error *error)
 {
-    char *folder = aob_path_join(table->folder, "maps");
     item->map = map_name(item, (size_t)(item - table->items));
     char *path = map_path(table, item, ".exr");
-    bool ok = aob_folder_create(folder, error) && aob_image_change_write(a, b, path, error);
-    free(folder);
+    bool ok = aob_map_list_add(table->folder, item->map, error) && aob_image_change_write(a, b, path, error);
     free(path);
     return ok;
 }
@@ -266,7 +245,7 @@ void aob_compared_draw(const struct aob_compared_table *table, const char *progr
         add_figure(&gallery, table, &table->items[i], true);
         add_figure(&gallery, table, &table->items[i], false);
     }
-    if (aob_plane_any(table))
+    if (aob_plane_any(table) && aob_map_list_add(table->folder, AOB_PLANE_NAME, NULL))
         aob_plane_add(&gallery, table);
     char *plotter = aob_gallery_plotter(program);
     char *maps = aob_path_join(table->folder, "maps");

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/json.h"
+#include "base/member.h"
 #include "base/memory.h"
 #include "quotient.h"
 #include "timing/summary.h"
@@ -12,12 +13,6 @@
 static const json_t *time_of(const struct aob_cost_side *side)
 {
     return json_object_get(side->record, "time");
-}
-
-static const char *text_of(const json_t *object, const char *name)
-{
-    const char *text = json_string_value(json_object_get(object, name));
-    return text ? text : "";
 }
 
 /* A member that decides what a time means; the fixed pass' revision and the cores are numbers. */
@@ -50,15 +45,16 @@ static bool same_circumstances(const struct aob_cost_side *a, const struct aob_c
 /* Wall time of a GPU has the way there and back in it, and what its driver does meanwhile. */
 static bool has_clock(const struct aob_cost_side *side, const char *name, struct aob_error *why)
 {
-    const char *reason = text_of(time_of(side), "clock_reason");
+    const char *reason = aob_member_text(time_of(side), "clock_reason");
     return !*reason || aob_fail(why, "the clock of %s's device cannot be trusted: %s", name, reason);
 }
 
 static bool has_time(const struct aob_cost_side *side, const char *name, struct aob_error *why)
 {
-    const char *status = text_of(side->record, "status");
+    const char *status = aob_member_text(side->record, "status");
     if (strcmp(status, "ok") != 0)
-        return aob_fail(why, "the case of %s is %s: %s", name, status, text_of(side->record, "reason"));
+        return aob_fail(why, "the case of %s is %s: %s", name, status,
+                        aob_member_text(side->record, "reason"));
     return json_is_object(time_of(side)) || aob_fail(why, "the case of %s was not timed", name);
 }
 
@@ -98,7 +94,7 @@ static struct own from_rounds(const struct aob_round_list *rounds, size_t slot)
 /* Of the case's rounds; false where none are kept. */
 static bool find_slot(const struct aob_cost_side *side, size_t *slot)
 {
-    const char *key = text_of(side->record, "key");
+    const char *key = aob_member_text(side->record, "key");
     const json_t *slots = json_object_get(time_of(side), "slots");
     for (*slot = AOB_SLOT_CASES; *slot < json_array_size(slots); (*slot)++) {
         const char *own = json_string_value(json_array_get(slots, *slot));
@@ -111,7 +107,7 @@ static bool find_slot(const struct aob_cost_side *side, size_t *slot)
 /* The file may be lost or damaged; the record stands for it then. */
 static bool read_rounds(const struct aob_cost_side *side, struct aob_round_list *rounds, size_t *slot)
 {
-    const char *name = text_of(time_of(side), "rounds_file");
+    const char *name = aob_member_text(time_of(side), "rounds_file");
     if (!*name || !find_slot(side, slot))
         return false;
     char *path = aob_path_join(side->folder, name);
@@ -122,8 +118,8 @@ static bool read_rounds(const struct aob_cost_side *side, struct aob_round_list 
 
 static bool same_file(const struct aob_cost_side *a, const struct aob_cost_side *b)
 {
-    return strcmp(a->folder, b->folder) == 0 &&
-           strcmp(text_of(time_of(a), "rounds_file"), text_of(time_of(b), "rounds_file")) == 0;
+    return strcmp(a->folder, b->folder) == 0 && strcmp(aob_member_text(time_of(a), "rounds_file"),
+                                                       aob_member_text(time_of(b), "rounds_file")) == 0;
 }
 
 static void put_together(const struct own *a, const struct own *b, struct aob_cost *cost)

@@ -4,8 +4,6 @@
 #include "base/memory.h"
 #include "reports/page/chart_job.h"
 
-enum { MOST_NAMED = 8 }; /* lines with a name of their own beside the chart */
-
 bool aob_plane_find(const struct aob_compared *item, struct aob_place_on_plane *a,
                     struct aob_place_on_plane *b)
 {
@@ -32,11 +30,10 @@ static void add_case(struct drawing *d, const struct aob_compared *item,
         aob_span_include(&d->across, place[side].cost);
         aob_span_include(&d->up, place[side].error);
     }
-    if (d->count < MOST_NAMED)
-        json_array_append_new(d->lines, json_pack("{s:o, s:s, s:I, s:[f, f], s:[f, f]}", "name",
-                                                  aob_json_text(name.data), "style", "curve", "colour",
-                                                  (json_int_t)d->count + 2, "x", place[0].cost, place[1].cost,
-                                                  "y", place[0].error, place[1].error));
+    json_array_append_new(d->lines,
+                          json_pack("{s:o, s:s, s:I, s:[f, f], s:[f, f]}", "name", aob_json_text(name.data),
+                                    "style", "curve", "colour", (json_int_t)d->count + 2, "x", place[0].cost,
+                                    place[1].cost, "y", place[0].error, place[1].error));
     d->count++;
     aob_text_finish(&name);
 }

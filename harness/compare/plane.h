@@ -14,7 +14,8 @@ struct aob_place_on_plane {
 bool aob_plane_find(const struct aob_compared *item, struct aob_place_on_plane *a,
                     struct aob_place_on_plane *b);
 
-#define AOB_PLANE_FILE "maps/plane.svg" /* below the table's folder */
+#define AOB_PLANE_NAME "maps/plane" /* below the table's folder */
+#define AOB_PLANE_FILE AOB_PLANE_NAME ".svg"
 
 /* Whether a case moved between two places that are known; then there is a picture, which is added to the gallery. */
 bool aob_plane_any(const struct aob_compared_table *table);

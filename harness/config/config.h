@@ -132,6 +132,9 @@ void aob_config_finish(struct aob_config *config);
 bool aob_config_read_copy(struct aob_config *config, const char *path, const char *place,
                           struct aob_error *error);
 
+/* Takes out the profiles of caches, as if the config had none: for a comparison, which shows none of their figures. */
+void aob_config_leave_profiles(struct aob_config *config);
+
 /* Takes out the scenes whose mesh file or capture is not there any more, and adds what they are called, a line each. */
 void aob_config_leave_gone(struct aob_config *config, struct aob_text *gone);
 void aob_scene_choice_finish(struct aob_scene_choice *choice); /* of a scene that leaves its config */

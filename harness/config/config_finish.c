@@ -56,15 +56,22 @@ void aob_config_leave_gone(struct aob_config *config, struct aob_text *gone)
     config->scene_count = kept;
 }
 
+void aob_config_leave_profiles(struct aob_config *config)
+{
+    for (size_t i = 0; i < config->profile_count; i++)
+        free(config->profiles[i].text);
+    free(config->profiles);
+    config->profiles = NULL;
+    config->profile_count = config->profile_capacity = 0;
+}
+
 void aob_config_finish(struct aob_config *config)
 {
     for (size_t i = 0; i < config->scene_count; i++)
         aob_scene_choice_finish(&config->scenes[i]);
     for (size_t i = 0; i < config->technique_count; i++)
         aob_technique_choice_finish(&config->techniques[i]);
-    for (size_t i = 0; i < config->profile_count; i++)
-        free(config->profiles[i].text);
-    free(config->profiles);
+    aob_config_leave_profiles(config);
     free_backends(&config->backends);
     free_axes(config->options, config->option_count);
     free(config->scenes);

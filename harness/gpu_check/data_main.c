@@ -6,6 +6,7 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/json.h"
+#include "base/member.h"
 #include "base/memory.h"
 #include "check_data.h"
 #include "store/image.h"
@@ -64,12 +65,6 @@ static bool write_plane(const struct aob_image *from, const char *path, struct a
     return ok;
 }
 
-static const char *text_of(const json_t *record, const char *name)
-{
-    const char *text = json_string_value(json_object_get(record, name));
-    return text ? text : "";
-}
-
 /* The view's place, made if it is new. -1 after a line. */
 static int place_view(struct maker *maker, const json_t *record, const struct aob_image *image, bool timed,
                       struct aob_error *error)
@@ -77,8 +72,8 @@ static int place_view(struct maker *maker, const json_t *record, const struct ao
     size_t count = json_array_size(maker->views);
     for (size_t i = 0; i < count; i++) {
         const json_t *view = json_array_get(maker->views, i);
-        if (strcmp(text_of(view, "scene"), text_of(record, "scene")) == 0 &&
-            strcmp(text_of(view, "view"), text_of(record, "view")) == 0 &&
+        if (strcmp(aob_member_text(view, "scene"), aob_member_text(record, "scene")) == 0 &&
+            strcmp(aob_member_text(view, "view"), aob_member_text(record, "view")) == 0 &&
             json_integer_value(json_object_get(view, "width")) == image->width)
             return (int)i;
     }
@@ -87,11 +82,12 @@ static int place_view(struct maker *maker, const json_t *record, const struct ao
     char *path = aob_path_join(maker->folder, name);
     bool ok = write_view(image, path, error);
     free(path);
-    json_array_append_new(
-        maker->views, json_pack("{s:s, s:s, s:O, s:i, s:i, s:O, s:s, s:b}", "scene", text_of(record, "scene"),
-                                "view", text_of(record, "view"), "camera", json_object_get(record, "camera"),
-                                "width", image->width, "height", image->height, "metre",
-                                json_object_get(record, "metre"), "file", name, "timed", timed));
+    json_array_append_new(maker->views,
+                          json_pack("{s:s, s:s, s:O, s:i, s:i, s:O, s:s, s:b}", "scene",
+                                    aob_member_text(record, "scene"), "view", aob_member_text(record, "view"),
+                                    "camera", json_object_get(record, "camera"), "width", image->width,
+                                    "height", image->height, "metre", json_object_get(record, "metre"),
+                                    "file", name, "timed", timed));
     return ok ? (int)count : -1;
 }
 
@@ -122,16 +118,16 @@ static void add_values(struct aob_text *name, const struct aob_param *params, si
 static char *name_image(const struct maker *maker, const json_t *record, const struct aob_image *image)
 {
     const struct aob_registry_entry *entry =
-        aob_registry_find(&maker->registry, NULL, text_of(record, "technique"));
+        aob_registry_find(&maker->registry, NULL, aob_member_text(record, "technique"));
     double metre = json_number_value(json_object_get(record, "metre"));
     struct aob_text name = {0};
-    aob_text_add(&name, "%s", text_of(record, "technique"));
+    aob_text_add(&name, "%s", aob_member_text(record, "technique"));
     if (entry)
         add_values(&name, entry->technique->params, entry->technique->param_count, metre,
                    json_object_get(record, "params"));
     add_values(&name, aob_option_params, AOB_OPTION_COUNT, metre, json_object_get(record, "options"));
-    aob_text_add(&name, " on %s %s %dx%d", text_of(record, "scene"), text_of(record, "view"), image->width,
-                 image->height);
+    aob_text_add(&name, " on %s %s %dx%d", aob_member_text(record, "scene"), aob_member_text(record, "view"),
+                 image->width, image->height);
     return name.data;
 }
 
@@ -143,10 +139,10 @@ static bool add_image(struct maker *maker, const json_t *record, const struct ao
     snprintf(file, sizeof file, "image-%zu.exr", json_array_size(maker->images));
     char *path = aob_path_join(maker->folder, file);
     bool ok = view >= 0 && write_plane(image, path, error);
-    json_array_append_new(maker->images,
-                          json_pack("{s:s, s:i, s:s, s:O, s:O, s:s}", "name", name, "view", view, "technique",
-                                    text_of(record, "technique"), "params", json_object_get(record, "params"),
-                                    "options", json_object_get(record, "options"), "file", file));
+    json_array_append_new(maker->images, json_pack("{s:s, s:i, s:s, s:O, s:O, s:s}", "name", name, "view",
+                                                   view, "technique", aob_member_text(record, "technique"),
+                                                   "params", json_object_get(record, "params"), "options",
+                                                   json_object_get(record, "options"), "file", file));
     if (!json_object_get(maker->document, "made_on"))
         json_object_set(maker->document, "made_on", json_object_get(record, "fingerprint"));
     free(path);
@@ -158,22 +154,22 @@ static bool add_image(struct maker *maker, const json_t *record, const struct ao
 static bool is_of_software(const json_t *record, struct aob_error *error)
 {
     const json_t *fingerprint = json_object_get(record, "fingerprint");
-    return strcmp(text_of(fingerprint, "class"), "cpu") == 0 ||
+    return strcmp(aob_member_text(fingerprint, "class"), "cpu") == 0 ||
            aob_fail(error,
                     "%s was drawn by %s: the images must be of a software driver: run with --device llvmpipe",
-                    text_of(record, "technique"), text_of(fingerprint, "device"));
+                    aob_member_text(record, "technique"), aob_member_text(fingerprint, "device"));
 }
 
 static bool add_record(struct maker *maker, const char *run, const json_t *record, bool timed,
                        struct aob_error *error)
 {
     struct aob_image image = {0};
-    if (strcmp(text_of(record, "status"), "ok") != 0)
-        return aob_fail(error, "%s is %s: %s", text_of(record, "technique"), text_of(record, "status"),
-                        text_of(record, "reason"));
+    if (strcmp(aob_member_text(record, "status"), "ok") != 0)
+        return aob_fail(error, "%s is %s: %s", aob_member_text(record, "technique"),
+                        aob_member_text(record, "status"), aob_member_text(record, "reason"));
     if (!is_of_software(record, error))
         return false;
-    char *path = aob_path_join(run, text_of(record, "image"));
+    char *path = aob_path_join(run, aob_member_text(record, "image"));
     bool ok = aob_image_read(&image, path, error);
     free(path);
     if (ok && timed)

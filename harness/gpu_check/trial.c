@@ -2,16 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/memory.h"
+#include "timing/sides.h"
 #include "timing/summary.h"
 #include "timing/timing.h"
-
-enum { WHOLE = -1 }; /* in place of a pass */
-
-static double ms_of(const struct aob_round *round, size_t slot, int pass)
-{
-    const struct aob_slot *s = &round->slots[slot];
-    return pass == WHOLE ? aob_slot_ms(s, round->clock) : aob_slot_pass_ms(s, (size_t)pass, round->clock);
-}
 
 static struct aob_trial_time time_of(const struct aob_round_list *rounds, size_t slot, int pass)
 {
@@ -19,7 +12,7 @@ static struct aob_trial_time time_of(const struct aob_round_list *rounds, size_t
     double *ms = AOB_NEW_ARRAY(double, rounds->count);
     size_t used = 0;
     for (size_t r = 0; r < rounds->count; r++) {
-        ms[used] = ms_of(&rounds->items[r], slot, pass);
+        ms[used] = aob_sides_ms(&rounds->items[r], slot, pass, rounds->items[r].clock);
         used += isnan(ms[used]) ? 0 : 1;
     }
     if (used)
@@ -35,8 +28,8 @@ static double share_of(const struct aob_round *round)
 {
     double sum = 0;
     for (size_t p = 0; p < round->slots[AOB_SLOT_CASES].pass_count; p++)
-        sum += ms_of(round, AOB_SLOT_CASES, (int)p);
-    return sum / ms_of(round, AOB_SLOT_CASES, WHOLE);
+        sum += aob_sides_ms(round, AOB_SLOT_CASES, (int)p, round->clock);
+    return sum / aob_sides_ms(round, AOB_SLOT_CASES, AOB_SIDES_WHOLE, round->clock);
 }
 
 static double median_share(const struct aob_round_list *rounds)
@@ -58,8 +51,8 @@ static void summarise(const struct aob_round_list *rounds, struct aob_trial *tri
     const struct aob_slot *slot = &rounds->items[0].slots[AOB_SLOT_CASES];
     *trial = (struct aob_trial){.rounds = rounds->count,
                                 .frames = slot->frames,
-                                .whole = time_of(rounds, AOB_SLOT_CASES, WHOLE),
-                                .fixed = time_of(rounds, AOB_SLOT_FIXED, WHOLE),
+                                .whole = time_of(rounds, AOB_SLOT_CASES, AOB_SIDES_WHOLE),
+                                .fixed = time_of(rounds, AOB_SLOT_FIXED, AOB_SIDES_WHOLE),
                                 .passes_share = median_share(rounds),
                                 .to_fixed = aob_rounds_ratio(rounds, AOB_SLOT_CASES),
                                 .control = aob_rounds_ratio(rounds, AOB_SLOT_CONTROL)};

@@ -1,16 +1,11 @@
 #include "again.h"
 #include <stdlib.h>
 #include <string.h>
+#include "base/member.h"
 #include "base/memory.h"
 #include "base/table.h"
 #include "base/text.h"
 #include "plan/twins.h"
-
-static const char *text_of(const json_t *record, const char *name)
-{
-    const char *text = json_string_value(json_object_get(record, name));
-    return text ? text : "";
-}
 
 static size_t count_of_scene(const json_t *records, const char *scene)
 {
@@ -18,7 +13,7 @@ static size_t count_of_scene(const json_t *records, const char *scene)
     json_t *record;
     json_array_foreach((json_t *)(uintptr_t)records, at, record)
     {
-        count += strcmp(text_of(record, "scene"), scene) == 0;
+        count += strcmp(aob_member_text(record, "scene"), scene) == 0;
     }
     return count;
 }
@@ -52,7 +47,7 @@ bool aob_run_again_read(const struct aob_run_again *again, const char *copy, str
 static bool has_scene(const struct aob_plan *plan, const json_t *record)
 {
     for (size_t i = 0; i < plan->scene_count; i++)
-        if (strcmp(plan->scenes[i].name, text_of(record, "scene")) == 0)
+        if (strcmp(plan->scenes[i].name, aob_member_text(record, "scene")) == 0)
             return true;
     return false;
 }
@@ -62,10 +57,10 @@ static bool has_like(const struct aob_plan *plan, const json_t *record)
 {
     for (size_t i = 0; i < plan->case_count; i++) {
         const struct aob_case *c = &plan->cases[i];
-        if (strcmp(c->scene->name, text_of(record, "scene")) == 0 &&
-            strcmp(c->scene->view, text_of(record, "view")) == 0 &&
-            strcmp(c->technique->name, text_of(record, "technique")) == 0 &&
-            strcmp(c->backend, text_of(record, "backend")) == 0 &&
+        if (strcmp(c->scene->name, aob_member_text(record, "scene")) == 0 &&
+            strcmp(c->scene->view, aob_member_text(record, "view")) == 0 &&
+            strcmp(c->technique->name, aob_member_text(record, "technique")) == 0 &&
+            strcmp(c->backend, aob_member_text(record, "backend")) == 0 &&
             c->width == json_integer_value(json_object_get(record, "width")) &&
             c->height == json_integer_value(json_object_get(record, "height")))
             return true;
@@ -78,9 +73,9 @@ static void warn_of_record(const struct aob_plan *plan, const json_t *record)
 {
     if (!has_scene(plan, record))
         return;
-    aob_warn("%s/%s %s %s %dx%d is not measured again: %s", text_of(record, "scene"), text_of(record, "view"),
-             text_of(record, "technique"), text_of(record, "backend"),
-             (int)json_integer_value(json_object_get(record, "width")),
+    aob_warn("%s/%s %s %s %dx%d is not measured again: %s", aob_member_text(record, "scene"),
+             aob_member_text(record, "view"), aob_member_text(record, "technique"),
+             aob_member_text(record, "backend"), (int)json_integer_value(json_object_get(record, "width")),
              (int)json_integer_value(json_object_get(record, "height")),
              has_like(plan, record)
                  ? "the scene's file, or how this program reads and traces it, has changed since"
@@ -97,7 +92,7 @@ static size_t mark(const json_t *records, const struct aob_plan *plan, bool *kep
         aob_table_put(&keys, plan->cases[i].key, i);
     json_array_foreach((json_t *)(uintptr_t)records, at, record)
     {
-        if (!aob_table_find(&keys, text_of(record, "key"), &place)) {
+        if (!aob_table_find(&keys, aob_member_text(record, "key"), &place)) {
             warn_of_record(plan, record);
             continue;
         }

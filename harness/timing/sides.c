@@ -3,11 +3,10 @@
 #include <stdlib.h>
 #include "base/memory.h"
 
-static double cost_of(const struct aob_round *round, size_t slot, int pass)
+double aob_sides_ms(const struct aob_round *round, size_t slot, int pass, enum aob_clock clock)
 {
     const struct aob_slot *s = &round->slots[slot];
-    return pass == AOB_SIDES_WHOLE ? aob_slot_ms(s, round->clock)
-                                   : aob_slot_pass_ms(s, (size_t)pass, round->clock);
+    return pass == AOB_SIDES_WHOLE ? aob_slot_ms(s, clock) : aob_slot_pass_ms(s, (size_t)pass, clock);
 }
 
 void aob_sides_init(struct aob_sides *sides, const struct aob_round_list *rounds,
@@ -20,8 +19,8 @@ void aob_sides_init(struct aob_sides *sides, const struct aob_round_list *rounds
                                 .processes = AOB_NEW_ARRAY(struct aob_rounds, rounds->count)};
     for (size_t r = 0; r < rounds->count; r++) {
         const struct aob_round *round = &rounds->items[r];
-        sides->cost[kept] = cost_of(round, desc->slot, desc->pass);
-        sides->fixed[kept] = cost_of(round, desc->unit, AOB_SIDES_WHOLE);
+        sides->cost[kept] = aob_sides_ms(round, desc->slot, desc->pass, round->clock);
+        sides->fixed[kept] = aob_sides_ms(round, desc->unit, AOB_SIDES_WHOLE, round->clock);
         if (isnan(
                 sides->cost
                     [kept])) /* the clock does not know this pass: it is short, or one of many in a submit */

@@ -5,6 +5,10 @@
 #include "rounds.h"
 
 enum { AOB_SIDES_WHOLE = -1 }; /* in place of a pass */
+
+/* Milliseconds of a frame of the slot, or of one of its passes, by one clock; NAN where that does not know the pass. */
+double aob_sides_ms(const struct aob_round *round, size_t slot, int pass, enum aob_clock clock);
+
 struct aob_sides_desc {
     size_t slot, unit; /* whose cost, and what it is measured in */
     int pass;          /* of the slot; AOB_SIDES_WHOLE: its frame */

@@ -5,12 +5,6 @@
 #include "estimate.h"
 #include "sides.h"
 
-static double cost(const struct aob_round *round, size_t slot, int pass, enum aob_clock clock)
-{
-    const struct aob_slot *s = &round->slots[slot];
-    return pass == AOB_SIDES_WHOLE ? aob_slot_ms(s, clock) : aob_slot_pass_ms(s, (size_t)pass, clock);
-}
-
 static bool begins_process(const struct aob_round_list *rounds, size_t r)
 {
     return r == 0 || rounds->items[r].process != rounds->items[r - 1].process;
@@ -42,7 +36,7 @@ static double median_ms(const struct aob_round_list *rounds, size_t slot, int pa
     double *ms = AOB_NEW_ARRAY(double, rounds->count);
     size_t used = 0;
     for (size_t r = 0; r < rounds->count; r++) {
-        double value = cost(&rounds->items[r], slot, pass, clock);
+        double value = aob_sides_ms(&rounds->items[r], slot, pass, clock);
         bool counts = clock != AOB_CLOCK_WALL || aob_slot_is_clean(&rounds->items[r].slots[slot]);
         if (counts && !isnan(value))
             ms[used++] = value;

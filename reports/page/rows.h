@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include "base/error.h"
-#include "member.h"
+#include "base/member.h"
 #include "store/metric.h"
 #include "target.h"
 

@@ -55,13 +55,15 @@ check "twice the work is SLOWER" jq -e 'all(.cases[]; .verdict == "SLOWER" and .
 "$program" compare "$modules/loop100.so" "$modules/loop_again.so" --config real.yaml --precision 25% --seconds 2 \
   --out again --json again.json --quiet || [ $? -eq 3 ]
 check "the same code is SAME or AMBIGUOUS" jq -e 'all(.cases[]; .verdict == "SAME" or .verdict == "AMBIGUOUS")' again.json
-mkdir -p moved/maps && touch moved/maps/0007-old-front-loop.png moved/maps/mine.png moved/maps/2024-mine
+mkdir -p moved/maps && touch moved/maps/{0007-old-front-loop,2024-site,mine}.png moved/mine.png
+printf 'maps/0007-old-front-loop\nmine\nmaps/../mine\n' >moved/maps/files.txt
 code 1 "$program" compare "$modules/loop16.so" "$modules/loop_moved.so" --config real.yaml --precision 25% --seconds 1 \
   --out moved --json moved.json
 check "another image is MOVED, by what it was darkened" jq -e 'all(.cases[]; .verdict == "MOVED" and .image.moved
   and .image.max > 0.0499 and .image.max < 0.0501 and .image.share == 1 and .error != "unknown")' moved.json
 check "with its map" test -s "moved/$(jq -r '.cases[0].image.map' moved.json).png"
-check "and none of an earlier comparison, but a user's own" test "$(cd moved/maps && ls | grep -v spheres | grep -v corner | tr '\n' ' ')" = "2024-mine mine.png plane.svg "
+check "and none of an earlier comparison, but a user's own" test "$(cd moved/maps && ls | grep -v spheres | grep -v corner | tr '\n' ' ')" = "2024-site.png files.txt mine.png plane.svg "
+check "nor is what others wrote into its list followed" test -e moved/mine.png
 check "for ParaView too" test -s "moved/$(jq -r '.cases[0].image.map' moved.json).vti"
 check "and its place on the plane of cost and error, darker at about the cost" jq -e 'all(.cases[]; .interval.ratio as $r |
   .plane.a[0] > 0 and (.plane.b[0] / .plane.a[0] / $r - 1 | fabs) < 1e-6 and .plane.a[1] < .rmse_a and .plane.b[1] != .plane.a[1])' moved.json

@@ -1,18 +1,12 @@
-#include "stored.h"
+#include "old_module.h"
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
 #include "base/hash.h"
-#include "base/json.h"
+#include "base/member.h"
 #include "base/memory.h"
 #include "config/config.h"
 #include "store/journal.h"
-
-static const char *text_of(const json_t *object, const char *name)
-{
-    const char *text = json_string_value(json_object_get(object, name));
-    return text ? text : "";
-}
 
 static bool is_wanted(const struct aob_compare_desc *desc, const struct aob_technique_list *list,
                       const char *name)
@@ -31,26 +25,26 @@ static const json_t *find_technique(const json_t *info, const struct aob_compare
     size_t at;
     json_array_foreach(json_object_get(info, "techniques"), at, entry)
     {
-        if (*text_of(entry, "module") && *text_of(entry, "digest") &&
-            is_wanted(desc, list, text_of(entry, "name")))
+        if (*aob_member_text(entry, "module") && *aob_member_text(entry, "digest") &&
+            is_wanted(desc, list, aob_member_text(entry, "name")))
             return entry;
     }
     return NULL;
 }
 
 /* A run of an older program has no copy; of one whose bytes are others nothing is believed. */
-static bool find_config(struct aob_stored *stored, const char *run, const json_t *info,
+static bool find_config(struct aob_old_module *stored, const char *run, const json_t *info,
                         struct aob_error *error)
 {
     char hash[AOB_KEY_SIZE], *copy = aob_path_join(run, "run.config.yaml");
-    bool there = *text_of(info, "config") && aob_file_exists(copy);
+    bool there = *aob_member_text(info, "config") && aob_file_exists(copy);
     bool ok = there && aob_hash_file(copy, hash, error);
     if (!there)
         aob_fail(error, "%s has no copy of its config, run.config.yaml", run);
-    else if (ok && strcmp(hash, text_of(info, "config_hash")) != 0)
+    else if (ok && strcmp(hash, aob_member_text(info, "config_hash")) != 0)
         ok = aob_fail(error, "%s is not the config that the run was measured with", copy);
     if (ok) {
-        stored->place = aob_strdup(text_of(info, "config"));
+        stored->place = aob_strdup(aob_member_text(info, "config"));
         stored->copy = copy;
         return true;
     }
@@ -58,7 +52,7 @@ static bool find_config(struct aob_stored *stored, const char *run, const json_t
     return false;
 }
 
-static void find_file(struct aob_stored *stored)
+static void find_file(struct aob_old_module *stored)
 {
     struct aob_config config = {0};
     if (stored->copy && aob_config_read_copy(&config, stored->copy, stored->place, NULL))
@@ -70,7 +64,7 @@ static void find_file(struct aob_stored *stored)
     aob_config_finish(&config);
 }
 
-static bool check_file(const struct aob_stored *stored, const char *run, const char *digest,
+static bool check_file(const struct aob_old_module *stored, const char *run, const char *digest,
                        struct aob_error *error)
 {
     char now[AOB_KEY_SIZE];
@@ -82,7 +76,7 @@ static bool check_file(const struct aob_stored *stored, const char *run, const c
 }
 
 /* A journal may also hold cases of an earlier state of the module, which the run does not have any more. */
-static bool read_records(struct aob_stored *stored, const struct aob_compare_desc *desc,
+static bool read_records(struct aob_old_module *stored, const struct aob_compare_desc *desc,
                          const struct aob_technique_list *list, const json_t *info, struct aob_error *error)
 {
     char *path = aob_path_join(desc->sides[0], "journal.jsonl");
@@ -95,8 +89,9 @@ static bool read_records(struct aob_stored *stored, const struct aob_compare_des
     stored->records = json_array();
     json_array_foreach(all, at, item)
     {
-        if (strcmp(text_of(item, "module"), stored->name) == 0 &&
-            is_wanted(desc, list, text_of(item, "technique")) && json_object_get(keys, text_of(item, "key")))
+        if (strcmp(aob_member_text(item, "module"), stored->name) == 0 &&
+            is_wanted(desc, list, aob_member_text(item, "technique")) &&
+            json_object_get(keys, aob_member_text(item, "key")))
             json_array_append(stored->records, item);
     }
     bool ok = all && (json_array_size(stored->records) ||
@@ -107,7 +102,7 @@ static bool read_records(struct aob_stored *stored, const struct aob_compare_des
     return ok;
 }
 
-static bool find(struct aob_stored *stored, const struct aob_compare_desc *desc,
+static bool find(struct aob_old_module *stored, const struct aob_compare_desc *desc,
                  const struct aob_technique_list *list, const json_t *info, struct aob_error *error)
 {
     const json_t *technique = find_technique(info, desc, list);
@@ -117,15 +112,16 @@ static bool find(struct aob_stored *stored, const struct aob_compare_desc *desc,
             error,
             "%s has no technique of %s that came from a module: measure both builds, compare A.so B.so",
             desc->sides[0], desc->sides[1]);
-    stored->name = aob_strdup(text_of(technique, "module"));
+    stored->name = aob_strdup(aob_member_text(technique, "module"));
     if (!find_config(stored, desc->sides[0], info, &cause) && !desc->config)
         return aob_fail(error, "%s: name the cases with --config FILE", cause.text);
     find_file(stored);
-    return check_file(stored, desc->sides[0], text_of(technique, "digest"), error) &&
+    return check_file(stored, desc->sides[0], aob_member_text(technique, "digest"), error) &&
            read_records(stored, desc, list, info, error);
 }
 
-bool aob_stored_find(struct aob_stored *stored, const struct aob_compare_desc *desc, struct aob_error *error)
+bool aob_old_module_find(struct aob_old_module *stored, const struct aob_compare_desc *desc,
+                         struct aob_error *error)
 {
     const struct aob_modules modules = {&desc->sides[1], &desc->sides[1], 1, 0};
     struct aob_technique_list list;
@@ -142,12 +138,12 @@ bool aob_stored_find(struct aob_stored *stored, const struct aob_compare_desc *d
     return ok;
 }
 
-void aob_stored_finish(struct aob_stored *stored)
+void aob_old_module_finish(struct aob_old_module *stored)
 {
     free(stored->name);
     free(stored->file);
     free(stored->place);
     free(stored->copy);
     json_decref(stored->records);
-    *stored = (struct aob_stored){0};
+    *stored = (struct aob_old_module){0};
 }

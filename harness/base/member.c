@@ -1,7 +1,7 @@
 #include "member.h"
-#include "base/json.h"
-#include "base/memory.h"
-#include "base/text.h"
+#include "json.h"
+#include "memory.h"
+#include "text.h"
 
 const char *aob_member_text(const json_t *object, const char *name)
 {

@@ -1,6 +1,6 @@
 /* Members of a journal's objects, which may be absent or of another type. */
-#ifndef AOB_REPORTS_PAGE_MEMBER_H
-#define AOB_REPORTS_PAGE_MEMBER_H
+#ifndef AOB_BASE_MEMBER_H
+#define AOB_BASE_MEMBER_H
 #include <jansson.h>
 
 /* The member, or "" / NaN. `object` may be NULL. */
