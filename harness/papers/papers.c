@@ -7,62 +7,49 @@
 #include "base/memory.h"
 #include "base/output.h"
 #include "base/text.h"
-#include "config/config.h"
+#include "cell.h"
+#include "modelled_table.h"
 #include "row.h"
-#include "run/run.h"
-#include "store/journal.h"
+#include "runs.h"
 
 enum { AOB_PAPERS_RUNS = 3 }; /* of a config, at most */
 
 struct papers {
     const struct aob_papers_desc *desc;
-    char *configs, *out;
+    char *out;
+    struct aob_paper_runs runs;
     struct aob_text table; /* as Markdown */
-    json_t *rows, *ran;    /* ran: config -> its records, or why it failed */
-    json_t *fingerprint;   /* of the first case on a device; NULL until then */
+    json_t *rows;
+    json_t *fingerprint; /* of the first case on a device; NULL until then */
     size_t failed;
 };
 
-static bool wanted(const struct papers *papers, const struct aob_paper_row *row)
+static bool is_wanted(const struct papers *papers, const char *name)
 {
-    return !papers->desc->filter || strstr(row->name, papers->desc->filter);
+    return !papers->desc->filter || strstr(name, papers->desc->filter);
 }
 
-static char *config_path(const struct papers *papers, const char *name)
+/* Counts what the filter leaves of a table whose rows have a name and a config. */
+static bool check_row(const struct papers *papers, const char *name, const char *config, size_t *count,
+                      struct aob_error *error)
 {
-    struct aob_text text = {0};
-    aob_text_add(&text, "%s/%s.yaml", papers->configs, name);
-    return text.data;
-}
-
-static void find_configs(struct papers *papers)
-{
-    char *program = aob_path_program_folder();
-    papers->configs = aob_path_join(program, "../share/aobudget/papers");
-    if (!aob_file_exists(papers->configs)) {
-        free(papers->configs);
-        papers->configs = aob_path_join(program, "../../configs/papers");
-    }
-    free(program);
+    if (!is_wanted(papers, name))
+        return true;
+    ++*count;
+    return aob_paper_runs_have(&papers->runs, config, name, error);
 }
 
 static bool check_rows(const struct papers *papers, struct aob_error *error)
 {
     size_t count = 0;
-    bool ok = true;
-    for (const struct aob_paper_row *row = aob_paper_rows; row->name && ok; row++) {
-        if (!wanted(papers, row))
-            continue;
-        count++;
-        char *path = row->config ? config_path(papers, row->config) : NULL;
-        if (path && !aob_file_exists(path))
-            ok =
-                aob_fail(error, "%s: not found; row %s needs it: install the program whole", path, row->name);
-        free(path);
-    }
-    return ok &&
-           (count || aob_fail(error, "papers: no row's name holds '%s'; without --filter all are printed",
-                              papers->desc->filter));
+    for (const struct aob_paper_row *row = aob_paper_rows; row->name; row++)
+        if (!check_row(papers, row->name, row->config, &count, error))
+            return false;
+    for (const struct aob_modelled_row *row = aob_modelled_rows; row->name; row++)
+        if (!check_row(papers, row->name, row->config, &count, error))
+            return false;
+    return count || aob_fail(error, "papers: no row's name holds '%s'; without --filter all are printed",
+                             papers->desc->filter);
 }
 
 static bool check_modules(const struct papers *papers, struct aob_error *error)
@@ -72,43 +59,6 @@ static bool check_modules(const struct papers *papers, struct aob_error *error)
     if (ok)
         aob_technique_list_finish(&list);
     return ok;
-}
-
-/* What a config asks for, doubled with each run of it: twice the time, half the width of its intervals. */
-static bool ask(const struct papers *papers, const char *path, int patience, struct aob_run_desc *desc,
-                struct aob_error *error)
-{
-    struct aob_config config;
-    if (!aob_config_read(&config, path, error))
-        return false;
-    desc->seconds = (papers->desc->quick ? 0.1 : config.seconds) * exp2(patience);
-    desc->precision = config.precision * exp2(-patience);
-    aob_config_finish(&config);
-    return true;
-}
-
-/* NULL after one line. Cases that are not ok are the rows' concern. */
-static json_t *run_once(struct papers *papers, const char *name, const char *folder, int patience,
-                        struct aob_error *error)
-{
-    bool quick = papers->desc->quick;
-    char *path = config_path(papers, name), *journal = aob_path_join(folder, "journal.jsonl");
-    struct aob_run_desc desc = {.dispatch = papers->desc->dispatch,
-                                .config = path,
-                                .out = folder,
-                                .fresh = true,
-                                .quiet = true,
-                                .no_page = true,
-                                .max_width = quick ? 80 : 0,
-                                .max_spp = quick ? 64 : 0};
-    if (!papers->desc->quiet)
-        aob_note("papers: running %s%s", name, patience ? " again, for longer" : "");
-    if (ask(papers, path, patience, &desc, error))
-        aob_run(&desc, error);
-    json_t *records = *error->text ? NULL : aob_journal_read(journal, NULL, error);
-    free(journal);
-    free(path);
-    return records;
 }
 
 static bool measure_row(const struct aob_paper_run *run, struct aob_paper_outcome *outcome,
@@ -127,7 +77,7 @@ static bool is_open(const struct papers *papers, const char *name, const struct 
     bool open = false;
     for (const struct aob_paper_row *row = aob_paper_rows; row->name; row++) {
         struct aob_paper_outcome outcome = {.row = row, .run = run};
-        if (wanted(papers, row) && row->config && !row->open && strcmp(row->config, name) == 0 &&
+        if (is_wanted(papers, row->name) && row->config && !row->open && strcmp(row->config, name) == 0 &&
             measure_row(run, &outcome, NULL))
             open = open || aob_paper_judge(row, &outcome.result) == AOB_PAPER_NOT_JUDGED;
     }
@@ -135,17 +85,15 @@ static bool is_open(const struct papers *papers, const char *name, const struct 
 }
 
 /* Once a config: its rows share the last of its runs. What the journal of that holds, or the text of what went wrong. */
-static json_t *run_config(struct papers *papers, const char *name, const char *folder)
+static const json_t *run_config(struct papers *papers, const char *name, const char *folder)
 {
-    json_t *records = json_object_get(papers->ran, name);
-    int runs = papers->desc->quick ? 1 : AOB_PAPERS_RUNS;
-    for (int patience = 0; !records && patience < runs; patience++) {
-        struct aob_error error = {{0}};
-        json_t *found = run_once(papers, name, folder, patience, &error);
-        const struct aob_paper_run run = {found, folder};
-        json_object_set_new(papers->ran, name, found ? found : json_string(error.text));
-        if (!found || patience == runs - 1 || !is_open(papers, name, &run))
-            records = json_object_get(papers->ran, name);
+    const json_t *records = json_object_get(papers->runs.ran, name);
+    const int runs = records ? 0 : papers->desc->quick ? 1 : AOB_PAPERS_RUNS;
+    for (int patience = 0; patience < runs; patience++) {
+        records = aob_paper_runs_run(&papers->runs, name, patience);
+        const struct aob_paper_run run = {records, folder};
+        if (json_is_string(records) || !is_open(papers, name, &run))
+            break;
     }
     return records;
 }
@@ -162,7 +110,7 @@ static enum aob_paper_verdict judge_row(struct papers *papers, struct aob_paper_
                                         struct aob_text *reason)
 {
     struct aob_error error = {{0}};
-    char *folder = aob_path_join(papers->out, outcome->row->config ? outcome->row->config : "");
+    char *folder = aob_paper_runs_folder(&papers->runs, outcome->row->config ? outcome->row->config : "");
     const json_t *records = outcome->row->config ? run_config(papers, outcome->row->config, folder) : NULL;
     struct aob_paper_run run = {records, folder};
     outcome->run = &run;
@@ -209,15 +157,6 @@ static json_t *intervals_to_json(const struct aob_paper_figure *figures, size_t 
     return array;
 }
 
-/* A cell of the table; a reason may be any text. */
-static void add_cell(struct aob_text *table, const char *text)
-{
-    aob_text_add(table, " ");
-    for (; *text; text++)
-        aob_text_add(table, *text == '|' ? "\\|" : "%c", *text == '\n' ? ' ' : *text);
-    aob_text_add(table, " |");
-}
-
 static json_t *row_to_json(const struct aob_paper_outcome *outcome, size_t count, const char *verdict,
                            const char *reason)
 {
@@ -245,7 +184,7 @@ static void add_row(struct papers *papers, const struct aob_paper_row *row)
         aob_paper_figure_print(outcome.result.measured[i], table);
     }
     aob_text_add(table, " | %s | %s |", row->setup ? row->setup : "", aob_paper_verdicts[verdict]);
-    add_cell(table, reason.data ? reason.data : "");
+    aob_paper_cell(table, reason.data ? reason.data : "");
     aob_text_add(table, "\n");
     json_array_append_new(papers->rows, row_to_json(&outcome, count, aob_paper_verdicts[verdict],
                                                     reason.data ? reason.data : ""));
@@ -266,8 +205,7 @@ static const char words[] =
     "- *not reproduced*: neither. The last column gives a reason where a measured figure shows it.\n"
     "- *not judged*: an interval still holds a bar after the last run, or the text leaves open what a "
     "verdict would\n"
-    "  depend on.\n"
-    "- *needs a device model*: nothing is measured, since it is about the text's device.\n\n"
+    "  depend on.\n\n"
     "The 25 % are ours and the same for all rows. The text's own devices do not agree better: in the figures "
     "that are\n"
     "taken from HBAO's table its three devices differ from each other by 7 to 50 %. Where a text says\n"
@@ -276,7 +214,8 @@ static const char words[] =
     "image of 8 bits; that bar is ours as well.\n";
 
 /* Whose times they are, what the words mean, the table. */
-static void write_page(const struct papers *papers, struct aob_text *page)
+static void write_page(const struct papers *papers, const struct aob_modelled_table *modelled,
+                       struct aob_text *page)
 {
     const json_t *machine = papers->fingerprint;
     aob_text_add(page, "# The texts' figures, measured again\n\nWritten by `aobudget papers%s`.",
@@ -287,15 +226,20 @@ static void write_page(const struct papers *papers, struct aob_text *page)
                      (int)json_integer_value(json_object_get(machine, "cores")),
                      json_string_value(json_object_get(machine, "backend")),
                      json_string_value(json_object_get(machine, "driver")));
-    aob_text_add(page, "%s\n%s", words, papers->table.data);
+    aob_text_add(page, "%s", words);
+    if (json_array_size(papers->rows))
+        aob_text_add(page, "\n%s", papers->table.data);
+    if (modelled->text.size)
+        aob_text_add(page, "%s", modelled->text.data);
 }
 
-static bool write_all(const struct papers *papers, struct aob_error *error)
+static bool write_all(const struct papers *papers, const struct aob_modelled_table *modelled,
+                      struct aob_error *error)
 {
     const struct aob_papers_desc *desc = papers->desc;
     char *path = aob_path_join(papers->out, "papers.md");
     struct aob_text page = {0};
-    write_page(papers, &page);
+    write_page(papers, modelled, &page);
     bool ok = aob_file_write(path, page.data, page.size, error);
     free(path);
     if (ok && !desc->quiet && !(desc->json && strcmp(desc->json, "-") == 0))
@@ -303,34 +247,42 @@ static bool write_all(const struct papers *papers, struct aob_error *error)
     aob_text_finish(&page);
     if (!ok || !desc->json)
         return ok;
-    json_t *document = json_pack("{s:b, s:O?, s:O}", "quick", desc->quick, "fingerprint", papers->fingerprint,
-                                 "rows", papers->rows);
+    json_t *document = json_pack("{s:b, s:O?, s:O, s:O}", "quick", desc->quick, "fingerprint",
+                                 papers->fingerprint, "rows", papers->rows, "modelled", modelled->document);
     ok = aob_json_write(document, desc->json, error);
     json_decref(document);
     return ok;
 }
 
+/* The table's rows, then the modelled ones. */
+static bool measure_all(struct papers *papers, struct aob_error *error)
+{
+    struct aob_modelled_table modelled;
+    for (const struct aob_paper_row *row = aob_paper_rows; row->name; row++)
+        if (is_wanted(papers, row->name))
+            add_row(papers, row);
+    aob_modelled_table_init(&modelled, &papers->runs, papers->desc->filter);
+    papers->failed += modelled.failed;
+    bool ok = write_all(papers, &modelled, error);
+    aob_modelled_table_finish(&modelled);
+    return ok;
+}
+
 enum aob_exit aob_papers(const struct aob_papers_desc *desc, struct aob_error *error)
 {
-    struct papers papers = {.desc = desc,
-                            .out = aob_strdup(desc->out ? desc->out : "results/papers"),
-                            .rows = json_array(),
-                            .ran = json_object()};
-    find_configs(&papers);
+    struct papers papers = {
+        .desc = desc, .out = aob_strdup(desc->out ? desc->out : "results/papers"), .rows = json_array()};
+    aob_paper_runs_init(&papers.runs, desc, papers.out);
     aob_text_add(&papers.table,
                  "| row | text and claim | figures of the text | measured | set-up | verdict | why not |\n"
                  "|---|---|---|---|---|---|---|\n");
     bool ok = check_rows(&papers, error) && check_modules(&papers, error) &&
-              aob_folder_create(papers.out, error) && aob_json_check(desc->json, error);
-    for (const struct aob_paper_row *row = aob_paper_rows; row->name && ok; row++)
-        if (wanted(&papers, row))
-            add_row(&papers, row);
-    ok = ok && write_all(&papers, error);
+              aob_folder_create(papers.out, error) && aob_json_check(desc->json, error) &&
+              measure_all(&papers, error);
     json_decref(papers.rows);
-    json_decref(papers.ran);
     json_decref(papers.fingerprint);
     aob_text_finish(&papers.table);
-    free(papers.configs);
+    aob_paper_runs_finish(&papers.runs);
     free(papers.out);
     return !ok ? AOB_EXIT_USAGE : papers.failed ? AOB_EXIT_PART : AOB_EXIT_OK;
 }

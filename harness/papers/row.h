@@ -15,7 +15,6 @@ enum aob_paper_verdict {
     AOB_PAPER_SHAPE,
     AOB_PAPER_NOT_REPRODUCED,
     AOB_PAPER_NOT_JUDGED,
-    AOB_PAPER_NEEDS_MODEL,
     AOB_PAPER_NOT_RUN,
 };
 extern const char *const aob_paper_verdicts[]; /* their words */
@@ -45,7 +44,6 @@ struct aob_paper_row {
     /* Why there is no verdict: what the text leaves open that it would depend on, or why nothing is run. NULL: there is
      * one. */
     const char *open;
-    bool model; /* of a row that is not run: it is about the text's device */
     bool (*measure)(const struct aob_paper_run *run, struct aob_paper_result *result,
                     struct aob_error *error);
     /* Adds why the row is not reproduced if what was measured shows it, with the figure that does; else nothing. Called

@@ -1,7 +1,7 @@
 #include "row.h"
 
-const char *const aob_paper_verdicts[] = {"reproduced", "shape only",           "not reproduced",
-                                          "not judged", "needs a device model", "could not be run"};
+const char *const aob_paper_verdicts[] = {"reproduced", "shape only", "not reproduced", "not judged",
+                                          "could not be run"};
 
 static const double least = 0.75, most = 1.25; /* of the text's figure */
 
@@ -47,8 +47,6 @@ static enum aob_paper_verdict decide(enum aob_paper_answer holds, enum aob_paper
 
 enum aob_paper_verdict aob_paper_judge(const struct aob_paper_row *row, const struct aob_paper_result *result)
 {
-    if (row->model)
-        return AOB_PAPER_NEEDS_MODEL;
     if (row->open)
         return AOB_PAPER_NOT_JUDGED;
     if (row->figures[0] == 0)

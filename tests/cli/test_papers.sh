@@ -14,19 +14,19 @@ check "an interval has some width where there are times, and none where there ar
 check "a reason where one is owed" jq -e 'all(.rows[]; (.reason == "") == (.verdict == "reproduced"))' "$folder/a.json"
 names() { sed -n 's/^| \([a-z0-9]*-[a-z0-9-]*\) | .*/\1/p' "$1"; }
 check "docs/papers.md has these rows" diff <(names "$folder/out/papers.md") <(names "$root/docs/papers.md")
-check "rows without a run" "$program" papers --quiet --filter devices --out "$folder/out" --json "$folder/b.json"
-check "their verdict" jq -e 'all(.rows[]; .verdict == "needs a device model" and .reason != "")' "$folder/b.json"
-check "the table" grep -q "hbao-devices" "$folder/out/papers.md"
+check "rows without a run" "$program" papers --quiet --filter words --out "$folder/out" --json "$folder/b.json"
+check "their verdict" jq -e 'all(.rows[]; .verdict == "not judged" and .reason != "")' "$folder/b.json"
+check "the table" grep -q "alchemy-words" "$folder/out/papers.md"
 mkfifo "$folder/pipe"
 cat "$folder/pipe" >"$folder/read.json" &
-check "a pipe for the document" timeout 60 "$program" papers --quiet --filter devices --out "$folder/out" --json "$folder/pipe"
+check "a pipe for the document" timeout 60 "$program" papers --quiet --filter words --out "$folder/out" --json "$folder/pipe"
 wait
-check "which holds it whole" jq -e '.rows | length == 2' "$folder/read.json"
+check "which holds it whole" jq -e '.rows | length == 1' "$folder/read.json"
 expect 2 "no row's name holds 'nothing'" "$program" papers --filter nothing --out "$folder/out"
-expect 2 "nope.so: cannot open" "$program" papers --filter devices --module "$folder/nope.so" --out "$folder/out"
+expect 2 "nope.so: cannot open" "$program" papers --filter words --module "$folder/nope.so" --out "$folder/out"
 expect 2 "gone/x.json: cannot write" "$program" papers --out "$folder/out" --json "$folder/gone/x.json"
-expect 2 "cannot write: it is a folder" "$program" papers --filter devices --out "$folder/out" --json "$folder"
-expect 2 "a folder's name is empty" "$program" papers --filter devices --out ""
+expect 2 "cannot write: it is a folder" "$program" papers --filter words --out "$folder/out" --json "$folder"
+expect 2 "a folder's name is empty" "$program" papers --filter words --out ""
 
 mkdir -p "$folder/moved/bin" "$folder/moved/share/aobudget/papers"
 cp "$program" "$folder/moved/bin/aobudget"
