@@ -3,7 +3,7 @@
 #define AOB_PROFILE_OPERATIONS_H
 
 struct aob_operations {
-    double alu;     /* scalar slots at the full rate: one component of an addition, multiplication, comparison */
+    double alu; /* scalar slots at the full rate: one component of an addition, multiplication, comparison */
     double special; /* scalar ones of the unit for reciprocals, roots, powers, logarithms and sines */
     double image;   /* samples, fetches, reads and gathers: one each, whatever they return */
 };
