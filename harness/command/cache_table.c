@@ -86,6 +86,30 @@ static void print_curve(const json_t *figures, struct aob_text *out)
     }
 }
 
+/* "1.90 ms (1.40 .. 3.00), limited by texture", the point and its band. */
+static void print_time(const char *what, const json_t *times, struct aob_text *out)
+{
+    char point[24], text[BAND];
+    show(point, number(times, "ms"));
+    band(text, number(times, "low_ms"), number(times, "high_ms"));
+    aob_text_add_line(out, "  %s: %s ms (%s), limited by %s", what, point, text,
+                      json_string_value(json_object_get(times, "limit")));
+}
+
+/* Of the frame, and of each pass where there are several. */
+static void print_modelled(const char *profile, const json_t *modelled, struct aob_text *out)
+{
+    const json_t *passes = json_object_get(modelled, "passes"), *pass;
+    size_t i;
+    struct aob_text what = {0};
+    aob_text_add(&what, "modelled on %s", profile);
+    print_time(what.data, json_object_get(modelled, "frame"), out);
+    aob_text_finish(&what);
+    if (json_array_size(passes) > 1)
+        json_array_foreach(passes, i, pass)
+            print_time(json_string_value(json_object_get(pass, "name")), pass, out);
+}
+
 void aob_cache_table_print(const char *profile, const json_t *figures, struct aob_text *out)
 {
     const json_t *frame = json_object_get(figures, "frame"), *level;
@@ -101,6 +125,8 @@ void aob_cache_table_print(const char *profile, const json_t *figures, struct ao
     aob_text_add_line(out, "  %-6s %-16s %-16s %-16s %-14s %-16s %s", "level", "misses, %", "fills a pixel",
                       "bytes a pixel", "compulsory, %", "capacity, %", "conflict, %");
     json_array_foreach(json_object_get(frame, "levels"), i, level) print_level(level, out);
+    if (json_is_object(json_object_get(figures, "modelled")))
+        print_modelled(profile, json_object_get(figures, "modelled"), out);
     if (json_object_get(frame, "curve")) {
         aob_text_add_line(out, "  fully associative first level of each size: misses, %%");
         print_curve(figures, out);

@@ -228,7 +228,7 @@ static void print_profile(const struct aob_profile *profile, struct aob_text *ou
     aob_text_add_line(out, "%s: %s", profile->name, profile->title);
     for (size_t i = 0; i < profile->fact_count; i++) {
         const struct aob_profile_fact *fact = &profile->facts[i];
-        aob_text_add_line(out, "    %-18s %-12s %-10s %s", fact->key, fact->value,
+        aob_text_add_line(out, "    %-20s %-12s %-10s %s", fact->key, fact->value,
                           fact->confirmed ? "confirmed" : "unverified", fact->source);
     }
 }

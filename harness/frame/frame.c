@@ -178,13 +178,13 @@ static bool create_program(struct aob_frame *frame, int index, struct aob_error 
     const struct aob_graph_pass *pass = &frame->graph.passes[index];
     const struct aob_prelude_desc desc = prelude_of(frame, index);
     struct aob_text fragment = {0}, vertex = {0};
-    struct aob_gpu *gpu = frame->screen->gpu;
     aob_prelude_write(&desc, &fragment);
     if (pass->draw == AOB_TRIANGLES)
         aob_prelude_write_vertex(&desc, &vertex);
-    frame->programs[index] = pass->draw == AOB_TRIANGLES
-                                 ? aob_gpu_program_create_geometry(gpu, vertex.data, fragment.data, error)
-                                 : aob_gpu_program_create(gpu, fragment.data, error);
+    const struct aob_gpu_program_desc program = {.vertex = vertex.data, /* NULL where there is none */
+                                                 .fragment = fragment.data,
+                                                 .rewrite = frame->rewrites ? &frame->rewrites[index] : NULL};
+    frame->programs[index] = aob_gpu_program_create_desc(frame->screen->gpu, &program, error);
     aob_text_finish(&fragment);
     aob_text_finish(&vertex);
     if (!frame->programs[index] && pass->draw == AOB_TRIANGLES)
@@ -213,8 +213,8 @@ static bool create_pass(struct aob_frame *frame, int index, struct aob_error *er
         .blend = triangles ? AOB_GPU_ADD : AOB_GPU_REPLACE,
         .uniforms = block,
         .uniform_size = aob_prelude_uniforms(&prelude, view, 0, block),
-        .storage = frame->trace,
-        .in_parts = frame->trace};
+        .storage = frame->storage,
+        .in_parts = frame->storage};
     aob_graph_divided(view->width, view->height, aob_graph_target_divisor(&frame->graph, pass), &desc.width,
                       &desc.height);
     frame->unfit = !aob_gpu_pass_fits(frame->screen->gpu, &desc, error);
@@ -235,7 +235,8 @@ bool aob_frame_init_desc(struct aob_frame *frame, const struct aob_screen *scree
                                 .fetch = desc->fetch,
                                 .readable = desc->readable,
                                 .planes = desc->planes,
-                                .trace = desc->trace};
+                                .rewrites = desc->rewrites,
+                                .storage = desc->storage};
     memcpy(frame->values, desc->values, technique->values_size);
     if (!aob_graph_build(&frame->graph, technique, desc->values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED,
                          error))

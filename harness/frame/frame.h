@@ -37,8 +37,9 @@ struct aob_frame {
     struct aob_gpu_pass *passes[AOB_MAX_PASS]; /* NULL where pruned */
     size_t memory_bytes;                       /* of the technique's own textures */
     bool readable;                             /* all textures can be read back, not outputs only */
-    struct aob_planes *planes;                 /* of a traced frame, or NULL, like the next */
-    const struct aob_gpu_buffer *trace;
+    struct aob_planes *planes;                 /* of a traced frame, or NULL, like the next two */
+    const struct aob_gpu_rewrite *rewrites;
+    const struct aob_gpu_buffer *storage;
     bool
         unfit; /* after a refusal: the scene is not for this technique, or too large, or the device lacks something that it
                    needs (unsupported) */
@@ -49,9 +50,12 @@ struct aob_frame_desc {
     const void *values; /* the technique's own struct */
     enum aob_fetch fetch;
     bool readable; /* as above */
-    /* For frame/trace.c: filled in, and outlives the frame; each pass writes what it reads to `trace`. */
+    /* For frame/trace.c and frame/count.c. Each pass can be drawn in parts, and writes down what it does in `storage`: what
+     * it reads, with `planes`, which are filled in and outlive the frame; or what its rewrite makes it write. There is a
+     * rewrite for each pass, by its index in the graph. */
     struct aob_planes *planes;
-    const struct aob_gpu_buffer *trace;
+    const struct aob_gpu_rewrite *rewrites;
+    const struct aob_gpu_buffer *storage;
 };
 bool aob_frame_init_desc(struct aob_frame *frame, const struct aob_screen *screen,
                          const struct aob_frame_desc *desc, struct aob_error *error);

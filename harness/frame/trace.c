@@ -4,14 +4,6 @@
 #include "base/memory.h"
 #include "trace_draw.h"
 
-/* Why there can be no trace on this device, or NULL. */
-static const char *device_lacks(const struct aob_gpu_info *info)
-{
-    return info->draws_nothing    ? "draws nothing, so nothing is read"
-           : !info->storage_bytes ? "has fragment programs that cannot write storage buffers"
-                                  : NULL;
-}
-
 static size_t least(size_t a, size_t b)
 {
     return a < b ? a : b;
@@ -21,7 +13,7 @@ static bool create_buffer(struct aob_trace *trace, const struct aob_trace_desc *
 {
     struct aob_trace_capture *capture = trace->capture;
     const struct aob_gpu_info *info = &desc->screen->gpu->info;
-    const char *lacks = device_lacks(info);
+    const char *lacks = aob_gpu_storage_lacks(desc->screen->gpu);
     trace->unfit = lacks;
     if (lacks)
         return aob_fail(error, "%s: no trace: %s %s: use another device or backend", info->backend,
@@ -78,7 +70,7 @@ static bool create_frame(struct aob_trace *trace, const struct aob_trace_desc *d
                                          .fetch = desc->fetch,
                                          .readable = true,
                                          .planes = &trace->capture->planes,
-                                         .trace = trace->capture->buffer};
+                                         .storage = trace->capture->buffer};
     bool ok = aob_frame_init_desc(&trace->frame, desc->screen, &frame, error);
     trace->unfit = trace->frame.unfit;
     trace->textures = trace->capture->planes.frame;

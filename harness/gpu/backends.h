@@ -2,6 +2,7 @@
  * backends only. */
 #ifndef AOB_GPU_BACKENDS_H
 #define AOB_GPU_BACKENDS_H
+#include "gpu/glsl.h"
 #include "gpu/gpu.h"
 
 extern const struct aob_gpu_fns aob_gpu_vulkan;
@@ -27,6 +28,15 @@ bool aob_gpu_single_device(const struct aob_gpu_fns *fns, struct aob_gpu_device_
                            struct aob_error *error);
 struct aob_gpu *aob_gpu_keep_single(struct aob_gpu *gpu, const struct aob_gpu_desc *desc,
                                     struct aob_error *error);
+
+/* Among a program's bindings: BIND_STORAGE. */
+#define AOB_GPU_STORAGE_BIT ((uint64_t)1 << AOB_GLSL_STORAGE)
+
+/* The words of one stage of a program: compiled and, of the fragment text, rewritten as the desc says. Allocated (free()), or
+ * NULL after one line. What they declare (aob_glsl_bindings) is added to `bindings`. */
+uint32_t *aob_gpu_program_words(const struct aob_gpu_program_desc *desc, enum aob_glsl_stage stage,
+                                enum aob_glsl_client client, size_t *count, uint64_t *bindings,
+                                struct aob_error *error);
 
 struct aob_gpu_texture aob_gpu_texture_base(const struct aob_gpu_texture_desc *desc);
 

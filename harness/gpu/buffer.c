@@ -1,5 +1,12 @@
 #include "gpu.h"
 
+const char *aob_gpu_storage_lacks(const struct aob_gpu *gpu)
+{
+    return gpu->info.draws_nothing    ? "draws nothing"
+           : !gpu->info.storage_bytes ? "has fragment programs that cannot write storage buffers"
+                                      : NULL;
+}
+
 struct aob_gpu_buffer *aob_gpu_buffer_create(struct aob_gpu *gpu, size_t size, struct aob_error *error)
 {
     const struct aob_gpu_info *info = &gpu->info;

@@ -5,7 +5,6 @@
 #include <string.h>
 
 enum { MAX_SIDE = 16384, MAX_UNIFORM_SIZE = 16384 };
-static const uint64_t STORAGE = (uint64_t)1 << AOB_GLSL_STORAGE; /* among a program's bindings */
 
 const struct aob_gpu_fns *const aob_gpu_backends[] = {
     &aob_gpu_vulkan, &aob_gpu_gl_egl, &aob_gpu_gl_osmesa, &aob_gpu_null, NULL,
@@ -101,37 +100,6 @@ bool aob_gpu_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *tex
         return aob_fail(error, "%s: texture %dx%d has no level %d to read: it has 0..%d", name,
                         texture->width, texture->height, level, texture->levels - 1);
     return gpu->fns->texture_read(gpu, texture, level, texels, error);
-}
-
-static struct aob_gpu_program *create_program(struct aob_gpu *gpu, const char *vertex, const char *fragment,
-                                              struct aob_error *error)
-{
-    struct aob_gpu_program *program = NULL;
-    if (!gpu->fns->program_create(gpu, vertex, fragment, &program, error))
-        return NULL;
-    program->geometry = vertex;
-    if (!((program->bindings & ~STORAGE) >> (AOB_GPU_MAX_BINDING + 1)))
-        return program;
-    aob_fail(error, "%s: program with a BIND beyond %d", gpu->info.backend, AOB_GPU_MAX_BINDING);
-    gpu->fns->program_destroy(gpu, program);
-    return NULL;
-}
-
-struct aob_gpu_program *aob_gpu_program_create(struct aob_gpu *gpu, const char *glsl, struct aob_error *error)
-{
-    return create_program(gpu, NULL, glsl, error);
-}
-
-struct aob_gpu_program *aob_gpu_program_create_geometry(struct aob_gpu *gpu, const char *vertex,
-                                                        const char *fragment, struct aob_error *error)
-{
-    return create_program(gpu, vertex, fragment, error);
-}
-
-void aob_gpu_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program)
-{
-    if (program)
-        gpu->fns->program_destroy(gpu, program);
 }
 
 static int target_width(const struct aob_gpu_target *target)
@@ -230,7 +198,7 @@ static bool check_bind(const char *name, const struct aob_gpu_bind *bind, uint64
 
 static bool check_bindings(const char *name, const struct aob_gpu_pass_desc *desc, struct aob_error *error)
 {
-    uint64_t bound = desc->storage ? STORAGE : 0;
+    uint64_t bound = desc->storage ? AOB_GPU_STORAGE_BIT : 0;
     if (!desc->uniforms != !desc->uniform_size || desc->uniform_size > MAX_UNIFORM_SIZE)
         return aob_fail(error, "%s: pass with a uniform block of %zu bytes%s: it must have 1..%d, or be none",
                         name, desc->uniform_size, desc->uniforms ? "" : " at NULL", MAX_UNIFORM_SIZE);
@@ -243,7 +211,7 @@ static bool check_bindings(const char *name, const struct aob_gpu_pass_desc *des
         bound |= (uint64_t)1 << desc->binds[i].binding;
     }
     uint64_t unbound = desc->program->bindings & ~bound;
-    if (unbound & STORAGE)
+    if (unbound & AOB_GPU_STORAGE_BIT)
         return aob_fail(error, "%s: pass without a storage buffer, which its program declares", name);
     if (unbound)
         return aob_fail(error, "%s: pass binds nothing at %d, which its program declares", name,

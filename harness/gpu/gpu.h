@@ -119,6 +119,20 @@ enum aob_gpu_blend {
     AOB_GPU_REPLACE,
     AOB_GPU_ADD, /* to what the target holds, in its own format */
 };
+/* Changes the words of a fragment text before the driver gets them, for a program that writes down what it does. `words`
+ * gives allocated ones (free()) and their count, or NULL after one line. `storage` is the number of BIND_STORAGE there, in
+ * set 0. It is called while the program is created and not later. */
+struct aob_gpu_rewrite {
+    void *self;
+    uint32_t *(*words)(void *self, const uint32_t *words, size_t *count /* of `words`, then of the result */,
+                       uint32_t storage, struct aob_error *error);
+};
+struct aob_gpu_program_desc {
+    const char *vertex;                    /* NULL: the screen triangle */
+    const char *fragment;                  /* required */
+    const struct aob_gpu_rewrite *rewrite; /* NULL: the driver gets the words as they are */
+};
+
 struct aob_gpu_pass_desc {
     const struct aob_gpu_program *program;
     const struct aob_gpu_bind *binds;
@@ -174,8 +188,8 @@ struct aob_gpu_fns {
                          const void *bytes, struct aob_error *error);
     bool (*buffer_read)(struct aob_gpu *gpu, const struct aob_gpu_buffer *buffer, size_t offset, size_t size,
                         void *bytes, struct aob_error *error);
-    bool (*program_create)(struct aob_gpu *gpu, const char *vertex /* NULL: the screen triangle */,
-                           const char *fragment, struct aob_gpu_program **program, struct aob_error *error);
+    bool (*program_create)(struct aob_gpu *gpu, const struct aob_gpu_program_desc *desc,
+                           struct aob_gpu_program **program, struct aob_error *error);
     void (*program_destroy)(struct aob_gpu *gpu, struct aob_gpu_program *program);
     bool (*pass_create)(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass **pass,
                         struct aob_error *error);
@@ -255,6 +269,9 @@ void aob_gpu_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *textur
 bool aob_gpu_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                           struct aob_error *error);
 
+/* Why passes of the device cannot write down what they do in a storage buffer: it "draws nothing"; NULL: they can. */
+const char *aob_gpu_storage_lacks(const struct aob_gpu *gpu);
+
 /* A storage buffer of undefined content: 1..info.storage_bytes bytes, a multiple of four. What runs wrote into it can be
  * read, what is written can be read by runs: between runs only. NULL after one line. */
 struct aob_gpu_buffer *aob_gpu_buffer_create(struct aob_gpu *gpu, size_t size, struct aob_error *error);
@@ -274,6 +291,11 @@ struct aob_gpu_program *aob_gpu_program_create(struct aob_gpu *gpu, const char *
  * Outputs of the one are inputs of the other by location. */
 struct aob_gpu_program *aob_gpu_program_create_geometry(struct aob_gpu *gpu, const char *vertex,
                                                         const char *fragment, struct aob_error *error);
+
+/* Either kind, by its desc. */
+struct aob_gpu_program *aob_gpu_program_create_desc(struct aob_gpu *gpu,
+                                                    const struct aob_gpu_program_desc *desc,
+                                                    struct aob_error *error);
 void aob_gpu_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program);
 
 /* A pass is made once and run many times. It may read other levels of a texture that it writes a level of,

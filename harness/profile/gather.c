@@ -12,6 +12,7 @@ struct aob_gather {
     struct aob_gather_desc desc;
     struct aob_order order;
     uint32_t shift;                     /* log2 of the bytes that the first level brings */
+    uint32_t line_shift;                /* log2 of how often those are in a line */
     const struct aob_trace_plane *last; /* that a word was found in */
     int slots, lanes;                   /* lanes of the warp that is being filled */
     uint64_t warps;                     /* of fragments, so far */
@@ -31,6 +32,7 @@ struct aob_gather *aob_gather_create(const struct aob_gather_desc *desc)
     gather->desc = *desc;
     gather->order = aob_order_create(desc->profile);
     gather->shift = (uint32_t)__builtin_ctz(desc->profile->levels[0].sector);
+    gather->line_shift = (uint32_t)__builtin_ctz(desc->profile->levels[0].line) - gather->shift;
     gather->last = desc->pass->plane_count ? desc->pass->planes : &no_plane;
     gather->lane_pixels = AOB_NEW_ARRAY(uint32_t, (size_t)gather->order.lanes);
     return gather;
@@ -190,6 +192,24 @@ static bool fail_word(const struct aob_gather *gather, uint32_t texel, struct ao
                     gather->desc.pass->name, texel);
 }
 
+/* What the lanes of a quad ask for in one fetch, from numbers[first] on. */
+struct quad {
+    uint32_t first, bytes;
+    bool filtered;
+};
+
+/* The quad has asked for all up to numbers[count]; the next one begins. */
+static inline void end_quad(const struct aob_gather *gather, struct quad *quad, const uint32_t *numbers,
+                            uint32_t count)
+{
+    const struct aob_profile *profile = gather->desc.profile;
+    if (profile->rates.clock > 0 && count > quad->first)
+        aob_issue_add(&gather->desc.counts->issue, &profile->rates,
+                      &(struct aob_issue_quad){numbers + quad->first, count - quad->first, gather->line_shift,
+                                               quad->bytes, quad->filtered});
+    *quad = (struct quad){.first = count};
+}
+
 /* What all lanes ask for in one fetch becomes numbers from gather->numbers[*at] on. */
 static bool emit_slot(struct aob_gather *gather, const uint32_t *words, uint32_t *at, struct aob_error *error)
 {
@@ -197,9 +217,12 @@ static bool emit_slot(struct aob_gather *gather, const uint32_t *words, uint32_t
     uint32_t *numbers = gather->numbers + *at, *pixels = gather->pixels ? gather->pixels + *at : NULL;
     uint32_t count = 0;
     uint64_t bytes = 0;
+    struct quad quad = {0};
     go_to_plane(gather, &place);
     for (int lane = 0; lane < gather->order.lanes; lane++) {
         uint32_t word = words[lane], texel = word & ~AOB_TRACE_BILINEAR;
+        if (lane % AOB_ISSUE_LANES == 0)
+            end_quad(gather, &quad, numbers, count);
         if (word == AOB_TRACE_NONE)
             continue;
         if (!holds(&place.plane, texel)) {
@@ -212,7 +235,10 @@ static bool emit_slot(struct aob_gather *gather, const uint32_t *words, uint32_t
             pixels[count + i] = gather->lane_pixels[lane];
         count += added;
         bytes += added * place.bytes;
+        quad.filtered |= (word & AOB_TRACE_BILINEAR) != 0;
+        quad.bytes = place.bytes > quad.bytes ? (uint32_t)place.bytes : quad.bytes;
     }
+    end_quad(gather, &quad, numbers, count);
     *at += count;
     gather->desc.counts->bytes_asked += bytes;
     return true;

@@ -18,8 +18,8 @@ struct aob_gather_desc { /* all borrowed */
     const struct aob_profile *profile;
     const struct aob_placed_frame *placed;
     const struct aob_trace_pass *pass;
-    struct aob_cache_pass
-        *counts; /* invocations, fetches, distinct, texels, bytes_asked and the lanes are added up here */
+    struct aob_cache_pass *
+        counts; /* invocations, fetches, distinct, texels, bytes_asked, issue and the lanes are added up here */
     bool pixels;
     void *self;
     void (*take)(void *self, const struct aob_warp *warp); /* what it points to lives for the call */

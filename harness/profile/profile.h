@@ -8,9 +8,10 @@
 #include <stdint.h>
 #include "base/error.h"
 #include "base/hash.h"
+#include "rates.h"
 #include "tags.h"
 
-enum { AOB_PROFILE_MAX_LEVEL = 4, AOB_PROFILE_MAX_FACT = 64 };
+enum { AOB_PROFILE_MAX_LEVEL = 4, AOB_PROFILE_MAX_FACT = 96 };
 
 enum aob_layout {                    /* how the texels of a plane lie in memory */
                   AOB_LAYOUT_LINEAR, /* rows, each beginning at a multiple of 256 bytes */
@@ -31,6 +32,9 @@ struct aob_profile_level {
     enum aob_index index;
     int units;         /* that share one; 0: all do. The first level's is 1 */
     bool cold_at_pass; /* emptied when a pass begins; else it lasts the frame */
+    /* With rates, of each level but the last, which memory fills: bytes a clock that bring its misses through one port,
+     * and the ports of all its caches together. */
+    uint32_t fill, ports;
 };
 
 struct aob_size2 {
@@ -59,7 +63,8 @@ struct aob_profile {
      * a position: a technique of a text that reads one reads depth here. */
     int depth_bytes, normal_bytes;
     struct aob_profile_level levels[AOB_PROFILE_MAX_LEVEL];
-    int level_count; /* from the one next to the texture units on */
+    int level_count;        /* from the one next to the texture units on */
+    struct aob_rates rates; /* rates.clock is 0 where the file has none */
     struct aob_profile_fact facts[AOB_PROFILE_MAX_FACT];
     size_t fact_count;
 };
@@ -77,6 +82,9 @@ bool aob_profile_is_file(const char *name);
 /* Of all its numbers and words, with what the machine tells; comments and sources do not count. Figures of one digest are
  * of one device. */
 void aob_profile_digest(const struct aob_profile *profile, char digest[AOB_KEY_SIZE]);
+
+/* Whether it is one of what the device model takes, and the cache simulation does not: "rates.clock", "levels.L1.fill". */
+bool aob_profile_fact_is_rate(const struct aob_profile_fact *fact);
 
 /* The names of those beside the program, in order of the alphabet. */
 struct aob_profile_names {

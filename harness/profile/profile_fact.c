@@ -161,6 +161,10 @@ static bool read_value(struct aob_yaml *yaml, const struct fact *fact, const str
         return read_cores(yaml, fact, field, at);
     case AOB_FIELD_UNITS:
         return read_units(yaml, fact, field, at);
+    case AOB_FIELD_REAL:
+        return aob_yaml_number(yaml, fact->value, field->low, field->high, at);
+    case AOB_FIELD_BOOL:
+        return aob_yaml_bool(yaml, fact->value, at);
     default:
         return read_cold(yaml, fact, at);
     }

@@ -14,6 +14,8 @@ enum aob_field_kind {
     AOB_FIELD_LAYOUT, /* enum aob_layout */
     AOB_FIELD_INDEX,  /* enum aob_index */
     AOB_FIELD_COLD,   /* bool; "pass" or "frame" */
+    AOB_FIELD_REAL,   /* double */
+    AOB_FIELD_BOOL,   /* bool; true or false */
 };
 struct aob_field {
     const char *key;

@@ -6,10 +6,11 @@
 #include "base/memory.h"
 #include "profile_fact.h"
 #include "profile_machine.h"
+#include "profile_rates.h"
 
 enum { MAX_FILE = 1 << 20 };
 enum { UNITS, IN_FLIGHT, TILE, BLOCK, WARP, LAYOUT, BLOCK_HEIGHT, DEPTH_BYTES, NORMAL_BYTES };
-enum { SIZE, LINE, SECTOR, WAYS, INDEX, SHARED, COLD };
+enum { SIZE, LINE, SECTOR, WAYS, INDEX, SHARED, COLD, FILL, PORTS };
 
 #define OF(type, name) offsetof(struct type, name)
 static const struct aob_field profile_fields[] = {
@@ -32,6 +33,8 @@ static const struct aob_field level_fields[] = {
     [INDEX] = {"index", AOB_FIELD_INDEX, 0, 0, OF(aob_profile_level, index), true},
     [SHARED] = {"units", AOB_FIELD_UNITS, 1, 256, OF(aob_profile_level, units), false},
     [COLD] = {"cold", AOB_FIELD_COLD, 0, 0, OF(aob_profile_level, cold_at_pass), false},
+    [FILL] = {"fill", AOB_FIELD_WHOLE, 1, 65536, OF(aob_profile_level, fill), false},
+    [PORTS] = {"ports", AOB_FIELD_WHOLE, 1, 65536, OF(aob_profile_level, ports), false},
     {0},
 };
 
@@ -112,9 +115,10 @@ static bool read_level_name(struct aob_yaml *yaml, const yaml_node_t *node, stru
 
 static bool read_level(struct aob_yaml *yaml, yaml_node_t *node, void *user)
 {
-    static const char *const first[] = {"name", "size", "line", "sector", "ways", "index", NULL};
-    static const char *const later[] = {"name",  "size",  "line", "sector", "ways",
-                                        "index", "units", "cold", NULL};
+    static const char *const first[] = {"name",  "size", "line",  "sector", "ways",
+                                        "index", "fill", "ports", NULL};
+    static const char *const later[] = {"name",  "size", "line", "sector", "ways", "index",
+                                        "units", "cold", "fill", "ports",  NULL};
     struct aob_profile *profile = user;
     char prefix[32];
     bool is_first = profile->level_count == 0;
@@ -173,6 +177,8 @@ static bool read_profile_entry(struct aob_yaml *yaml, const char *key, yaml_node
     const char *title;
     if (strcmp(key, "levels") == 0)
         return read_levels(yaml, value, reader->profile);
+    if (strcmp(key, "rates") == 0)
+        return aob_profile_rates_read(yaml, value, reader->profile);
     if (strcmp(key, "title") != 0)
         return aob_field_read(yaml, key, value, user);
     if (!aob_yaml_text(yaml, value, &title))
@@ -213,9 +219,9 @@ static bool judge_profile(struct aob_yaml *yaml, const struct aob_field_reader *
 
 static bool read_root(struct aob_yaml *yaml, struct aob_profile *profile)
 {
-    static const char *const keys[] = {"title",       "units",        "in_flight", "tile",
-                                       "block",       "warp",         "layout",    "block_height",
-                                       "depth_bytes", "normal_bytes", "levels",    NULL};
+    static const char *const keys[] = {
+        "title",        "units",       "in_flight",    "tile",   "block", "warp", "layout",
+        "block_height", "depth_bytes", "normal_bytes", "levels", "rates", NULL};
     const yaml_node_t *root = yaml_document_get_root_node(&yaml->document);
     struct aob_field_reader reader = {profile, "", profile_fields, profile, {NULL}};
     if (!aob_yaml_mapping(yaml, root, keys, read_profile_entry, &reader) ||
@@ -223,7 +229,7 @@ static bool read_root(struct aob_yaml *yaml, struct aob_profile *profile)
         return false;
     if (!profile->title || !profile->level_count)
         return aob_yaml_fail(yaml, root, "'%s' is missing", profile->title ? "levels" : "title");
-    return judge_profile(yaml, &reader);
+    return judge_profile(yaml, &reader) && aob_profile_rates_judge(yaml, root, profile);
 }
 
 /* The file's name without folder and ending. */

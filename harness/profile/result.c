@@ -1,6 +1,7 @@
 #include "result.h"
 #include <stdlib.h>
 #include "base/json.h"
+#include "modelled.h"
 
 static void finish_pass(struct aob_cache_pass *pass)
 {
@@ -43,11 +44,26 @@ void aob_cache_result_add(struct aob_cache_result *result, const struct aob_cach
     frame->bytes_written += pass->bytes_written;
     frame->lanes_busy += pass->lanes_busy;
     frame->lanes_issued += pass->lanes_issued;
+    frame->target_pixels += pass->target_pixels;
+    frame->issue.least += pass->issue.least;
+    frame->issue.banked += pass->issue.banked;
+    frame->issue.most += pass->issue.most;
     for (int f = 0; f < AOB_FLIGHT_COUNT; f++) {
         for (int l = 0; l < AOB_PROFILE_MAX_LEVEL; l++)
             add_misses(&frame->levels[l][f], &pass->levels[l][f]);
         aob_curve_add(&frame->curves[f], &pass->curves[f]);
     }
+}
+
+void aob_cache_result_count(struct aob_cache_result *result, size_t pass,
+                            const struct aob_operations *operations)
+{
+    struct aob_operations *sum = &result->frame.operations;
+    result->counted = true;
+    result->passes[pass].operations = *operations;
+    sum->alu += operations->alu;
+    sum->special += operations->special;
+    sum->image += operations->image;
 }
 
 uint64_t aob_cache_filled(const struct aob_cache_result *result, const struct aob_cache_pass *pass, int level,
@@ -100,6 +116,12 @@ static json_t *curve_to_json(const struct aob_curve *curve)
     return json_pack("{s:o, s:o}", "lines", lines, "misses", misses);
 }
 
+static json_t *operations_to_json(const struct aob_operations *operations)
+{
+    return json_pack("{s:o, s:o, s:o}", "alu", json_real(operations->alu), "special",
+                     json_real(operations->special), "image", json_real(operations->image));
+}
+
 static json_t *pass_to_json(const struct aob_cache_result *result, const struct aob_cache_pass *pass)
 {
     json_t *object = json_pack(
@@ -108,6 +130,8 @@ static json_t *pass_to_json(const struct aob_cache_result *result, const struct 
         whole(pass->distinct), "texels", whole(pass->texels), "bytes_asked", whole(pass->bytes_asked),
         "bytes_written", whole(pass->bytes_written), "lanes_busy",
         share((double)pass->lanes_busy, (double)pass->lanes_issued), "levels", levels_to_json(result, pass));
+    json_object_set_new(object, "operations",
+                        result->counted ? operations_to_json(&pass->operations) : json_null());
     if (pass->curves[AOB_FLIGHT_ONE].count)
         json_object_set_new(object, "curve",
                             json_pack("{s:o, s:o}", "one", curve_to_json(&pass->curves[AOB_FLIGHT_ONE]),
@@ -123,7 +147,8 @@ json_t *aob_cache_result_to_json(const struct aob_cache_result *result)
         json_object_set_new(pass, "name", json_string(result->passes[p].name));
         json_array_append_new(passes, pass);
     }
-    return json_pack("{s:s, s:i, s:i, s:o, s:o}", "profile", result->profile->name, "units",
+    return json_pack("{s:s, s:i, s:i, s:o, s:o, s:o}", "profile", result->profile->name, "units",
                      result->profile->units, "in_flight", result->profile->in_flight, "frame",
-                     pass_to_json(result, &result->frame), "passes", passes);
+                     pass_to_json(result, &result->frame), "passes", passes, "modelled",
+                     aob_modelled_to_json(result));
 }

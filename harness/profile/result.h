@@ -4,6 +4,8 @@
 #include <jansson.h>
 #include <stdbool.h>
 #include "curve.h"
+#include "issue.h"
+#include "operations.h"
 #include "profile.h"
 
 /* How many warps of a unit take turns, sample by sample. A device lies between the two, so a figure is always a band. */
@@ -35,6 +37,9 @@ struct aob_cache_pass {
     uint64_t texels;                     /* accesses of the first level */
     uint64_t bytes_asked, bytes_written; /* of those texels; of what the pass writes to its targets */
     uint64_t lanes_busy, lanes_issued;   /* of warps, summed over the fetches that they issue */
+    uint64_t target_pixels;              /* written, those of each target */
+    struct aob_issue issue;              /* of texture units; 0 where the profile has no rates */
+    struct aob_operations operations;    /* where the result says that they are counted */
     struct aob_misses levels[AOB_PROFILE_MAX_LEVEL][AOB_FLIGHT_COUNT];
     struct aob_curve
         curves[AOB_FLIGHT_COUNT]; /* of the first level, of all units together; empty if not asked for */
@@ -46,12 +51,16 @@ struct aob_cache_pass {
 struct aob_cache_result {
     const struct aob_profile *profile; /* borrowed */
     bool split;                        /* capacity and conflict are known */
+    bool counted;                      /* operations are known */
     struct aob_cache_pass *passes;     /* in the order that they ran in */
     size_t pass_count, pass_capacity;
     struct aob_cache_pass frame; /* all passes together; its area is the largest of theirs */
 };
 void aob_cache_result_add(struct aob_cache_result *result,
                           const struct aob_cache_pass *pass); /* to the frame */
+/* What pass number `pass` executed. Once it is known of each, the result is counted. */
+void aob_cache_result_count(struct aob_cache_result *result, size_t pass,
+                            const struct aob_operations *operations);
 void aob_cache_result_finish(struct aob_cache_result *result);
 
 /* Bytes that the level brought, the last one from memory. */

@@ -314,6 +314,7 @@ static void count_written(struct aob_simulation *simulation, struct aob_cache_pa
     for (int w = 0; w < simulation->pass.write_count; w++)
         counts->bytes_written +=
             counts->invocations * (uint64_t)simulation->placed.bytes[simulation->pass.writes[w].texture];
+    counts->target_pixels = counts->invocations * (uint64_t)simulation->pass.write_count;
 }
 
 static bool end(void *self, struct aob_error *error)
@@ -345,6 +346,12 @@ static bool end(void *self, struct aob_error *error)
 struct aob_trace_sink aob_simulation_sink(struct aob_simulation *simulation)
 {
     return (struct aob_trace_sink){simulation, begin, band, end};
+}
+
+void aob_simulation_count(struct aob_simulation *simulation, size_t pass,
+                          const struct aob_operations *operations)
+{
+    aob_cache_result_count(&simulation->result, pass, operations);
 }
 
 const struct aob_cache_result *aob_simulation_result(const struct aob_simulation *simulation)

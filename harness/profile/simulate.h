@@ -36,6 +36,10 @@ struct aob_trace_sink aob_simulation_sink(struct aob_simulation *simulation);
 /* After the last pass has ended. It belongs to the simulation. */
 const struct aob_cache_result *aob_simulation_result(const struct aob_simulation *simulation);
 
+/* What pass number `pass` of the capture executed (result.h); without it there are no modelled times. */
+void aob_simulation_count(struct aob_simulation *simulation, size_t pass,
+                          const struct aob_operations *operations);
+
 /* Several sinks as one, such as several profiles over one capture. The struct is borrowed. */
 struct aob_trace_fan {
     const struct aob_trace_sink *sinks;

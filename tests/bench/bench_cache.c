@@ -149,7 +149,7 @@ static struct aob_tags_desc cache_of(uint32_t ways, enum aob_tags_path path)
 
 static bool time_profiles(const char *folder, int radius, const struct trace *trace)
 {
-    static const char *const names[] = {"generic", "ps4", "gtx580", "turing", "rdna2", "llvmpipe"};
+    static const char *const names[] = {"generic", "ps4", "gtx580", "turing", "ps5", "llvmpipe"};
     bool ok = true;
     char path[1024];
     for (size_t p = 0; ok && p < AOB_COUNT(names); p++) {

@@ -43,7 +43,7 @@ expect 2 "--lines FILE" "$program" cache
 
 "$program" list profiles --json profiles.json
 check "all profiles" test "$(jq -r '[.profiles[].name] | join(" ")' profiles.json)" = \
-  "geforce8800 generic gtx460se gtx580 llvmpipe ps4 rdna2 turing xbox360 xboxone"
+  "adreno640 geforce8600gts geforce8800gt geforce8800gtx geforce8800ultra generic gtx460se gtx580 llvmpipe ps4 ps5 rx6800xt turing xbox360 xboxone xboxseriesx"
 check "each number has a source" test "$(jq '[.profiles[].facts[] | select((.source | length) < 4 or (.confirmed | type) != "boolean")] | length' profiles.json)" = 0
 check "unverified is said" test "$(jq -r '.profiles[] | select(.name == "xbox360") | .facts[] | select(.key == "levels.L1.size") | .confirmed' profiles.json)" = false
 check "for people" grep -q "levels.L1.size  *16 KiB  *confirmed" <("$program" list profiles)

@@ -180,17 +180,18 @@ static void write_summing(const char *text, struct aob_text *out)
     }
 }
 
-static bool create_summing(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+static bool create_summing(struct aob_gpu *gpu, const struct aob_gpu_program_desc *desc,
                            struct aob_gpu_program **program, struct aob_error *error)
 {
     struct aob_text text = {0};
-    if (!strstr(fragment, "AobTrace"))
-        return original->program_create(gpu, vertex, fragment, program, error);
+    if (!strstr(desc->fragment, "AobTrace"))
+        return original->program_create(gpu, desc, program, error);
     while (!summed->passes[next_pass].live)
         next_pass++;
-    write_summing(fragment, &text);
+    write_summing(desc->fragment, &text);
     next_pass++;
-    bool ok = original->program_create(gpu, vertex, text.data, program, error);
+    const struct aob_gpu_program_desc summing_desc = {.vertex = desc->vertex, .fragment = text.data};
+    bool ok = original->program_create(gpu, &summing_desc, program, error);
     aob_text_finish(&text);
     return ok;
 }

@@ -241,8 +241,8 @@ static void test_machine_large(void **state)
 static void test_tree(void **state)
 {
     (void)state;
-    static const char *const names[] = {"generic", "geforce8800", "gtx460se", "gtx580", "ps4",
-                                        "rdna2",   "turing",      "xbox360",  "xboxone"};
+    static const char *const names[] = {"generic", "geforce8800gtx", "gtx460se", "gtx580", "ps4",
+                                        "ps5",     "turing",         "xbox360",  "xboxone"};
     const char *build = getenv("AOBUDGET_BUILD");
     assert_non_null(build);
     for (size_t i = 0; i < AOB_COUNT(names); i++) {

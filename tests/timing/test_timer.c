@@ -18,16 +18,16 @@ static int64_t late_ns;
  * does not. */
 static int64_t rises_ns, worked_ns;
 static int trips;
-static bool (*make_program)(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+static bool (*make_program)(struct aob_gpu *gpu, const struct aob_gpu_program_desc *desc,
                             struct aob_gpu_program **program, struct aob_error *error);
 
-static bool count_trips(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+static bool count_trips(struct aob_gpu *gpu, const struct aob_gpu_program_desc *desc,
                         struct aob_gpu_program **program, struct aob_error *error)
 {
-    const char *loop = strstr(fragment, "i < ");
+    const char *loop = strstr(desc->fragment, "i < ");
     assert_non_null(loop);
     trips = atoi(loop + 4);
-    return make_program(gpu, vertex, fragment, program, error);
+    return make_program(gpu, desc, program, error);
 }
 
 /* 26 ms of the smallest pass are 32768 trips. */

@@ -153,7 +153,7 @@ bool aob_gl_buffer_write(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer, siz
                          const void *bytes, struct aob_error *error);
 bool aob_gl_buffer_read(struct aob_gpu *gpu, const struct aob_gpu_buffer *buffer, size_t offset, size_t size,
                         void *bytes, struct aob_error *error);
-bool aob_gl_program_create(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+bool aob_gl_program_create(struct aob_gpu *gpu, const struct aob_gpu_program_desc *desc,
                            struct aob_gpu_program **program, struct aob_error *error);
 void aob_gl_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program);
 bool aob_gl_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *desc, struct aob_gpu_pass **pass,

@@ -1,6 +1,6 @@
 #include "gl.h"
 #include "base/memory.h"
-#include "gpu/glsl.h"
+#include "gpu/backends.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -51,30 +51,29 @@ static bool link_program(struct aob_gpu *gpu, GLuint program, const GLuint shade
     return false;
 }
 
-static bool compile(struct aob_gpu *gpu, const char *text, enum aob_glsl_stage stage, GLuint *shader,
-                    uint64_t *bindings, struct aob_error *error)
+static bool compile(struct aob_gpu *gpu, const struct aob_gpu_program_desc *desc, enum aob_glsl_stage stage,
+                    GLuint *shader, uint64_t *bindings, struct aob_error *error)
 {
     static const GLenum stages[] = {
         [AOB_GLSL_VERTEX] = GL_VERTEX_SHADER, [AOB_GLSL_FRAGMENT] = GL_FRAGMENT_SHADER};
     size_t count;
-    uint32_t *words = aob_glsl_compile(text, stage, AOB_GLSL_OPENGL, &count, error);
+    uint32_t *words = aob_gpu_program_words(desc, stage, AOB_GLSL_OPENGL, &count, bindings, error);
     if (!words)
         return aob_fail_in(error, "%s", gpu->info.backend);
-    *bindings |= aob_glsl_bindings(words, count);
     *shader = aob_gl_shader_create(gpu, stages[stage], words, count, error);
     free(words);
     return *shader;
 }
 
-bool aob_gl_program_create(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+bool aob_gl_program_create(struct aob_gpu *gpu, const struct aob_gpu_program_desc *desc,
                            struct aob_gpu_program **program, struct aob_error *error)
 {
     const struct gl_api *api = aob_gl_use(gpu);
     GLuint own = 0, shaders[2] = {((struct gl *)gpu)->triangle, 0};
     struct gl_program *made = AOB_NEW(struct gl_program);
     made->name = api->CreateProgram();
-    bool good = !vertex || compile(gpu, vertex, AOB_GLSL_VERTEX, &own, &made->base.bindings, error);
-    good = good && compile(gpu, fragment, AOB_GLSL_FRAGMENT, &shaders[1], &made->base.bindings, error);
+    bool good = !desc->vertex || compile(gpu, desc, AOB_GLSL_VERTEX, &own, &made->base.bindings, error);
+    good = good && compile(gpu, desc, AOB_GLSL_FRAGMENT, &shaders[1], &made->base.bindings, error);
     if (own)
         shaders[0] = own;
     good = good && link_program(gpu, made->name, shaders, error);

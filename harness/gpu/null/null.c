@@ -1,6 +1,5 @@
 #include "gpu/backends.h"
 #include "base/memory.h"
-#include "gpu/glsl.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -134,25 +133,22 @@ static bool null_buffer_read(struct aob_gpu *gpu, const struct aob_gpu_buffer *b
     return true;
 }
 
-static bool add_bindings(const char *text, enum aob_glsl_stage stage, uint64_t *bindings,
-                         struct aob_error *error)
+static bool add_bindings(const struct aob_gpu_program_desc *desc, enum aob_glsl_stage stage,
+                         uint64_t *bindings, struct aob_error *error)
 {
     size_t count;
-    uint32_t *words = aob_glsl_compile(text, stage, AOB_GLSL_VULKAN, &count, error);
-    if (!words)
-        return aob_fail_in(error, "%s", aob_gpu_null.name);
-    *bindings |= aob_glsl_bindings(words, count);
+    uint32_t *words = aob_gpu_program_words(desc, stage, AOB_GLSL_VULKAN, &count, bindings, error);
     free(words);
-    return true;
+    return words || aob_fail_in(error, "%s", aob_gpu_null.name);
 }
 
-static bool null_program_create(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+static bool null_program_create(struct aob_gpu *gpu, const struct aob_gpu_program_desc *desc,
                                 struct aob_gpu_program **program, struct aob_error *error)
 {
     (void)gpu;
     uint64_t bindings = 0;
-    if ((vertex && !add_bindings(vertex, AOB_GLSL_VERTEX, &bindings, error)) ||
-        !add_bindings(fragment, AOB_GLSL_FRAGMENT, &bindings, error))
+    if ((desc->vertex && !add_bindings(desc, AOB_GLSL_VERTEX, &bindings, error)) ||
+        !add_bindings(desc, AOB_GLSL_FRAGMENT, &bindings, error))
         return false;
     *program = AOB_NEW(struct aob_gpu_program);
     (*program)->bindings = bindings;

@@ -1,6 +1,6 @@
 #include "vk.h"
 #include "base/memory.h"
-#include "gpu/glsl.h"
+#include "gpu/backends.h"
 #include <stdlib.h>
 
 VkShaderModule aob_vk_shader_create(struct vk *vk, const uint32_t *words, size_t word_count,
@@ -16,26 +16,25 @@ VkShaderModule aob_vk_shader_create(struct vk *vk, const uint32_t *words, size_t
     return VK_NULL_HANDLE;
 }
 
-static bool compile(struct vk *vk, const char *text, enum aob_glsl_stage stage, VkShaderModule *module,
-                    uint64_t *bindings, struct aob_error *error)
+static bool compile(struct vk *vk, const struct aob_gpu_program_desc *desc, enum aob_glsl_stage stage,
+                    VkShaderModule *module, uint64_t *bindings, struct aob_error *error)
 {
     size_t count;
-    uint32_t *words = aob_glsl_compile(text, stage, AOB_GLSL_VULKAN, &count, error);
+    uint32_t *words = aob_gpu_program_words(desc, stage, AOB_GLSL_VULKAN, &count, bindings, error);
     if (!words)
         return aob_fail_in(error, "vulkan");
-    *bindings |= aob_glsl_bindings(words, count);
     *module = aob_vk_shader_create(vk, words, count, error);
     free(words);
     return *module;
 }
 
-bool aob_vk_program_create(struct aob_gpu *gpu, const char *vertex, const char *fragment,
+bool aob_vk_program_create(struct aob_gpu *gpu, const struct aob_gpu_program_desc *desc,
                            struct aob_gpu_program **program, struct aob_error *error)
 {
     struct vk *vk = (struct vk *)gpu;
     struct vk_program *made = AOB_NEW(struct vk_program);
-    if ((!vertex || compile(vk, vertex, AOB_GLSL_VERTEX, &made->vertex, &made->base.bindings, error)) &&
-        compile(vk, fragment, AOB_GLSL_FRAGMENT, &made->fragment, &made->base.bindings, error)) {
+    if ((!desc->vertex || compile(vk, desc, AOB_GLSL_VERTEX, &made->vertex, &made->base.bindings, error)) &&
+        compile(vk, desc, AOB_GLSL_FRAGMENT, &made->fragment, &made->base.bindings, error)) {
         *program = &made->base;
         return true;
     }

@@ -1,0 +1,107 @@
+#include "profile_rates.h"
+#include <string.h>
+#include "model.h"
+#include "profile_fact.h"
+
+enum {
+    CLOCK,
+    ALU_CLOCK,
+    LANES,
+    SPECIAL,
+    SPECIAL_BLOCKS,
+    TEXTURE_UNITS,
+    TAGS,
+    POINT_64,
+    ROPS,
+    MEMORY,
+    LAUNCH
+};
+
+#define OF(name) offsetof(struct aob_rates, name)
+static const struct aob_field fields[] = {
+    [CLOCK] = {"clock", AOB_FIELD_REAL, 0.001, 100, OF(clock), true},
+    [ALU_CLOCK] = {"alu_clock", AOB_FIELD_REAL, 0.001, 100, OF(alu_clock), false},
+    [LANES] = {"lanes", AOB_FIELD_REAL, 1, 1e6, OF(lanes), true},
+    [SPECIAL] = {"special", AOB_FIELD_REAL, 0.001, 1, OF(special), true},
+    [SPECIAL_BLOCKS] = {"special_blocks", AOB_FIELD_BOOL, 0, 0, OF(special_blocks), true},
+    [TEXTURE_UNITS] = {"texture_units", AOB_FIELD_REAL, 1, 1e6, OF(texture_units), true},
+    [TAGS] = {"tags", AOB_FIELD_REAL, 1, 16, OF(tags), true},
+    [POINT_64] = {"point_64", AOB_FIELD_REAL, 1, 2, OF(point_64), false},
+    [ROPS] = {"rops", AOB_FIELD_REAL, 1, 1e6, OF(rops), true},
+    [MEMORY] = {"memory", AOB_FIELD_REAL, 0.01, 1e6, OF(memory), true},
+    [LAUNCH] = {"launch", AOB_FIELD_REAL, 0, 1e6, OF(launch), true},
+    {0},
+};
+
+static bool judge_choice(struct aob_yaml *yaml, const yaml_node_t *node, double value, const double *choices)
+{
+    for (; *choices; choices++)
+        if (*choices == value)
+            return true;
+    return aob_yaml_fail(yaml, node, "%g is no power of two within its bounds", value);
+}
+
+bool aob_profile_rates_read(struct aob_yaml *yaml, const yaml_node_t *node, struct aob_profile *profile)
+{
+    static const char *const keys[] = {"clock",          "alu_clock",     "lanes",  "special",
+                                       "special_blocks", "texture_units", "tags",   "point_64",
+                                       "rops",           "memory",        "launch", NULL};
+    static const double tags[] = {1, 2, 4, 8, 16, 0}, point_64[] = {1, 2, 0};
+    struct aob_rates *rates = &profile->rates;
+    struct aob_field_reader reader = {profile, "rates.", fields, rates, {NULL}};
+    if (!aob_yaml_mapping(yaml, node, keys, aob_field_read, &reader) || !aob_field_need(yaml, node, &reader))
+        return false;
+    if (!reader.nodes[ALU_CLOCK])
+        rates->alu_clock = rates->clock;
+    if (!reader.nodes[POINT_64])
+        rates->point_64 = 2;
+    return judge_choice(yaml, reader.nodes[TAGS], rates->tags, tags) &&
+           judge_choice(yaml, reader.nodes[POINT_64], rates->point_64, point_64);
+}
+
+static bool ends_in(const char *text, const char *end)
+{
+    size_t size = strlen(text), tail = strlen(end);
+    return size >= tail && strcmp(text + size - tail, end) == 0;
+}
+
+bool aob_profile_fact_is_rate(const struct aob_profile_fact *fact)
+{
+    return strncmp(fact->key, "rates.", 6) == 0 || ends_in(fact->key, ".fill") ||
+           ends_in(fact->key, ".ports");
+}
+
+/* The times of levels stand beside those of the other resources, by their names. */
+static bool is_resource(const char *name)
+{
+    static const struct aob_profile no_levels;
+    for (int r = 0; r < AOB_RESOURCE_COUNT; r++) {
+        const char *other = aob_model_resource_name(&no_levels, (enum aob_resource)r);
+        if (other && strcmp(name, other) == 0)
+            return true;
+    }
+    return false;
+}
+
+bool aob_profile_rates_judge(struct aob_yaml *yaml, const yaml_node_t *root,
+                             const struct aob_profile *profile)
+{
+    const yaml_node_t *node = aob_yaml_find(yaml, root, "rates");
+    for (int l = 0; l < profile->level_count; l++) {
+        const struct aob_profile_level *level = &profile->levels[l];
+        bool fed = node && l + 1 < profile->level_count;
+        if (node && is_resource(level->name))
+            return aob_yaml_fail(
+                yaml, node, "no level beside rates is called '%s', which is another resource", level->name);
+        if (fed && !(level->fill && level->ports))
+            return aob_yaml_fail(yaml, node,
+                                 "level '%s' has no 'fill' and 'ports', which are needed beside rates",
+                                 level->name);
+        if (!fed && (level->fill || level->ports))
+            return aob_yaml_fail(yaml, root,
+                                 node ? "level '%s' is filled from memory: it has no 'fill' and no 'ports'"
+                                      : "level '%s' has a 'fill' or 'ports', and the profile has no 'rates'",
+                                 level->name);
+    }
+    return true;
+}
