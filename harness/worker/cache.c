@@ -18,6 +18,7 @@ struct cached {
     struct aob_drawing drawing;
     struct aob_profile *profiles; /* those of the job, and what simulates them */
     struct aob_simulation **simulations;
+    struct aob_room room; /* that all of them share */
     struct aob_trace trace;
     struct aob_frame plain; /* the same frame without a trace */
 };
@@ -44,7 +45,7 @@ static bool read_profiles(struct cached *cached, struct aob_error *error)
             return aob_fail(error, "%s: it has changed since the run was planned: run again",
                             cached->job.profiles[i].path);
         cached->simulations[i] = aob_simulation_create(&(struct aob_simulation_desc){
-            &cached->profiles[i], AOB_CURVE_POWERS, cached->job.map, AOB_FLIGHT_MOST});
+            &cached->profiles[i], AOB_CURVE_POWERS, cached->job.map, AOB_FLIGHT_MOST, &cached->room});
     }
     return true;
 }
