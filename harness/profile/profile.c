@@ -15,13 +15,17 @@ static bool ends_in_yaml(const char *name)
     return size > end && strcmp(name + size - end, ending) == 0;
 }
 
+void aob_profile_fact_finish(struct aob_profile_fact *fact)
+{
+    free(fact->key);
+    free(fact->value);
+    free(fact->source);
+}
+
 void aob_profile_finish(struct aob_profile *profile)
 {
-    for (size_t i = 0; i < profile->fact_count; i++) {
-        free(profile->facts[i].key);
-        free(profile->facts[i].value);
-        free(profile->facts[i].source);
-    }
+    for (size_t i = 0; i < profile->fact_count; i++)
+        aob_profile_fact_finish(&profile->facts[i]);
     free(profile->name);
     free(profile->path);
     free(profile->title);

@@ -49,6 +49,8 @@ struct aob_profile_fact {
     bool confirmed;
 };
 
+void aob_profile_fact_finish(struct aob_profile_fact *fact);
+
 struct aob_profile {
     char *name; /* of the file, without folder and ending */
     char *path, *title;

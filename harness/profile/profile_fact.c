@@ -17,9 +17,16 @@ struct fact {
 void aob_profile_note(struct aob_profile *profile, const char *key, const char *value, const char *source,
                       bool confirmed)
 {
-    if (profile->fact_count == AOB_PROFILE_MAX_FACT)
+    size_t at = 0;
+    while (at < profile->fact_count && strcmp(profile->facts[at].key, key) != 0)
+        at++;
+    if (at == AOB_PROFILE_MAX_FACT)
         return;
-    profile->facts[profile->fact_count++] =
+    if (at < profile->fact_count)
+        aob_profile_fact_finish(&profile->facts[at]);
+    else
+        profile->fact_count++;
+    profile->facts[at] =
         (struct aob_profile_fact){aob_strdup(key), aob_strdup(value), aob_strdup(source), confirmed};
 }
 

@@ -13,7 +13,7 @@ bool aob_profile_machine(struct aob_profile *profile, const char *folder, struct
 /* First caches of data that so many processors have together: processors by those that share one, at least 1. */
 int aob_profile_machine_units(const char *folder, int processors);
 
-/* Adds a fact; the texts are copied. */
+/* Adds a fact, or puts it in the place of that of its key; the texts are copied. */
 void aob_profile_note(struct aob_profile *profile, const char *key, const char *value, const char *source,
                       bool confirmed);
 #endif

@@ -10,10 +10,7 @@
 
 enum { MAX_FILE = 1 << 20 };
 enum { UNITS, IN_FLIGHT, TILE, BLOCK, WARP, LAYOUT, BLOCK_HEIGHT, DEPTH_BYTES, NORMAL_BYTES };
-    if (!judge_profile(yaml, &reader) || !aob_profile_rates_judge(yaml, root, profile))
-        return false;
-    note_profile_defaults(&reader);
-    return true;
+enum { SHARED = AOB_LEVEL_PART_COUNT, COLD, FILL, PORTS }; /* behind the parts of a level */
 
 #define OF(type, name) offsetof(struct type, name)
 static const struct aob_field profile_fields[] = {
@@ -161,6 +158,8 @@ static bool read_profile_entry(struct aob_yaml *yaml, const char *key, yaml_node
         return read_levels(yaml, value, reader->profile);
     if (strcmp(key, "rates") == 0)
         return aob_profile_rates_read(yaml, value, reader->profile);
+    if (strcmp(key, "like") == 0)
+        return true; /* it was read before */
     if (strcmp(key, "title") != 0)
         return aob_field_read(yaml, key, value, user);
     if (!aob_yaml_text(yaml, value, &title))
@@ -209,26 +208,71 @@ static bool judge_profile(struct aob_yaml *yaml, const struct aob_field_reader *
            judge_bytes(yaml, reader->nodes[NORMAL_BYTES], profile->normal_bytes);
 }
 
-static bool read_root(struct aob_yaml *yaml, struct aob_profile *profile)
+static bool read_device(struct aob_yaml *yaml, const yaml_node_t *root, struct aob_profile *profile)
 {
     static const char *const keys[] = {
         "title",        "units",       "in_flight",    "tile",   "block", "warp", "layout",
         "block_height", "depth_bytes", "normal_bytes", "levels", "rates", NULL};
-    const yaml_node_t *root = yaml_document_get_root_node(&yaml->document);
     struct aob_field_reader reader = {profile, "", profile_fields, profile, {NULL}};
     if (!aob_yaml_mapping(yaml, root, keys, read_profile_entry, &reader) ||
         !aob_field_need(yaml, root, &reader))
         return false;
     if (!profile->title || !profile->level_count)
         return aob_yaml_fail(yaml, root, "'%s' is missing", profile->title ? "levels" : "title");
-<<<<<<< HEAD
-    return judge_profile(yaml, &reader) && aob_profile_rates_judge(yaml, root, profile);
-=======
-    if (!judge_profile(yaml, &reader))
+    if (!judge_profile(yaml, &reader) || !aob_profile_rates_judge(yaml, root, profile))
         return false;
     note_profile_defaults(&reader);
     return true;
->>>>>>> mend14p
+}
+
+static bool read_file(struct aob_profile *profile, const char *path, bool alone, struct aob_error *error);
+
+/* The device that the profile is like takes its place; only the name and path stay. */
+static bool take_device(struct aob_yaml *yaml, const yaml_node_t *node, struct aob_profile *profile)
+{
+    struct aob_profile device;
+    struct aob_error error = {{0}};
+    const char *file;
+    if (!aob_yaml_text(yaml, node, &file))
+        return false;
+    char *path = aob_path_beside(profile->path, file);
+    bool ok = read_file(&device, path, true, &error) || aob_yaml_fail(yaml, node, "%s", error.text);
+    free(path);
+    if (!ok)
+        return false;
+    free(device.name);
+    free(device.path);
+    free(device.title);
+    device.name = profile->name;
+    device.path = profile->path;
+    device.title = profile->title;
+    *profile = device;
+    return true;
+}
+
+/* A device whose screen has other formats: {title, like, depth_bytes, normal_bytes}. */
+static bool read_like(struct aob_yaml *yaml, const yaml_node_t *root, const yaml_node_t *like,
+                      struct aob_profile *profile)
+{
+    static const char *const keys[] = {"title", "like", "depth_bytes", "normal_bytes", NULL};
+    struct aob_field_reader reader = {profile, "", profile_fields, profile, {NULL}};
+    return take_device(yaml, like, profile) &&
+           aob_yaml_mapping(yaml, root, keys, read_profile_entry, &reader) &&
+           (profile->title || aob_yaml_fail(yaml, root, "'title' is missing")) &&
+           judge_bytes(yaml, reader.nodes[DEPTH_BYTES], profile->depth_bytes) &&
+           judge_bytes(yaml, reader.nodes[NORMAL_BYTES], profile->normal_bytes);
+}
+
+/* `alone`: it may be like no other, so that no file is read for ever. */
+static bool read_root(struct aob_yaml *yaml, bool alone, struct aob_profile *profile)
+{
+    const yaml_node_t *root = yaml_document_get_root_node(&yaml->document),
+                      *like = aob_yaml_find(yaml, root, "like");
+    if (!like)
+        return read_device(yaml, root, profile);
+    if (alone)
+        return aob_yaml_fail(yaml, like, "a profile is like one that has all of its numbers itself");
+    return read_like(yaml, root, like, profile);
 }
 
 /* The file's name without folder and ending. */
@@ -241,7 +285,7 @@ static char *name_of(const char *path)
     return name;
 }
 
-bool aob_profile_read(struct aob_profile *profile, const char *path, struct aob_error *error)
+static bool read_file(struct aob_profile *profile, const char *path, bool alone, struct aob_error *error)
 {
     struct aob_yaml yaml;
     size_t size;
@@ -253,11 +297,16 @@ bool aob_profile_read(struct aob_profile *profile, const char *path, struct aob_
     if (ok) {
         profile->path = aob_strdup(path);
         profile->name = name_of(path);
-        ok = read_root(&yaml, profile);
+        ok = read_root(&yaml, alone, profile);
         aob_yaml_finish(&yaml);
     }
     free(text);
     if (!ok)
         aob_profile_finish(profile);
     return ok;
+}
+
+bool aob_profile_read(struct aob_profile *profile, const char *path, struct aob_error *error)
+{
+    return read_file(profile, path, false, error);
 }
