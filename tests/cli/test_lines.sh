@@ -40,6 +40,8 @@ expect 2 "--ways: '1e30'" "$program" cache --lines nine --sets 4 --ways 1e30 --i
 expect 2 "--index: 'random'" "$program" cache --lines nine --sets 4 --ways 4 --index random
 expect 2 "xor needs a power of two" "$program" cache --lines nine --sets 5 --ways 4 --index xor
 expect 2 "larger than this machine can hold" "$program" cache --lines nine --sets 2147483647 --ways 2147483647 --index modulo
+expect 2 "a cache of 8388608 sets and 4 ways with a stream of 90 numbers may take 0.125 GiB, and 0.0312 GiB is left" \
+  bash -c 'ulimit -S -m 65536; "$@"' _ "$program" cache --lines nine --sets 8388608 --ways 4 --index xor
 expect 2 "--lines FILE" "$program" cache
 
 "$program" list profiles --json profiles.json

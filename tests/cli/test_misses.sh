@@ -141,6 +141,9 @@ cp mine.yaml deep/mine.yaml
 sed 's|generic, .*|mine.yaml, deep/mine.yaml]}|' config.yaml >wrong.yaml
 expect 2 "two profiles are called 'mine'" "$program" plan wrong.yaml
 expect 2 "null: no trace" "$program" cache --technique none --scene corner --size 32x18 --backend null --profile generic
+profile "256 MiB" 4 | sed '/L1/s/line: {value: 64/line: {value: 16/; s/ways: {value: 2,/ways: {value: 32,/' >large.yaml
+expect 2 "profile large: its simulation may take" bash -c 'ulimit -S -m 524288; "$@"' _ \
+  "$program" cache --technique none --scene corner --size 32x18 --backend gl-osmesa --profile ./large.yaml
 expect 2 "--profile is needed" "$program" cache --technique none --scene corner
 expect 2 "not both" "$program" cache --technique none --scene corner --lines lines.u32
 finish
