@@ -127,6 +127,9 @@ void aob_cache_table_print(const char *profile, const json_t *figures, struct ao
     json_array_foreach(json_object_get(frame, "levels"), i, level) print_level(level, out);
     if (json_is_object(json_object_get(figures, "modelled")))
         print_modelled(profile, json_object_get(figures, "modelled"), out);
+    if (json_object_get(figures, "not_modelled"))
+        aob_text_add_line(out, "  not modelled: %s",
+                          json_string_value(json_object_get(figures, "not_modelled")));
     if (json_object_get(frame, "curve")) {
         aob_text_add_line(out, "  fully associative first level of each size: misses, %%");
         print_curve(figures, out);

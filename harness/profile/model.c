@@ -51,38 +51,38 @@ static void measure(const struct aob_profile *profile, const struct aob_model_in
                       (double)profile->levels[l].fill * profile->levels[l].ports * rates->clock * per_ms);
     spans[AOB_RESOURCE_MEMORY] = byte_span(input->filled[last], input->written, rates->memory * per_ms);
     spans[AOB_RESOURCE_TARGETS] = exact(input->pixels / (rates->rops * rates->clock * per_ms));
-    spans[AOB_RESOURCE_LAUNCH] = exact(rates->launch / 1e3);
 }
 
-struct aob_modelled aob_model_pass(const struct aob_profile *profile, const struct aob_model_input *input)
+struct aob_model_time aob_model_pass(const struct aob_profile *profile, const struct aob_model_input *input)
 {
-    struct aob_modelled modelled = {0};
+    struct aob_model_time modelled = {0};
     struct span spans[AOB_RESOURCE_COUNT];
     double squares = 0;
     measure(profile, input, spans);
-    for (int r = 0; r < AOB_RESOURCE_LAUNCH; r++) {
+    for (int r = 0; r < AOB_RESOURCE_COUNT; r++) {
         modelled.resources[r] = spans[r].middle;
         squares += spans[r].middle * spans[r].middle;
         modelled.low_ms = fmax(modelled.low_ms, spans[r].low);
         modelled.high_ms += spans[r].high;
     }
-    double launch = modelled.resources[AOB_RESOURCE_LAUNCH] = spans[AOB_RESOURCE_LAUNCH].middle;
-    modelled.ms = sqrt(squares) + launch;
-    modelled.low_ms += launch;
-    modelled.high_ms += launch;
+    modelled.launch_ms = profile->rates.launch / 1e3;
+    modelled.ms = sqrt(squares) + modelled.launch_ms;
+    modelled.low_ms += modelled.launch_ms;
+    modelled.high_ms += modelled.launch_ms;
     return modelled;
 }
 
-void aob_model_add(struct aob_modelled *frame, const struct aob_modelled *pass)
+void aob_model_add(struct aob_model_time *frame, const struct aob_model_time *pass)
 {
     frame->ms += pass->ms;
     frame->low_ms += pass->low_ms;
     frame->high_ms += pass->high_ms;
+    frame->launch_ms += pass->launch_ms;
     for (int r = 0; r < AOB_RESOURCE_COUNT; r++)
         frame->resources[r] += pass->resources[r];
 }
 
-enum aob_resource aob_model_limit(const struct aob_modelled *modelled)
+enum aob_resource aob_model_limit(const struct aob_model_time *modelled)
 {
     int limit = 0;
     for (int r = 1; r < AOB_RESOURCE_COUNT; r++)
@@ -96,8 +96,7 @@ const char *aob_model_resource_name(const struct aob_profile *profile, enum aob_
     static const char *const names[AOB_RESOURCE_COUNT] = {[AOB_RESOURCE_ALU] = "alu",
                                                           [AOB_RESOURCE_TEXTURE] = "texture",
                                                           [AOB_RESOURCE_MEMORY] = "memory",
-                                                          [AOB_RESOURCE_TARGETS] = "targets",
-                                                          [AOB_RESOURCE_LAUNCH] = "launch"};
+                                                          [AOB_RESOURCE_TARGETS] = "targets"};
     int level = (int)resource - AOB_RESOURCE_FILL;
     if (level >= 0 && level < profile->level_count - 1)
         return profile->levels[level].name;

@@ -24,25 +24,25 @@ enum aob_resource {
     AOB_RESOURCE_FILL, /* of the first level; then the others' but the last one's, whose is memory's */
     AOB_RESOURCE_MEMORY = AOB_RESOURCE_FILL + AOB_PROFILE_MAX_LEVEL - 1,
     AOB_RESOURCE_TARGETS,
-    AOB_RESOURCE_LAUNCH, /* serial: it is added to point and band, whatever else overlaps */
     AOB_RESOURCE_COUNT
 };
 
-struct aob_modelled {
-    double ms, low_ms, high_ms;
+struct aob_model_time {
+    double ms, low_ms, high_ms;           /* launch_ms is in each */
+    double launch_ms;                     /* serial, whatever else overlaps */
     double resources[AOB_RESOURCE_COUNT]; /* ms; those that the profile has not are 0 */
 };
 
 /* The profile has rates. Of what is a band itself (misses by warps in flight, lines that a quad finds at once), `resources`
  * and the point take the middle, `low_ms` the lower ends and `high_ms` the upper ones. */
-struct aob_modelled aob_model_pass(const struct aob_profile *profile, const struct aob_model_input *input);
+struct aob_model_time aob_model_pass(const struct aob_profile *profile, const struct aob_model_input *input);
 
 /* Passes run one after the other. */
-void aob_model_add(struct aob_modelled *frame, const struct aob_modelled *pass);
+void aob_model_add(struct aob_model_time *frame, const struct aob_model_time *pass);
 
 /* The resource that takes longest; of equal ones the first. */
-enum aob_resource aob_model_limit(const struct aob_modelled *modelled);
+enum aob_resource aob_model_limit(const struct aob_model_time *modelled);
 
-/* "alu", "texture", the name of a level, "memory", "targets", "launch"; NULL where the profile has no such level. */
+/* "alu", "texture", the name of a level, "memory", "targets"; NULL where the profile has no such level. */
 const char *aob_model_resource_name(const struct aob_profile *profile, enum aob_resource resource);
 #endif

@@ -1,7 +1,7 @@
 #include "result.h"
 #include <stdlib.h>
 #include "base/json.h"
-#include "modelled.h"
+#include "model_result.h"
 
 static void finish_pass(struct aob_cache_pass *pass)
 {
@@ -150,5 +150,5 @@ json_t *aob_cache_result_to_json(const struct aob_cache_result *result)
     return json_pack("{s:s, s:i, s:i, s:o, s:o, s:o}", "profile", result->profile->name, "units",
                      result->profile->units, "in_flight", result->profile->in_flight, "frame",
                      pass_to_json(result, &result->frame), "passes", passes, "modelled",
-                     aob_modelled_to_json(result));
+                     aob_model_result_to_json(result));
 }

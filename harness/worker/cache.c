@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "drawing.h"
+#include "frame/count.h"
 #include "frame/trace.h"
 #include "job/cache_job.h"
 #include "profile/simulate.h"
@@ -19,8 +20,10 @@ struct cached {
     struct aob_profile *profiles; /* those of the job, and what simulates them */
     struct aob_simulation **simulations;
     struct aob_room room; /* that all of them share */
+    struct aob_drawing_part part;
     struct aob_trace trace;
-    struct aob_frame plain; /* the same frame without a trace */
+    struct aob_frame plain;     /* the same frame without a trace */
+    struct aob_error uncounted; /* why it has no operations, where a profile has use for them */
 };
 
 static void reply_all(struct aob_worker *worker, const struct cached *cached, const char *status,
@@ -53,23 +56,23 @@ static bool read_profiles(struct cached *cached, struct aob_error *error)
 /* False: *status says what the refusal is. */
 static bool init_trace(struct cached *cached, const char **status, struct aob_error *error)
 {
-    struct aob_drawing_part part;
+    struct aob_drawing_part *part = &cached->part;
     struct aob_frame_time time;
     *status = "failed";
-    if (!aob_drawing_set(&cached->drawing, &cached->job.frame, &part, error)) {
-        *status = part.unfit ? "unsupported" : "failed";
+    if (!aob_drawing_set(&cached->drawing, &cached->job.frame, part, error)) {
+        *status = part->unfit ? "unsupported" : "failed";
         return false;
     }
     if (!aob_trace_init(&cached->trace,
-                        &(struct aob_trace_desc){.screen = part.screen,
-                                                 .technique = part.technique,
-                                                 .values = part.values,
-                                                 .fetch = part.fetch},
+                        &(struct aob_trace_desc){.screen = part->screen,
+                                                 .technique = part->technique,
+                                                 .values = part->values,
+                                                 .fetch = part->fetch},
                         error)) {
         *status = cached->trace.unfit ? "unsupported" : "failed";
         return false;
     }
-    return aob_frame_init(&cached->plain, part.screen, part.technique, part.values, part.fetch, error) &&
+    return aob_frame_init(&cached->plain, part->screen, part->technique, part->values, part->fetch, error) &&
            aob_frame_run(&cached->plain, 1, &time, error);
 }
 
@@ -94,6 +97,47 @@ static bool capture(struct cached *cached, size_t *differ, struct aob_error *err
     bool ok = aob_trace_run(&cached->trace, &sink, error) &&
               aob_trace_compare(&cached->trace, &cached->plain, differ, error);
     free(sinks);
+    return ok;
+}
+
+static bool wants_operations(const struct cached *cached)
+{
+    for (size_t i = 0; i < cached->job.profile_count; i++)
+        if (cached->profiles[i].rates.clock > 0)
+            return true;
+    return false;
+}
+
+static void take_operations(struct cached *cached, const struct aob_count *count)
+{
+    for (size_t i = 0; i < cached->job.profile_count; i++) {
+        const struct aob_cache_result *result = aob_simulation_result(cached->simulations[i]);
+        for (size_t p = 0; p < result->pass_count; p++)
+            aob_simulation_count(cached->simulations[i], p, &count->passes[result->passes[p].index].whole);
+    }
+}
+
+/* A case that cannot be counted here keeps its other figures. */
+static bool count_operations(struct cached *cached, struct aob_error *error)
+{
+    struct aob_count count;
+    const struct aob_count_desc desc = {.screen = cached->part.screen,
+                                        .technique = cached->part.technique,
+                                        .values = cached->part.values,
+                                        .fetch = cached->part.fetch};
+    if (!wants_operations(cached))
+        return true;
+    if (!aob_count_init(&count, &desc, error)) {
+        cached->uncounted = *error;
+        return count.unfit;
+    }
+    bool ok = aob_count_run(&count, error);
+    if (ok)
+        take_operations(cached, &count);
+    else
+        cached->uncounted = *error;
+    ok |= count.unfit;
+    aob_count_finish(&count);
     return ok;
 }
 
@@ -141,6 +185,8 @@ static void reply_figures(struct aob_worker *worker, const struct cached *cached
         json_object_set_new(figures, "digest", json_string(cached->job.profiles[i].digest));
         json_object_set_new(figures, "line_bytes", json_integer(cached->profiles[i].levels[0].line));
         json_object_set_new(figures, "texels_differ", json_integer((json_int_t)differ));
+        if (*cached->uncounted.text && cached->profiles[i].rates.clock > 0)
+            json_object_set_new(figures, "not_modelled", json_string(cached->uncounted.text));
         aob_worker_reply(worker,
                          aob_cache_answer_to_json(&(struct aob_cache_answer){i, "ok", NULL, figures}));
         json_decref(figures);
@@ -156,7 +202,8 @@ static bool run_case(struct aob_worker *worker, struct cached *cached, const cha
         return false;
     *status = "failed";
     reply_capture(worker, cached);
-    if (!capture(cached, &differ, error) || (cached->job.map && !write_map(cached, error)))
+    if (!capture(cached, &differ, error) || !count_operations(cached, error) ||
+        (cached->job.map && !write_map(cached, error)))
         return false;
     reply_figures(worker, cached, differ);
     return true;

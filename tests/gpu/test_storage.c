@@ -3,6 +3,7 @@
 #include "made.h"
 #include <stdlib.h>
 #include <string.h>
+#include "base/memory.h"
 #include "rig.h"
 
 static struct aob_gpu_buffer *buffer(struct aob_gpu *gpu, size_t size)
@@ -227,13 +228,51 @@ static void refuses_wrong_buffers_and_parts(void **state)
     stage_finish(&stage);
 }
 
+struct rewriter {
+    int calls;
+    uint32_t storage;
+    bool refuses;
+};
+
+static uint32_t *copy_words(void *self, const uint32_t *words, size_t *count, uint32_t storage,
+                            struct aob_error *error)
+{
+    struct rewriter *rewriter = self;
+    rewriter->calls++;
+    rewriter->storage = storage;
+    if (rewriter->refuses) {
+        aob_fail(error, "not these");
+        return NULL;
+    }
+    return memcpy(aob_alloc(*count, sizeof *words), words, *count * sizeof *words);
+}
+
+/* Of the fragment text only, and with the number that BIND_STORAGE has in its words. */
+static void a_program_can_be_rewritten(void **state)
+{
+    static const char vertex[] = "void main() { gl_Position = vec4(0.0); }\n";
+    struct aob_gpu *gpu = *state;
+    struct aob_error error = {""};
+    struct rewriter rewriter = {0};
+    const struct aob_gpu_rewrite rewrite = {&rewriter, copy_words};
+    const struct aob_gpu_program_desc desc = {.vertex = vertex, .fragment = counting, .rewrite = &rewrite};
+    struct aob_gpu_program *made = aob_gpu_program_create_desc(gpu, &desc, &error);
+    assert_non_null(made);
+    assert_true(made->geometry);
+    assert_int_equal(rewriter.calls, 1);
+    assert_int_equal(rewriter.storage, strncmp(gpu->info.backend, "gl-", 3) == 0 ? 0 : 32);
+    aob_gpu_program_destroy(gpu, made);
+    rewriter.refuses = true;
+    assert_null(aob_gpu_program_create_desc(gpu, &desc, &error));
+    assert_contains(error.text, "not these");
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(passes_write_what_is_read_back),
-        cmocka_unit_test(a_part_draws_its_rows_only),
-        cmocka_unit_test(a_part_draws_its_triangles_only),
-        cmocka_unit_test(refuses_wrong_buffers_and_parts),
+        cmocka_unit_test(passes_write_what_is_read_back),  cmocka_unit_test(a_part_draws_its_rows_only),
+        cmocka_unit_test(a_part_draws_its_triangles_only), cmocka_unit_test(refuses_wrong_buffers_and_parts),
+        cmocka_unit_test(a_program_can_be_rewritten),
     };
     return aob_rig_device_tests(argc, argv, tests, AOB_COUNT(tests));
 }

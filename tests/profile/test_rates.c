@@ -247,7 +247,7 @@ static void test_filters(void **state)
         struct aob_profile profile = open_profile(filters[i].name);
         uint64_t texels = 2 * filters[i].taps * 2 * 1280 * 720;
         struct aob_model_input input = {.issue = {texels, texels, texels}};
-        struct aob_modelled modelled = aob_model_pass(&profile, &input);
+        struct aob_model_time modelled = aob_model_pass(&profile, &input);
         assert_near(modelled.resources[AOB_RESOURCE_TEXTURE], filters[i].ms, 0.0005);
         aob_profile_finish(&profile);
     }

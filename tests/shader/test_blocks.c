@@ -1,7 +1,9 @@
 /* Slots of single expressions, as the table says them, and of the rules beyond it: a product within a sum, a constant factor
  * or divisor, a clamp to 0..1. No device is needed. */
 #include "check.h"
+#include <spirv-tools/libspirv.h>
 #include <stdlib.h>
+#include <string.h>
 #include "base/memory.h"
 #include "base/text.h"
 #include "gpu/glsl.h"
@@ -62,6 +64,7 @@ static const struct {
     {".xyz", "a.xyz * b.xyz", 3, 0, 0},
     {".xyz", "a.xyz * b.x + b.xyz", 3, 0, 0},
     {".x", "a.x * a.y + b.x * b.y", 2, 0, 0},
+    {".xyz", "a.xyz * b.x + b.xyz * a.y", 6, 0, 0}, /* one of the products */
     {".x", "a.x * a.y - a.z", 1, 0, 0},
     {".x", "a.z - a.x * a.y", 1, 0, 0},
     {".x", "a.z + (-(a.x * a.y))", 1, 0, 0},
@@ -140,6 +143,50 @@ static void test_what_is_not_in_the_table(void **state)
                         "instruction 146 of SPIR-V cannot be counted: it has no row in shader/operation.c");
 }
 
+/* %1 is a product, and 1 is the number of a component that another instruction takes. */
+static const char literal[] = "OpCapability Shader\n"
+                              "OpMemoryModel Logical GLSL450\n"
+                              "OpEntryPoint Fragment %10 \"main\" %11\n"
+                              "OpExecutionMode %10 OriginUpperLeft\n"
+                              "%12 = OpTypeVoid\n"
+                              "%13 = OpTypeFunction %12\n"
+                              "%14 = OpTypeFloat 32\n"
+                              "%15 = OpTypeVector %14 2\n"
+                              "%16 = OpTypePointer Output %14\n"
+                              "%11 = OpVariable %16 Output\n"
+                              "%17 = OpConstant %14 3\n"
+                              "%18 = OpConstantComposite %15 %17 %17\n"
+                              "%10 = OpFunction %12 None %13\n"
+                              "%19 = OpLabel\n"
+                              "%1 = OpFMul %14 %17 %17\n"
+                              "%20 = OpFAdd %14 %1 %17\n"
+                              "%21 = OpCompositeExtract %14 %18 1\n"
+                              "%22 = OpFAdd %14 %20 %21\n"
+                              "OpStore %11 %22\n"
+                              "OpReturn\n"
+                              "OpFunctionEnd\n";
+
+static void test_literals_are_no_values(void **state)
+{
+    (void)state;
+    struct aob_error error = {""};
+    struct aob_spirv spirv;
+    struct aob_blocks blocks;
+    spv_binary binary = NULL;
+    spv_context context = spvContextCreate(SPV_ENV_UNIVERSAL_1_5);
+    assert_int_equal(spvTextToBinaryWithOptions(context, literal, strlen(literal),
+                                                SPV_TEXT_TO_BINARY_OPTION_PRESERVE_NUMERIC_IDS, &binary,
+                                                NULL),
+                     SPV_SUCCESS);
+    assert_true(aob_spirv_init(&spirv, binary->code, binary->wordCount, &error));
+    assert_true(aob_blocks_init(&blocks, &spirv, &error));
+    assert_true(sum_of(&blocks).alu == 2); /* the product is part of the sum that alone uses it */
+    aob_blocks_finish(&blocks);
+    aob_spirv_finish(&spirv);
+    spvBinaryDestroy(binary);
+    spvContextDestroy(context);
+}
+
 /* Words that are cut anywhere are no module, or one of fewer functions; none is read beyond its end. */
 static void test_cut_words(void **state)
 {
@@ -161,8 +208,8 @@ static void test_cut_words(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_expressions),
-                                       cmocka_unit_test(test_what_is_not_in_the_table),
-                                       cmocka_unit_test(test_cut_words)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_expressions), cmocka_unit_test(test_what_is_not_in_the_table),
+        cmocka_unit_test(test_literals_are_no_values), cmocka_unit_test(test_cut_words)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

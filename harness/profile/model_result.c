@@ -1,13 +1,13 @@
-#include "modelled.h"
+#include "model_result.h"
 #include <string.h>
 
-bool aob_modelled_known(const struct aob_cache_result *result)
+bool aob_model_result_known(const struct aob_cache_result *result)
 {
     return result->counted && result->profile->rates.clock > 0;
 }
 
-struct aob_modelled aob_modelled_pass(const struct aob_cache_result *result,
-                                      const struct aob_cache_pass *pass)
+struct aob_model_time aob_model_result_pass(const struct aob_cache_result *result,
+                                            const struct aob_cache_pass *pass)
 {
     struct aob_model_input input = {.operations = pass->operations,
                                     .issue = pass->issue,
@@ -19,17 +19,17 @@ struct aob_modelled aob_modelled_pass(const struct aob_cache_result *result,
     return aob_model_pass(result->profile, &input);
 }
 
-struct aob_modelled aob_modelled_frame(const struct aob_cache_result *result)
+struct aob_model_time aob_model_result_frame(const struct aob_cache_result *result)
 {
-    struct aob_modelled frame = {0};
+    struct aob_model_time frame = {0};
     for (size_t p = 0; p < result->pass_count; p++) {
-        struct aob_modelled pass = aob_modelled_pass(result, &result->passes[p]);
+        struct aob_model_time pass = aob_model_result_pass(result, &result->passes[p]);
         aob_model_add(&frame, &pass);
     }
     return frame;
 }
 
-static json_t *times_to_json(const struct aob_profile *profile, const struct aob_modelled *modelled)
+static json_t *times_to_json(const struct aob_profile *profile, const struct aob_model_time *modelled)
 {
     json_t *resources = json_object();
     for (int r = 0; r < AOB_RESOURCE_COUNT; r++) {
@@ -37,9 +37,9 @@ static json_t *times_to_json(const struct aob_profile *profile, const struct aob
         if (name)
             json_object_set_new(resources, name, json_real(modelled->resources[r]));
     }
-    return json_pack("{s:f, s:f, s:f, s:s, s:o}", "ms", modelled->ms, "low_ms", modelled->low_ms, "high_ms",
-                     modelled->high_ms, "limit", aob_model_resource_name(profile, aob_model_limit(modelled)),
-                     "resources", resources);
+    return json_pack("{s:f, s:f, s:f, s:f, s:s, s:o}", "ms", modelled->ms, "low_ms", modelled->low_ms,
+                     "high_ms", modelled->high_ms, "launch_ms", modelled->launch_ms, "limit",
+                     aob_model_resource_name(profile, aob_model_limit(modelled)), "resources", resources);
 }
 
 /* The rates that no source confirms: what a reader has to doubt first. */
@@ -52,18 +52,18 @@ static json_t *unverified_to_json(const struct aob_profile *profile)
     return keys;
 }
 
-json_t *aob_modelled_to_json(const struct aob_cache_result *result)
+json_t *aob_model_result_to_json(const struct aob_cache_result *result)
 {
-    if (!aob_modelled_known(result))
+    if (!aob_model_result_known(result))
         return json_null();
     json_t *passes = json_array();
     for (size_t p = 0; p < result->pass_count; p++) {
-        struct aob_modelled modelled = aob_modelled_pass(result, &result->passes[p]);
+        struct aob_model_time modelled = aob_model_result_pass(result, &result->passes[p]);
         json_t *pass = times_to_json(result->profile, &modelled);
         json_object_set_new(pass, "name", json_string(result->passes[p].name));
         json_array_append_new(passes, pass);
     }
-    struct aob_modelled frame = aob_modelled_frame(result);
+    struct aob_model_time frame = aob_model_result_frame(result);
     return json_pack("{s:o, s:o, s:o}", "frame", times_to_json(result->profile, &frame), "passes", passes,
                      "unverified", unverified_to_json(result->profile));
 }
