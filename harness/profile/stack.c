@@ -130,8 +130,3 @@ uint64_t aob_stack_misses(const struct aob_stack *stack, size_t size)
         misses += stack->found[group];
     return misses;
 }
-
-uint64_t aob_stack_cold(const struct aob_stack *stack)
-{
-    return stack->found[0];
-}

@@ -22,6 +22,5 @@ void aob_stack_destroy(struct aob_stack *stack);
 void aob_stack_access(struct aob_stack *stack, const uint32_t *numbers, size_t count);
 
 uint64_t aob_stack_misses(const struct aob_stack *stack,
-                          size_t size);                 /* of the size with that place in `sizes` */
-uint64_t aob_stack_cold(const struct aob_stack *stack); /* first uses: what no size saves */
+                          size_t size); /* of the size with that place in `sizes` */
 #endif
