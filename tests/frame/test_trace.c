@@ -256,6 +256,21 @@ static void check_footprint(uint32_t word, uint32_t first_texel, double x, doubl
                  2 - one_column, 2 - one_row, column, row, left, right, top, bottom);
 }
 
+/* What the text "edges" reads. */
+static void check_edges(const struct taken *taken, const struct taken_pass *pass)
+{
+    uint32_t first = number(taken, pass, "flat", 0, 0, 0);
+    assert_int_equal(pass->slots, 5);
+    assert_int_equal(pass->count, W * H);
+    for (int y = 0; y < H; y++)
+        for (int x = 0; x < W; x++) {
+            const uint32_t *words = pass->words + (size_t)(y * W + x) * 5;
+            for (int i = 0; i < 4; i++)
+                check_footprint(words[i], first, x + (i & 1 ? 0.75 : 0.25), y + (i & 2 ? 0.75 : 0.25));
+            check_footprint(words[4], first, 3 * x - W + 0.25, 3 * y - H + 0.25);
+        }
+}
+
 /* At all edges and corners, and for places far beyond them. */
 static void test_bilinear_edges(void **state)
 {
@@ -267,20 +282,13 @@ static void test_bilinear_edges(void **state)
     reader = "edges";
     for (size_t b = 0; b < AOB_COUNT(backends); b++) {
         struct aob_gpu *gpu = aob_rig_gpu(backends[b]);
-        init(traced, &rig, gpu, AOB_FETCH_SAMPLED);
-        take(traced, taken);
-        const struct taken_pass *pass = &taken->passes[taken->pass_count - 1];
-        uint32_t first = number(taken, pass, "flat", 0, 0, 0);
-        assert_int_equal(pass->slots, 5);
-        for (int y = 0; y < H; y++)
-            for (int x = 0; x < W; x++) {
-                const uint32_t *words = pass->words + (size_t)(y * W + x) * 5;
-                for (int i = 0; i < 4; i++)
-                    check_footprint(words[i], first, x + (i & 1 ? 0.75 : 0.25), y + (i & 2 ? 0.75 : 0.25));
-                check_footprint(words[4], first, 3 * x - W + 0.25, 3 * y - H + 0.25);
-            }
-        taken_finish(taken);
-        traced_finish(traced);
+        for (int fetch = AOB_FETCH_SAMPLED; fetch <= AOB_FETCH_STORAGE; fetch++) {
+            init(traced, &rig, gpu, fetch);
+            take(traced, taken);
+            check_edges(taken, &taken->passes[taken->pass_count - 1]);
+            taken_finish(taken);
+            traced_finish(traced);
+        }
         aob_gpu_close(gpu);
     }
     aob_rig_finish(&rig);
