@@ -18,7 +18,7 @@ struct comparison {
     struct aob_rows rows;
     const struct aob_row **sides[2];
     size_t counts[2];
-    bool partial; /* a run lacks some of the cases that it planned */
+    bool partial; /* a run lacks cases that it was asked for, or some cannot be measured again */
     struct aob_couples couples;
     struct aob_compared_table table;
 };
@@ -42,16 +42,17 @@ static void choose_sides(struct comparison *c)
     }
 }
 
-/* A run that was stopped, or a journal that was cut: what it lacks cannot be seen from its cases. */
+/* A run that was stopped, or a journal that was cut: what it lacks cannot be seen from its cases. What its filters left out
+ * it does not lack. */
 static void judge_whole(struct comparison *c)
 {
     for (size_t i = 0; i < c->rows.run_count; i++) {
         const struct aob_run *run = &c->rows.runs[i];
-        if (run->cases >= run->planned)
+        if (!run->missing)
             continue;
         c->partial = true;
         aob_warn("%s: its journal has %zu of %zu cases; start the run again to measure the rest", run->folder,
-                 run->cases, run->planned);
+                 run->asked - run->missing, run->asked);
     }
 }
 
@@ -204,6 +205,8 @@ static enum aob_exit compare_builds(const struct aob_compare_desc *desc, const s
                               .maps = then_maps};
     bool ok = measure(desc, stored, error) && judge(&c, error);
     bool has_then = ok && stored && judge_then(&then);
+    if (stored && !desc->config && c.couples.count < json_array_size(stored->records))
+        c.partial = true; /* a warning said which */
     ok = ok && write_out(&c, has_then ? &then : NULL, out, error);
     enum aob_exit code = ok ? exit_code(&c) : AOB_EXIT_USAGE;
     finish(&c);

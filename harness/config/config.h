@@ -35,7 +35,6 @@
 #include <stddef.h>
 #include "base/error.h"
 #include "base/hash.h"
-#include "base/text.h"
 #include "convention.h"
 
 struct aob_value { /* one scalar of the file */
@@ -135,8 +134,6 @@ bool aob_config_read_copy(struct aob_config *config, const char *path, const cha
 /* Takes out the profiles of caches, as if the config had none: for a comparison, which shows none of their figures. */
 void aob_config_leave_profiles(struct aob_config *config);
 
-/* Takes out the scenes whose mesh file or capture is not there any more, and adds what they are called, a line each. */
-void aob_config_leave_gone(struct aob_config *config, struct aob_text *gone);
 void aob_scene_choice_finish(struct aob_scene_choice *choice); /* of a scene that leaves its config */
 void aob_technique_choice_finish(
     struct aob_technique_choice *choice); /* of an entry that leaves its config */

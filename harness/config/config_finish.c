@@ -1,5 +1,4 @@
 #include <stdlib.h>
-#include "base/file.h"
 #include "config.h"
 
 static void free_axes(struct aob_axis *axes, size_t count)
@@ -38,22 +37,6 @@ void aob_scene_choice_finish(struct aob_scene_choice *choice)
     free(choice->capture);
     free(choice->given);
     free(choice->gbuffer);
-}
-
-void aob_config_leave_gone(struct aob_config *config, struct aob_text *gone)
-{
-    size_t kept = 0;
-    for (size_t i = 0; i < config->scene_count; i++) {
-        struct aob_scene_choice *choice = &config->scenes[i];
-        const char *file = choice->capture ? choice->capture : choice->file;
-        if (!file || aob_file_exists(file)) {
-            config->scenes[kept++] = *choice;
-            continue;
-        }
-        aob_text_add_line(gone, "%s%s", choice->capture ? "capture:" : "", choice->given);
-        aob_scene_choice_finish(choice);
-    }
-    config->scene_count = kept;
 }
 
 void aob_config_leave_profiles(struct aob_config *config)

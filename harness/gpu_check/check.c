@@ -214,14 +214,25 @@ static void run_worker(const struct check *check, const struct step *step, doubl
     json_decref(job);
 }
 
+static bool measures(const struct step *step)
+{
+    return strcmp(step->section, "timer") == 0 || strcmp(step->section, "times") == 0;
+}
+
 /* Another program that measures is waited for, which takes nothing of the check's own time. */
 static bool lock_machine(struct check *check, const struct step *step, struct aob_error *error)
 {
     int64_t start = aob_clock_wall_ns();
-    bool times = strcmp(step->section, "timer") == 0 || strcmp(step->section, "times") == 0;
-    bool ok = !times || aob_measure_lock_take(&check->lock, error);
+    bool ok = !measures(step) || aob_measure_lock_take(&check->lock, error);
     check->end_ns += aob_clock_wall_ns() - start;
     return ok;
+}
+
+/* Of a lock that could be had when the check began. It is no fault of a driver. */
+static void cut_section(json_t *section, const char *reason)
+{
+    add_item(section, json_pack("{s:s, s:s, s:o}", "item", "the lock of measuring", "status", AOB_CHECK_CUT,
+                                "reason", aob_json_text(reason)));
 }
 
 static void run_step(struct check *check, size_t at)
@@ -236,7 +247,7 @@ static void run_step(struct check *check, size_t at)
     if (locked)
         run_worker(check, step, seconds, section);
     else
-        fail_section(section, error.text);
+        cut_section(section, error.text);
     aob_measure_lock_release(&check->lock);
     json_object_set_new(section, "seconds", json_real(-seconds_until(start)));
     json_array_append_new(check->sections, section);
@@ -325,8 +336,19 @@ static json_t *date_now(void)
     return json_string(date);
 }
 
-json_t *aob_check_run(const struct aob_check_desc *desc)
+static bool can_measure(const struct aob_check_desc *desc, struct aob_error *error)
 {
+    const struct check check = {.desc = desc};
+    bool any = false;
+    for (size_t i = 0; i < AOB_COUNT(steps); i++)
+        any = any || (is_wanted(&check, &steps[i]) && measures(&steps[i]));
+    return !any || aob_measure_lock_check(error);
+}
+
+json_t *aob_check_run(const struct aob_check_desc *desc, struct aob_error *error)
+{
+    if (!can_measure(desc, error))
+        return NULL;
     int64_t start = aob_clock_wall_ns();
     json_t *packed = json_array();
     struct check check = {.desc = desc,

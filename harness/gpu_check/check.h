@@ -21,12 +21,13 @@ struct aob_check_desc {
 };
 #define AOB_CHECK_PRECISION 0.01
 
-/* Runs the sections and returns the document; decref it. It holds schema, program, date, machine{cpu, cores, system},
+/* Runs the sections and returns the document; decref it. NULL with a line, before anything is opened, if something is to be
+ * timed and the lock of measuring cannot be had (timing/measure_lock.h). The document holds schema, program, date, machine{cpu, cores, system},
  * packed_loaders[], seconds, verdict, findings[], cut[] (a line each), sections[{section, backend, status, reason, seconds, items[]}]. A section's
  * status is that of its worst item: failed, disagrees, cut, passed, skipped. The verdict is `disagrees` (a section failed or
  * disagrees, that of the device too: a driver that dies when it is opened is a finding), `cannot` (no backend has a device,
- * or not the one that was asked for), `cut` (there was no time left for some items), or `passed`. */
-json_t *aob_check_run(const struct aob_check_desc *desc);
+ * or not the one that was asked for), `cut` (there was no time left for some items, or the lock went away), or `passed`. */
+json_t *aob_check_run(const struct aob_check_desc *desc, struct aob_error *error);
 
 /* Whether there is a section of that name. */
 bool aob_check_has(const char *section);

@@ -107,6 +107,18 @@ static enum aob_exit write_results(const struct options *options, json_t *docume
     return code;
 }
 
+static enum aob_exit run_check(const struct options *options, const struct aob_check_desc *desc,
+                               json_t *made_on, struct aob_error *error)
+{
+    json_t *document = aob_check_run(desc, error);
+    if (!document)
+        return AOB_EXIT_USAGE;
+    json_object_set(document, "made_on", made_on);
+    enum aob_exit code = write_results(options, document, error);
+    json_decref(document);
+    return code;
+}
+
 static enum aob_exit check(const struct options *options, const struct limits *limits,
                            struct aob_error *error)
 {
@@ -116,16 +128,15 @@ static enum aob_exit check(const struct options *options, const struct limits *l
     enum aob_exit code = AOB_EXIT_USAGE;
     if (aob_json_check(options->out ? options->out : "gpu-check.json", error) &&
         aob_check_data_load(&read, data, error)) {
-        json_t *document = aob_check_run(&(struct aob_check_desc){.program = folder,
-                                                                  .data = data,
-                                                                  .backend = options->backend,
-                                                                  .device = options->device,
-                                                                  .section = options->section,
-                                                                  .seconds = limits->seconds,
-                                                                  .precision = limits->precision});
-        json_object_set(document, "made_on", json_object_get(read.document, "made_on"));
-        code = write_results(options, document, error);
-        json_decref(document);
+        code = run_check(options,
+                         &(struct aob_check_desc){.program = folder,
+                                                  .data = data,
+                                                  .backend = options->backend,
+                                                  .device = options->device,
+                                                  .section = options->section,
+                                                  .seconds = limits->seconds,
+                                                  .precision = limits->precision},
+                         json_object_get(read.document, "made_on"), error);
         aob_check_data_finish(&read);
     }
     free(data);

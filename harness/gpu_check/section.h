@@ -31,7 +31,7 @@ extern const struct aob_section aob_section_device, aob_section_timer, aob_secti
 #define AOB_CHECK_DISAGREES "disagrees" /* with a `reason` */
 #define AOB_CHECK_FAILED    "failed"    /* the device could not do it; with a `reason` */
 #define AOB_CHECK_SKIPPED   "skipped"   /* nothing for this device; with a `reason` */
-#define AOB_CHECK_CUT       "cut"       /* there was no time left; with a `reason` */
+#define AOB_CHECK_CUT       "cut"       /* there was no time or no lock left; with a `reason` */
 #define AOB_CHECK_CANNOT    "cannot"    /* of all together: no backend has a device */
 
 /* Sends an item; takes the reference. */

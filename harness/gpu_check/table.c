@@ -6,8 +6,10 @@
 
 static void print_device(const json_t *item, struct aob_text *out)
 {
-    bool chosen = strcmp(aob_member_text(item, "status"), AOB_CHECK_PASSED) == 0;
-    const char *lacks = aob_member_text(item, "reason");
+    const char *status = aob_member_text(item, "status");
+    bool chosen = strcmp(status, AOB_CHECK_SKIPPED) != 0;
+    const char *lacks =
+        chosen ? "" : aob_member_text(item, "reason"); /* why it failed is the section's reason */
     aob_text_add_line(
         out, "  %c %d %s: %s%s; %s; %s%s%s", chosen ? '*' : ' ', (int)aob_member_number(item, "number"),
         aob_member_text(item, "item"), aob_member_text(item, "class"),

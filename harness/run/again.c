@@ -4,7 +4,7 @@
 #include "base/member.h"
 #include "base/memory.h"
 #include "base/table.h"
-#include "base/text.h"
+#include "gone.h"
 #include "plan/twins.h"
 
 static size_t count_of_scene(const json_t *records, const char *scene)
@@ -18,29 +18,30 @@ static size_t count_of_scene(const json_t *records, const char *scene)
     return count;
 }
 
-/* A line a scene; its views are one after the other. */
-static void warn_of_gone(const struct aob_run_again *again, char *gone)
+struct gone {
+    const json_t *records;
+    struct aob_table told; /* scenes; each may have several views */
+};
+
+static void warn_of_gone(void *user, const char *scene, const char *why)
 {
-    const char *last = "";
-    for (char *scene; (scene = strsep(&gone, "\n")); last = scene) {
-        size_t count = strcmp(scene, last) == 0 ? 0 : count_of_scene(again->records, scene);
-        if (count)
-            aob_warn("%s is not there any more, as seen from %s: %zu case%s of it cannot be measured again",
-                     scene, again->place, count, count == 1 ? "" : "s");
-    }
+    struct gone *gone = user;
+    size_t count = count_of_scene(gone->records, scene);
+    if (!count || aob_table_find(&gone->told, scene, NULL))
+        return;
+    aob_table_put(&gone->told, scene, 0);
+    aob_warn("%s: %zu case%s of it cannot be measured again", why, count, count == 1 ? "" : "s");
 }
 
 bool aob_run_again_read(const struct aob_run_again *again, const char *copy, struct aob_config *config,
                         struct aob_error *error)
 {
-    struct aob_text gone = {0};
+    struct gone gone = {.records = again->records};
     if (!aob_config_read_copy(config, copy, again->place, error))
         return false;
     config->measure_time = config->images = true; /* which is what is compared, and in no key */
-    aob_config_leave_gone(config, &gone);
-    if (gone.size)
-        warn_of_gone(again, gone.data);
-    aob_text_finish(&gone);
+    aob_gone_leave(config, warn_of_gone, &gone);
+    aob_table_finish(&gone.told);
     return config->scene_count || aob_fail(error, "%s: no scene of it is there any more", again->place);
 }
 

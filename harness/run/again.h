@@ -10,7 +10,8 @@ struct aob_run_again {
     const char *module;    /* of the other build, one of the dispatch's modules */
 };
 
-/* Reads the copy, without the scenes whose file is not there any more. */
+/* Reads the copy, without the scenes whose geometry cannot be had any more (gone.h); one warning for each says why, and how
+ * many of the records are of it. */
 bool aob_run_again_read(const struct aob_run_again *again, const char *copy, struct aob_config *config,
                         struct aob_error *error);
 

@@ -68,3 +68,8 @@ json_t *aob_run_info_create(const struct aob_sweep *sweep, const struct aob_disp
     free(place);
     return info;
 }
+
+void aob_run_info_ask(json_t *info, const struct aob_plan *plan)
+{
+    json_object_set_new(info, "asked", keys_to_json(plan));
+}

@@ -10,4 +10,7 @@
  * if no backend of the plan has the device that is asked for. Decref it. */
 json_t *aob_run_info_create(const struct aob_sweep *sweep, const struct aob_dispatch *dispatch,
                             struct aob_error *error);
+
+/* Adds `asked`: the keys of a plan that a filter has cut. Without it, all keys are asked for. */
+void aob_run_info_ask(json_t *info, const struct aob_plan *plan);
 #endif

@@ -67,8 +67,10 @@ static bool describe(struct run *run, struct aob_error *error)
 
 static bool apply_filter(struct run *run, struct aob_error *error)
 {
-    if (run->desc->filter)
+    if (run->desc->filter) {
         aob_plan_filter(&run->sweep.plan, run->desc->filter);
+        aob_run_info_ask(run->info, &run->sweep.plan);
+    }
     return run->sweep.plan.case_count || aob_fail(error, "no case of %s matches '%s'; see: aobudget plan %s",
                                                   run->desc->config, run->desc->filter, run->desc->config);
 }

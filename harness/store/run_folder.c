@@ -76,6 +76,37 @@ static const char *find_difference(const json_t *earlier, const json_t *info)
     return same_text(earlier, info, "build") ? NULL : "a run of another build of this program";
 }
 
+static json_t *keys_of(const json_t *info, const char *list)
+{
+    json_t *keys = json_object(), *key;
+    size_t at;
+    json_array_foreach(json_object_get(info, list), at, key)
+    {
+        json_object_set_new(keys, json_string_value(key) ? json_string_value(key) : "", json_true());
+    }
+    return keys;
+}
+
+/* What an earlier call asked for stays asked for, as far as it is planned now. No list stands for all. */
+static void keep_asked(const json_t *earlier, json_t *info)
+{
+    json_t *asked = json_object_get(info, "asked"), *before = json_object_get(earlier, "asked"), *key;
+    size_t at;
+    if (!asked || !before) {
+        json_object_del(info, "asked");
+        return;
+    }
+    json_t *planned = keys_of(info, "keys"), *has = keys_of(info, "asked");
+    json_array_foreach(before, at, key)
+    {
+        const char *text = json_string_value(key);
+        if (text && json_object_get(planned, text) && !json_object_get(has, text))
+            json_array_append(asked, key);
+    }
+    json_decref(planned);
+    json_decref(has);
+}
+
 /* Without a record there is nothing that could be lost or mixed: such a run was stopped before its first case. */
 static bool judge_earlier_run(const struct aob_run_folder *folder, json_t *info, struct aob_error *error)
 {
@@ -86,6 +117,8 @@ static bool judge_earlier_run(const struct aob_run_folder *folder, json_t *info,
     bool ok = other ? aob_fail(error, "%s holds %s: use --fresh to discard it, or another --out",
                                folder->path, other)
                     : judge_devices(folder, earlier, info, error);
+    if (ok)
+        keep_asked(earlier, info);
     json_decref(earlier);
     return ok;
 }

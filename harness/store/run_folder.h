@@ -18,7 +18,8 @@ struct aob_run_folder {
 /* Creates or reopens. What an earlier run left is kept if its run.json names the same config_hash, build and devices as
  * `info`, and discarded if `fresh`; else it is refused, because figures would be lost, or figures of two programs or
  * two devices mixed. A folder whose journal is empty or missing holds no run. `info` takes over the earlier device of a
- * backend that could not be opened now. */
+ * backend that could not be opened now, and adds the earlier `asked` to its own; one of them without that list asks for all
+ * of `keys`, and so does the whole then. */
 bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t *info, bool fresh,
                          struct aob_error *error);
 bool aob_run_folder_describe(const struct aob_run_folder *folder, const json_t *info,

@@ -13,22 +13,19 @@
 
 static const char *const places[] = {"/run/lock/aobudget-measure.lock", "/tmp/aobudget-measure.lock", NULL};
 
-/* Everybody shall be able to lock it, whatever the umask, from the moment that it has its name: so it is made under another
- * one, and linked. False with errno, which is EEXIST if somebody was faster. */
+/* Everybody shall be able to lock it, whatever the umask, from the moment that it has its name. One call does that; it needs
+ * neither modes nor hard links, which some file systems do not have, and leaves nothing half made. False with errno, which
+ * is EEXIST if somebody was faster. */
 static bool create_file(const char *path)
 {
-    struct aob_text name = {0};
-    aob_text_add(&name, "%s.XXXXXX", path);
-    int file = mkostemp(name.data, O_CLOEXEC);
-    bool ok = file >= 0 && fchmod(file, 0666) == 0 && link(name.data, path) == 0;
+    mode_t mask = umask(0);
+    int file = open(path, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     int cause = errno;
-    if (file >= 0) {
-        unlink(name.data);
+    umask(mask);
+    if (file >= 0)
         close(file);
-    }
-    aob_text_finish(&name);
     errno = cause;
-    return ok;
+    return file >= 0;
 }
 
 /* Without O_CREAT: in a folder that anybody may write to, Linux refuses to open another user's file with it

@@ -5,7 +5,8 @@
  *
  * A program that measures in many processes takes the lock for each of them. Between two of them another one that waits has
  * it: who waits holds a second file's lock (the first's name and .turn), which everybody needs to take the first. Where
- * that file cannot be made, or who holds it is stopped while nobody measures, only the turns are lost. Threads: one. */
+ * that file cannot be made, or who holds it is stopped while nobody measures, only the turns are lost. Threads: one, while no
+ * other makes files: the umask is 0 for the moment in which a lock's file is made. */
 #ifndef AOB_TIMING_MEASURE_LOCK_H
 #define AOB_TIMING_MEASURE_LOCK_H
 #include <stdbool.h>

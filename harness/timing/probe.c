@@ -1,5 +1,6 @@
 #include "probe.h"
 #include <math.h>
+#include "standing.h"
 
 static int64_t time_by(enum aob_clock clock, const struct aob_gpu_time *time)
 {
@@ -14,7 +15,7 @@ static bool probe(const struct aob_timing_desc *desc, size_t at, int frames, dou
     struct aob_frame_time time;
     bool ok = source ? source->run(source->user, desc->frames[at], frames, &time, error)
                      : aob_frame_run(desc->frames[at], frames, &time, error);
-    if (!ok)
+    if (!ok || !aob_standing_check(&time.whole, desc->clock, error))
         return false;
     *cost_ms = 1e-6 * (double)time_by(desc->clock, &time.whole) / frames;
     *loaded_ms += 1e-6 * (double)time.whole.wall_ns;

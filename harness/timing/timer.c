@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/statistics.h"
 #include "base/text.h"
+#include "standing.h"
 
 enum { SIDE = 1024, FIRST_TRIPS = 64, MOST_TRIPS = 1 << 20 };
 static const int64_t enough_ns = 4000000, /* of the smallest pass: its begin and end are a few per cent */
@@ -68,7 +69,8 @@ static bool run(struct bench *bench, size_t work, struct reading *reading, struc
     for (size_t i = 0; i < works[work].count; i++)
         list[i] = bench->passes[works[work].passes[i]];
     const struct aob_gpu_run_desc desc = {list, works[work].count, works[work].repeats};
-    return aob_gpu_run(bench->gpu, &desc, reading->passes, &reading->whole, error);
+    return aob_gpu_run(bench->gpu, &desc, reading->passes, &reading->whole, error) &&
+           aob_standing_check(&reading->whole, AOB_CLOCK_WALL, error);
 }
 
 /* As much arithmetic as makes the smallest pass long enough, from so many trips on. The second run counts: drivers compile at

@@ -23,7 +23,8 @@ struct aob_timer {
 };
 
 /* The device must run lists (struct aob_gpu): open a software device `as_gpu`. It takes about a second, of which 300 ms are a
- * load that its frequency may rise with, and four megabytes on the device. False, with a line, if the device fails; a clock that lies is no failure.
+ * load that its frequency may rise with, and four megabytes on the device. False, with a
+ * line, if the device fails or the host's own clock stands still; a device's clock that lies is no failure.
  *
  * Everything is the median of the rounds. A share is what the device sees of what the host sees of the same submits: 0.8 ..
  * 1.02 of it, as the way there and back takes some of 16 ms or more, and two clocks of one machine drift by less than 2 %.

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "estimate.h"
+#include "standing.h"
 #include "summary.h"
 
 /* One block while one process measures it. */
@@ -78,8 +79,7 @@ static bool run_slot(const struct run *run, size_t slot, int frames, struct aob_
     for (int p = 0; p < frame->graph.pass_count; p++)
         if (frame->passes[p])
             into->passes[into->pass_count++] = spent_in_pass(&time.passes[p]);
-    return into->whole.ns[run->desc->clock] != AOB_NO_TIME ||
-           aob_fail(error, "the device told no time by the %s clock", aob_clock_name(run->desc->clock));
+    return aob_standing_check(&time.whole, run->desc->clock, error);
 }
 
 /* Takes the slot's cost from so many of its frames. */

@@ -81,18 +81,42 @@ static void read_info(struct aob_run *run)
     free(path);
 }
 
-/* The keys that the run plans, as names of an object; NULL where run.json has no list of them. decref it. */
-static json_t *planned_keys(const struct aob_run *run)
+/* A list of keys in run.json, as names of an object; NULL where there is none. decref it. */
+static json_t *keys_of(const struct aob_run *run, const char *list)
 {
-    json_t *keys = json_object_get(run->info, "keys"), *planned = json_is_array(keys) ? json_object() : NULL,
+    json_t *array = json_object_get(run->info, list), *keys = json_is_array(array) ? json_object() : NULL,
            *key;
     size_t i;
-    json_array_foreach(keys, i, key)
+    json_array_foreach(array, i, key)
     {
         if (json_is_string(key))
-            json_object_set_new(planned, json_string_value(key), json_true());
+            json_object_set_new(keys, json_string_value(key), json_true());
     }
-    return planned;
+    return keys;
+}
+
+/* Takes the lines that are of the plan: a journal may also hold cases of an earlier state of the program or its modules. */
+static void take_lines(struct aob_rows *rows, size_t index)
+{
+    struct aob_run *run = &rows->runs[index];
+    json_t *planned = keys_of(run, "keys"), *asked = keys_of(run, "asked"), *line;
+    json_t *open = asked ? asked : json_copy(planned);
+    size_t i;
+    run->asked = open ? json_object_size(open) : run->planned;
+    json_array_foreach(run->lines, i, line)
+    {
+        if (planned && !json_object_get(planned, aob_member_text(line, "key")))
+            continue;
+        take_line(AOB_PUSH(rows->list, rows->count, rows->capacity), index, line);
+        json_object_del(open, aob_member_text(line, "key"));
+        run->cases++;
+    }
+    if (open)
+        run->missing = json_object_size(open);
+    else if (run->planned > run->cases)
+        run->missing = run->planned - run->cases;
+    json_decref(open);
+    json_decref(planned);
 }
 
 static bool read_run(struct aob_rows *rows, size_t index, struct aob_error *error)
@@ -105,17 +129,7 @@ static bool read_run(struct aob_rows *rows, size_t index, struct aob_error *erro
     else
         run->lines = aob_journal_read(path, &run->damage, error);
     free(path);
-    json_t *planned = planned_keys(run), *line;
-    size_t i;
-    json_array_foreach(run->lines, i, line)
-    {
-        /* A journal may also hold cases of an earlier state of the program or its modules. */
-        if (planned && !json_object_get(planned, aob_member_text(line, "key")))
-            continue;
-        take_line(AOB_PUSH(rows->list, rows->count, rows->capacity), index, line);
-        run->cases++;
-    }
-    json_decref(planned);
+    take_lines(rows, index);
     return run->lines != NULL;
 }
 

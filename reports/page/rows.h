@@ -13,11 +13,13 @@
 
 struct aob_run {
     const char *folder;
-    json_t *info;            /* run.json, or NULL */
-    json_t *lines;           /* the journal's objects */
-    const char *name;        /* run.json's, else the folder's path */
-    size_t planned;          /* cases; 0: not known */
-    size_t cases;            /* found in the journal */
+    json_t *info;     /* run.json, or NULL */
+    json_t *lines;    /* the journal's objects */
+    const char *name; /* run.json's, else the folder's path */
+    size_t planned;   /* cases; 0: not known */
+    size_t cases;     /* found in the journal */
+    size_t asked,
+        missing; /* of those planned: what the run's filters let through, and what the journal lacks of it */
     struct aob_error damage; /* of the journal, one line; empty if there is none */
 };
 

@@ -127,6 +127,23 @@ check "and what a run lacks of its plan" grep -qx 'aobudget: warning: partial: i
 cp -r old_again cut
 head -n 3 old_again/journal.jsonl >cut/journal.jsonl
 code 3 "$program" compare old cut
+# What filters left out is not missing. What one of them let through is, whichever came last.
+filtered() { "$program" run old.yaml --out some --quiet "$@"; }
+filtered --filter none
+cp -r some others
+code 0 "$program" compare some others
+filtered --filter corner/far
+code 0 "$program" compare some others
+check "what the other run left out is named" grep -q '^only in A: corner/far passes' .out
+tail -n 2 some/journal.jsonl >others/journal.jsonl
+cp some/run.json others/
+code 3 "$program" compare some others
+check "a case of the first filter that is missing is told" grep -qx 'aobudget: warning: others: its journal has 2 of 3 cases; start the run again to measure the rest' .err
+filtered
+filtered --filter none
+sed -i 1d some/journal.jsonl
+code 3 "$program" compare some old
+check "and without a filter it is any" grep -qx 'aobudget: warning: some: its journal has 3 of 4 cases; start the run again to measure the rest' .err
 
 # --- Runs of other truths: what their noise adds to an error is no difference, and the same build is still the same
 truths() { # NAME MODULE SPP
@@ -161,9 +178,12 @@ check "or the machine is named" jq -e 'all(.then_and_now.cases[]; .verdict == "F
 mkdir -p far/sub
 cp "$modules/passes10.so" far/sub/old.so
 printf 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 1 3 2\nf 1 4 3\n' | tee far/one.obj >far/two.obj
+mkdir halls
+cp far/one.obj halls/hall.obj
+export AOBUDGET_SCENES=$PWD/halls
 cat >far/own.yaml <<EOC
 name: own
-scenes: [{name: corner}, {file: one.obj, eye: [0, 1, 3], target: [0, 0, 0]}, {file: two.obj, eye: [0, 1, 2], target: [0, 0, 0]}]
+scenes: [{name: corner}, {name: hall, eye: [0, 1.5, 3], target: [0, 0, 0]}, {file: one.obj, eye: [0, 1, 3], target: [0, 0, 0]}, {file: two.obj, eye: [0, 1, 2], target: [0, 0, 0]}]
 resolutions: [64x36]
 backends: ["null"]
 options: {guard_band: 8}
@@ -176,25 +196,34 @@ check "keeps its config" cmp own/run.config.yaml far/own.yaml
 check "and where that lay" test "$(jq -r .config own/run.json)" = "$PWD/far/own.yaml"
 code 1 "$program" compare own "$modules/passes11.so" --out again --json own.json
 check "each of its cases is SLOWER, of the same keys, targets and options" jq -e --slurpfile stored own/journal.jsonl '
-  ([$stored[] | select(.technique == "passes").key] | sort) == ([.cases[].key_a] | sort) and (.cases | length) == 3 and
+  ([$stored[] | select(.technique == "passes").key] | sort) == ([.cases[].key_a] | sort) and (.cases | length) == 4 and
   all(.cases[]; .verdict == "SLOWER" and .paired)' own.json
 check "with the run's targets, which another technique's radii are" jq -es 'all(.[]; [.errors[].target.radius] | length == 2)' again/journal.jsonl
-check "nothing else is measured" jq -es 'length == 6 and all(.[]; .technique == "passes")' again/journal.jsonl
-rm far/one.obj
+check "nothing else is measured" jq -es 'length == 8 and all(.[]; .technique == "passes")' again/journal.jsonl
+rm far/one.obj halls/hall.obj
 sed -i 's/v 1 0 1/v 1.5 0 1/' far/two.obj
 code 1 "$program" compare own "$modules/passes11.so" --out again --json own.json --quiet
 check "a scene that is gone: one line" grep -qx "aobudget: warning: one.obj is not there any more, as seen from $PWD/far/own.yaml: 1 case of it cannot be measured again" .err
+check "one of the user's folder" grep -qx "aobudget: warning: hall is not there any more, as seen in AOBUDGET_SCENES, $PWD/halls: 1 case of it cannot be measured again" .err
 check "one that changed: a line a case" grep -q '^aobudget: warning: two.obj/camera passes null 64x36 is not measured again: the scene' .err
 check "the rest is measured" jq -e '(.cases | length) == 1 and all(.cases[]; .case | startswith("corner/"))' own.json
-check "and what is not has no partner then" jq -e '.then_and_now.only_a | length == 2' own.json
+check "and what is not has no partner then" jq -e '.then_and_now.only_a | length == 3' own.json
+cp "$modules/passes10.so" rebuilt.so
+echo >>rebuilt.so # another file of the same code
+rmdir halls
+code 3 "$program" compare own rebuilt.so --out again --json own.json --quiet
+check "where the rest is the same, it was done in part" jq -e '(.cases | length) == 1 and all(.cases[]; .verdict == "SAME")' own.json
+check "a folder that is gone" grep -qx "aobudget: warning: hall: AOBUDGET_SCENES: cannot read the folder $PWD/halls: No such file or directory: 1 case of it cannot be measured again" .err
+unset AOBUDGET_SCENES
 sed '/^scenes/s/{name: corner}, //' far/own.yaml >far/gone.yaml
 cp far/two.obj far/one.obj
+sed -i '/^scenes/s/{name: hall[^}]*}, //' far/gone.yaml
 check "a run of scenes" "$program" run far/gone.yaml --out gone --quiet
 rm far/one.obj far/two.obj
 expect 2 "far/gone.yaml: no scene of it is there any more" bash -c '"$@" 2>&1 | grep -v warning >&2; exit ${PIPESTATUS[0]}' - \
   "$program" compare gone "$modules/passes11.so" --out again --quiet
 # A module of the command line stood in for its techniques.
-sed 's/, module: sub.old.so//; s/, {file.*}\]/]/' far/own.yaml >given.yaml
+sed 's/, module: sub.old.so//; s/, {name: hall.*}\]/]/' far/own.yaml >given.yaml
 check "a run with --module" "$program" run given.yaml --module "$modules/passes10.so" --out given --quiet
 code 1 "$program" compare given "$modules/passes11.so" --out again --json given.json
 check "is measured again with it" jq -e '(.cases | length) == 1 and all(.cases[]; .verdict == "SLOWER")' given.json

@@ -113,6 +113,11 @@ holds "is told, and the other is checked" '(.sections[0] | .section == "device" 
 expect 2 "nothing could be checked: vulkan: no driver" "$pack/gpu-check" --out results.json --backend vulkan
 unset VK_ICD_FILENAMES VK_DRIVER_FILES
 expect 2 "nothing could be checked: vulkan: no device '99'" "$pack/gpu-check" --out results.json --backend vulkan --device 99
+export MESA_EXTENSION_OVERRIDE=-GL_ARB_gl_spirv # a driver that lists its device, and then does not open it
+run 1 "a listed device that cannot be opened" --backend gl-egl --section device
+unset MESA_EXTENSION_OVERRIDE
+holds "is a finding" '.sections[0].items[0].status == "failed" and (.findings | length) == 1 and
+  (.findings[0] | startswith("gl-egl, device: llvmpipe") and contains("lacks GL_ARB_gl_spirv"))'
 expect 2 "--device needs --backend" "$pack/gpu-check" --device 0
 expect 2 "is not one of vulkan, gl-egl" "$pack/gpu-check" --backend null
 expect 2 "is not one of device, timer, images" "$pack/gpu-check" --section image
@@ -140,6 +145,14 @@ run 3 "a section that is cut" --backend vulkan --section images
 holds "is told" '.verdict == "cut" and (.findings | length) == 0 and
   .cut == ["vulkan, images: 1 of 2 items, the first is a card: no time was left for it"]'
 check "in a line" grep -qx 'CUT vulkan, images: 1 of 2 items, the first is a card: no time was left for it' said
+worker "ln -sf /dev/null \"\$AOBUDGET_LOCK\"; printf '$item' passed"
+run 3 "a lock of measuring that goes away" --backend vulkan --section times
+holds "cuts what is timed, and is no finding" '(.findings | length) == 0 and (.cut | length) == 2 and
+  all(.cut[]; contains("1 of 1 items, the first is the lock of measuring: "))'
+expect 2 "cannot be used as the lock of measuring: " "$pack/gpu-check" --out results.json --backend vulkan --section timer
+worker "printf '$item' passed"
+run 0 "and is not needed where nothing is timed" --backend vulkan --section images
+rm "$AOBUDGET_LOCK"
 worker 'exec sleep 1000'
 seconds=10 run 1 "one that hangs" --backend vulkan
 check "is a finding" grep -q '^FINDING vulkan, device: did nothing for' said

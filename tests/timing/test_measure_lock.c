@@ -5,7 +5,6 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/file.h>
-#include <sys/inotify.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -273,53 +272,6 @@ static void test_content_is_not_trusted(void **state)
     }
 }
 
-/* Every user of the machine can lock what one of them has made, and one that may only be read is locked as well. */
-static void test_is_for_everybody(void **state)
-{
-    (void)state;
-    struct aob_measure_lock lock = {0};
-    struct stat info;
-    mode_t mask = umask(077);
-    unlink(path);
-    assert_true(aob_measure_lock_take(&lock, NULL));
-    umask(mask);
-    assert_int_equal(stat(path, &info), 0);
-    assert_int_equal(info.st_mode & 0777, 0666);
-    aob_measure_lock_release(&lock);
-    chmod(path, 0444);
-    assert_true(aob_measure_lock_take(&lock, NULL));
-    assert_true(is_locked());
-    aob_measure_lock_release(&lock);
-}
-
-/* Nobody ever finds it shut: its mode does not change once it has its name. */
-static void test_is_for_everybody_at_once(void **state)
-{
-    (void)state;
-    union {
-        struct inotify_event first;
-        char bytes[8192];
-    } events;
-    struct aob_measure_lock lock = {0};
-    int created = 0, watch = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
-    unlink(path);
-    assert_true(inotify_add_watch(watch, folder, IN_CREATE | IN_ATTRIB) >= 0);
-    assert_true(aob_measure_lock_take(&lock, NULL));
-    aob_measure_lock_release(&lock);
-    ssize_t size = read(watch, events.bytes, sizeof events.bytes);
-    assert_true(size > 0);
-    for (ssize_t at = 0; at < size;) {
-        const struct inotify_event *event = (const void *)(events.bytes + at);
-        if (strcmp(event->name, "lock") == 0) {
-            assert_true(event->mask & IN_CREATE);
-            created++;
-        }
-        at += (ssize_t)(sizeof *event + event->len);
-    }
-    assert_int_equal(created, 1);
-    close(watch);
-}
-
 /* Without a second file there are no turns, but there is the lock. */
 static void test_without_turns(void **state)
 {
@@ -335,64 +287,12 @@ static void test_without_turns(void **state)
     free(turn);
 }
 
-static void refuse(const char *cause)
-{
-    struct aob_measure_lock lock = {0};
-    struct aob_error error = {{0}};
-    assert_false(aob_measure_lock_check(&error));
-    assert_contains(error.text, path);
-    assert_contains(error.text, cause);
-    assert_contains(error.text, "AOBUDGET_LOCK");
-    assert_false(aob_measure_lock_take(&lock, &error));
-    aob_measure_lock_release(&lock);
-}
-
-static void test_only_a_regular_file(void **state)
-{
-    (void)state;
-    unlink(path);
-    assert_int_equal(symlink("/dev/null", path), 0);
-    refuse("symbolic links");
-    unlink(path);
-    assert_int_equal(mkfifo(path, 0666), 0);
-    refuse("no regular file");
-    unlink(path);
-    assert_int_equal(mkdir(path, 0777), 0);
-    refuse("directory");
-    rmdir(path);
-}
-
-/* The second place serves where nothing lies at the first and nothing can. What is there and cannot be used may be held. */
-static void test_second_place(void **state)
-{
-    (void)state;
-    struct aob_error error = {{0}};
-    char *nowhere = aob_path_join(folder, "none/lock");
-    const char *const places[] = {nowhere, path, NULL}, *const twice[] = {path, nowhere, NULL}, *chosen;
-    int file = aob_measure_lock_open(places, &chosen, &error);
-    assert_true(file >= 0 && chosen == path && !*error.text);
-    close(file);
-    unlink(path);
-    assert_int_equal(symlink("/dev/null", path), 0);
-    assert_int_equal(aob_measure_lock_open(twice, &chosen, &error), -1);
-    assert_contains(error.text, "symbolic links");
-    assert_int_equal(aob_measure_lock_open(places, &chosen, NULL), -1);
-    unlink(path);
-    free(nowhere);
-}
-
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_waits_and_tells),
-                                       cmocka_unit_test(test_removed_while_waiting),
-                                       cmocka_unit_test(test_content_is_not_trusted),
-                                       cmocka_unit_test(test_is_for_everybody),
-                                       cmocka_unit_test(test_in_turn),
-                                       cmocka_unit_test(test_former_holder_waits),
-                                       cmocka_unit_test(test_stopped_waiter),
-                                       cmocka_unit_test(test_is_for_everybody_at_once),
-                                       cmocka_unit_test(test_without_turns),
-                                       cmocka_unit_test(test_only_a_regular_file),
-                                       cmocka_unit_test(test_second_place)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_waits_and_tells),        cmocka_unit_test(test_removed_while_waiting),
+        cmocka_unit_test(test_content_is_not_trusted), cmocka_unit_test(test_in_turn),
+        cmocka_unit_test(test_former_holder_waits),    cmocka_unit_test(test_stopped_waiter),
+        cmocka_unit_test(test_without_turns)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

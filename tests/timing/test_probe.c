@@ -51,9 +51,50 @@ static void test_a_processor_is_not(void **state)
     script_destroy(s);
 }
 
+static double nothing(const struct script *s, int index, int round)
+{
+    (void)s;
+    (void)index;
+    (void)round;
+    return 0;
+}
+
+static void expect_refusal(struct script *s, enum aob_clock clock, const char *why)
+{
+    const struct aob_timing_source source = script_source(s);
+    const struct aob_timing_desc desc = {
+        .frames = s->frames, .frame_count = SCRIPT_CASES, .clock = clock, .source = &source};
+    double cost_ms[AOB_BLOCK_MAX];
+    struct aob_error error = {{0}};
+    assert_false(aob_probe_costs(&desc, cost_ms, &error));
+    assert_contains(error.text, why);
+    script_destroy(s);
+}
+
+/* Whatever a load lasts by it, it would have no end. */
+static void test_a_clock_that_stands_still(void **state)
+{
+    (void)state;
+    static const enum aob_clock clocks[] = {AOB_CLOCK_CPU, AOB_CLOCK_WALL, AOB_CLOCK_DEVICE};
+    for (size_t i = 0; i < AOB_COUNT(clocks); i++) {
+        struct script *s = script_create();
+        s->wall_ms = nothing;
+        s->device = true;
+        expect_refusal(s, clocks[i], "the host's clock stands still: it saw 0 ns");
+    }
+}
+
+/* Else each turn would be as many frames as there can be. */
+static void test_a_device_that_tells_no_time(void **state)
+{
+    (void)state;
+    expect_refusal(script_create(), AOB_CLOCK_DEVICE, "the device told no time by the device clock");
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_device_is_loaded_first),
-                                       cmocka_unit_test(test_a_processor_is_not)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_device_is_loaded_first), cmocka_unit_test(test_a_processor_is_not),
+        cmocka_unit_test(test_a_clock_that_stands_still), cmocka_unit_test(test_a_device_that_tells_no_time)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,6 +12,9 @@ static uint32_t seed; /* of the load; 0: none */
 static bool unfair;
 static int64_t way_ns; /* to the device and back */
 static bool late;      /* each pass is told the time of the one before it */
+static int64_t
+    ends_ns; /* the host's clock stands still once the device has worked for so long; 0: it does not */
+static int runs;
 static int64_t late_ns;
 
 /* A device that takes eight times as long until it has worked for 250 ms, and whose passes are as long as their loops; 0: it
@@ -92,6 +95,10 @@ static bool run(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, struct
     load *= speed_of();
     worked_ns += (int64_t)((double)whole->wall_ns * load);
     whole->wall_ns = (int64_t)((double)whole->wall_ns * load) + way_ns;
+    if (ends_ns && worked_ns > ends_ns)
+        whole->wall_ns = 0;
+    if (++runs > 10000)
+        fail_msg("%s", "the test of a clock has no end");
     whole->device_ns = 0;
     for (size_t i = 0; i < desc->count; i++) {
         int64_t ns = tell((int64_t)((double)times[i].device_ns * load));
@@ -230,6 +237,26 @@ static void test_a_device_that_wakes_up_is_trusted(void **state)
     rises_ns = way_ns = 0;
 }
 
+/* From the first submit on, and while the device is loaded. */
+static void test_a_host_whose_clock_stands_still(void **state)
+{
+    (void)state;
+    static const int64_t ends[] = {1, 200000000};
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
+        struct aob_gpu_fns fns;
+        struct aob_gpu *gpu = open_scripted(&fns);
+        struct aob_timer timer;
+        struct aob_error error = {""};
+        tell = truth;
+        worked_ns = runs = 0;
+        ends_ns = ends[i];
+        assert_false(aob_timer_test(gpu, &timer, &error));
+        assert_contains(error.text, "test of the device's clock: the host's clock stands still: it saw 0 ns");
+        close_scripted(gpu);
+    }
+    ends_ns = 0;
+}
+
 static struct aob_timer_choice choose(bool software, int64_t (*teller)(int64_t ns))
 {
     struct aob_gpu_fns fns;
@@ -277,6 +304,7 @@ int main(void)
         cmocka_unit_test(test_a_clock_that_is_one_pass_late_is_found),
         cmocka_unit_test(test_how_much_a_clock_may_miss),
         cmocka_unit_test(test_a_device_that_wakes_up_is_trusted),
+        cmocka_unit_test(test_a_host_whose_clock_stands_still),
         cmocka_unit_test(test_whose_time_costs_are),
         cmocka_unit_test(test_no_clock),
     };

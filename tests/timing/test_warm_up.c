@@ -55,6 +55,12 @@ static double cheap_and_dear(const struct script *s, int index, int round)
     return index == 1 ? dear_ms : cheap_ms;
 }
 
+/* By the host's clock, which goes on where the one that is judged sees nothing. */
+static double longer(const struct script *s, int index, int round)
+{
+    return 2 * cheap_and_dear(s, index, round) + 1e-3;
+}
+
 /* A slot takes as long as the dearest frame, 2 ms at least and 100 at most, and each case has as many frames as that. */
 static void test_frames_a_slot(void **state)
 {
@@ -74,6 +80,7 @@ static void test_frames_a_slot(void **state)
         cheap_ms = rows[i].cheap;
         dear_ms = rows[i].dear;
         s->cpu_ms = cheap_and_dear;
+        s->wall_ms = longer;
         struct aob_round_list rounds = script_measure(s, (struct aob_timing_desc){.seconds = SCRIPT_ENDLESS});
         static const size_t slots[3] = {AOB_SLOT_FIXED, AOB_SLOT_CASES, AOB_SLOT_CASES + 1};
         for (int k = 0; k < 3; k++)
@@ -89,9 +96,35 @@ static void test_frames_a_slot(void **state)
     }
 }
 
+static double nothing(const struct script *s, int index, int round)
+{
+    (void)s;
+    (void)index;
+    (void)round;
+    return 0;
+}
+
+/* No number of its rounds would be a second. */
+static void test_a_clock_that_stands_still(void **state)
+{
+    (void)state;
+    struct script *s = script_create();
+    const struct aob_timing_source source = script_source(s);
+    struct aob_round_list rounds = {0};
+    struct aob_error error = {{0}};
+    s->wall_ms = nothing;
+    const struct aob_timing_desc desc = {
+        .fixed = s->fixed, .frames = s->frames, .frame_count = SCRIPT_CASES, .seconds = 1, .source = &source};
+    assert_false(aob_timing_run(&desc, &rounds, &error));
+    assert_contains(error.text, "the host's clock stands still: it saw 0 ns");
+    aob_rounds_finish(&rounds);
+    script_destroy(s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_warm_up), cmocka_unit_test(test_restless_device),
-                                       cmocka_unit_test(test_frames_a_slot)};
+                                       cmocka_unit_test(test_frames_a_slot),
+                                       cmocka_unit_test(test_a_clock_that_stands_still)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
