@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "base/machine.h"
 #include "base/memory.h"
+#include "base/shelf.h"
 #include "profile_fact.h"
 #include "profile_machine.h"
 
@@ -226,16 +227,6 @@ static bool read_root(struct aob_yaml *yaml, struct aob_profile *profile)
     return judge_profile(yaml, &reader);
 }
 
-/* The file's name without folder and ending. */
-static char *name_of(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    char *name = aob_strdup(slash ? slash + 1 : path), *dot = strrchr(name, '.');
-    if (dot && dot != name)
-        *dot = '\0';
-    return name;
-}
-
 bool aob_profile_read(struct aob_profile *profile, const char *path, struct aob_error *error)
 {
     struct aob_yaml yaml;
@@ -247,7 +238,7 @@ bool aob_profile_read(struct aob_profile *profile, const char *path, struct aob_
     bool ok = aob_yaml_load(&yaml, path, text, size, error);
     if (ok) {
         profile->path = aob_strdup(path);
-        profile->name = name_of(path);
+        profile->name = aob_shelf_name(path);
         ok = read_root(&yaml, profile);
         aob_yaml_finish(&yaml);
     }
