@@ -4,6 +4,7 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/json.h"
+#include "base/member.h"
 #include "base/memory.h"
 #include "base/shelf.h"
 #include "base/text.h"
@@ -137,4 +138,24 @@ json_t *aob_budget_to_json(const struct aob_budget *budget)
                      budget->rest_ms, "ao_ms", aob_json_number(budget->ao_ms), "error",
                      aob_json_number(budget->error), "width", budget->width, "height", budget->height,
                      "device", budget->device);
+}
+
+bool aob_budget_from_json(struct aob_budget *budget, const json_t *object)
+{
+    double width = aob_member_number(object, "width"), height = aob_member_number(object, "height");
+    *budget = (struct aob_budget){.frame_ms = aob_member_number(object, "frame_ms"),
+                                  .rest_ms = aob_member_number(object, "rest_ms"),
+                                  .ao_ms = aob_member_number(object, "ao_ms"),
+                                  .error = aob_member_number(object, "error")};
+    bool sized = width >= 0 && width <= 16384 && height >= 0 && height <= 16384;
+    if (!sized || !(budget->frame_ms > 0) || !(budget->rest_ms >= 0) || !(budget->ao_ms > 0) ||
+        !(budget->error >= 0))
+        return false;
+    budget->width = (int)width;
+    budget->height = (int)height;
+    budget->name = aob_strdup(aob_member_text(object, "name"));
+    budget->title = aob_strdup(aob_member_text(object, "title"));
+    budget->source = aob_strdup(aob_member_text(object, "source"));
+    budget->device = aob_strdup(json_string_value(json_object_get(object, "device")));
+    return true;
 }

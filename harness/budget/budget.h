@@ -29,6 +29,9 @@ void aob_budget_finish(struct aob_budget *budget); /* frees; a zeroed one too */
  * not limited, device null. */
 json_t *aob_budget_to_json(const struct aob_budget *budget);
 
+/* False: the object, which may be NULL, is none of these, and there is nothing to finish. */
+bool aob_budget_from_json(struct aob_budget *budget, const json_t *object);
+
 /* Milliseconds for ambient occlusion: its slice, or what the frame has left where that is less. `other_ms` is what
  * G-buffer and composite take; 0: not known. It may be 0 or less. */
 double aob_budget_left(const struct aob_budget *budget, double other_ms);

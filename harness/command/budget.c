@@ -46,22 +46,25 @@ static bool read_number(const char *flag, const char *text, double low, double h
     return true;
 }
 
+/* The one that is named, else that of the run's config. */
+static bool read_budget(struct asking *asking, struct aob_error *error)
+{
+    if (asking->options->budget)
+        return aob_budget_find(&asking->budget, asking->options->budget, error);
+    aob_budget_from_json(&asking->budget, json_object_get(asking->rows.runs[0].info, "budget"));
+    return true;
+}
+
 /* The budget first, then the flags, which stand in place of its words. */
 static bool read_ask(struct asking *asking, struct aob_error *error)
 {
     const struct options *o = asking->options;
     struct aob_ask *ask = &asking->ask;
-    *ask = (struct aob_ask){.ms = NAN, .error = INFINITY, .radius = NAN, .scene = o->scene};
-    if (o->budget && !aob_budget_find(&asking->budget, o->budget, error))
+    if (!read_budget(asking, error))
         return false;
-    if (o->budget)
-        *ask = (struct aob_ask){.ms = aob_budget_left(&asking->budget, 0),
-                                .error = asking->budget.error,
-                                .radius = NAN,
-                                .scene = o->scene,
-                                .profile = asking->budget.device,
-                                .width = asking->budget.width,
-                                .height = asking->budget.height};
+    *ask = asking->budget.name ? aob_ask_of(&asking->budget)
+                               : (struct aob_ask){.ms = NAN, .error = INFINITY, .radius = NAN};
+    ask->scene = o->scene;
     if (o->profile)
         ask->profile = o->profile;
     if (!read_number("ms", o->ms, 1e-6, 1e6, &ask->ms, error) ||
@@ -189,12 +192,13 @@ static enum aob_exit budget(void *from, struct aob_error *error)
     struct asking asking = {.options = o};
     const char *folder = o->common.words.items[0];
     enum aob_exit code = AOB_EXIT_USAGE;
-    if (read_ask(&asking, error) && aob_rows_read(&asking.rows, &folder, 1, error)) {
-        if (*aob_rows_damage(&asking.rows))
-            aob_warn("%s", aob_rows_damage(&asking.rows));
+    if (!aob_rows_read(&asking.rows, &folder, 1, error))
+        return code;
+    if (*aob_rows_damage(&asking.rows))
+        aob_warn("%s", aob_rows_damage(&asking.rows));
+    if (read_ask(&asking, error))
         code = answer_all(&asking, &o->common.out, error);
-        aob_rows_finish(&asking.rows);
-    }
+    aob_rows_finish(&asking.rows);
     aob_budget_finish(&asking.budget);
     return code;
 }

@@ -67,7 +67,10 @@ static void print_head(const struct aob_answer *answer, struct aob_text *out)
     aob_text_add(&line, "    %-6s  %-22s  %-22s", "error", "measured, ms", "in frames of none");
     if (answer->ask.profile)
         aob_text_add(&line, "  %-22s", "modelled, ms");
-    aob_text_add_line(out, "%s  0%*.4g ms", line.data, AOB_BAR_BUDGET - 1, answer->ask.ms);
+    struct aob_text ms = {0};
+    aob_three_digits(answer->ask.ms, &ms);
+    aob_text_add_line(out, "%s  0%*s ms", line.data, AOB_BAR_BUDGET - 1, ms.data);
+    aob_text_finish(&ms);
     aob_text_finish(&line);
 }
 

@@ -6,6 +6,34 @@
 #include "base/table.h"
 #include "base/text.h"
 
+struct aob_ask aob_ask_of(const struct aob_budget *budget)
+{
+    return (struct aob_ask){.ms = aob_budget_left(budget, 0),
+                            .error = budget->error,
+                            .profile = budget->device,
+                            .radius = NAN,
+                            .width = budget->width,
+                            .height = budget->height};
+}
+
+bool aob_ask_has(const struct aob_ask *ask, const json_t *record)
+{
+    bool scene = !ask->scene || strcmp(ask->scene, aob_member_text(record, "scene")) == 0;
+    bool size = !ask->width || (aob_member_number(record, "width") == ask->width &&
+                                aob_member_number(record, "height") == ask->height);
+    return scene && size && strcmp(aob_member_text(record, "status"), "ok") == 0;
+}
+
+bool aob_ask_is_floor(const json_t *record)
+{
+    return strcmp(aob_member_text(record, "technique"), "none") == 0;
+}
+
+struct aob_interval aob_ask_cost(const struct aob_ask *ask, const json_t *record)
+{
+    return ask->profile ? aob_costs_modelled(record, ask->profile) : aob_costs_measured(record);
+}
+
 /* While an answer is made: numbers of texts. */
 struct making {
     struct aob_answer *answer;
@@ -26,17 +54,6 @@ static size_t number_setting(struct making *making, const struct aob_row *row)
     free(params);
     free(options);
     return number;
-}
-
-static bool is_none(const struct aob_row *row)
-{
-    return strcmp(row->name, "none") == 0;
-}
-
-static bool is_asked(const struct aob_ask *ask, const struct aob_row *row)
-{
-    return aob_row_is_ok(row) && (!ask->scene || strcmp(ask->scene, row->scene) == 0) &&
-           (!ask->width || (ask->width == row->width && ask->height == row->height));
 }
 
 static size_t find_whole(struct making *making, const struct aob_row *row, size_t target)
@@ -65,14 +82,9 @@ static struct aob_answer_view *find_view(struct making *making, const struct aob
     return &answer->views[place];
 }
 
-static struct aob_interval judged(const struct aob_ask *ask, const struct aob_row *row)
-{
-    return ask->profile ? aob_costs_modelled(row->json, ask->profile) : aob_costs_measured(row->json);
-}
-
 static void take_case(struct making *making, struct aob_answer_view *view, size_t at, double error)
 {
-    struct aob_interval cost = judged(&making->answer->ask, &making->answer->rows->list[at]);
+    struct aob_interval cost = aob_ask_cost(&making->answer->ask, making->answer->rows->list[at].json);
     if (!isfinite(cost.at)) {
         view->unknown++;
         return;
@@ -97,7 +109,7 @@ static void take_row(struct making *making, size_t at)
         if (!isfinite(error) || (!isnan(ask->radius) && (float)radius != (float)ask->radius))
             continue;
         struct aob_answer_view *view = find_view(making, row, score->target);
-        if (is_none(row))
+        if (aob_ask_is_floor(row->json))
             *AOB_PUSH(view->nones, view->none_count, view->none_capacity) = at;
         else
             take_case(making, view, at, error);
@@ -147,7 +159,7 @@ void aob_answer_make(struct aob_answer *answer, const struct aob_rows *rows, con
     *answer = (struct aob_answer){.rows = rows, .ask = *ask};
     struct making making = {.answer = answer};
     for (size_t i = 0; i < rows->count; i++)
-        if (is_asked(ask, &rows->list[i]))
+        if (aob_ask_has(ask, rows->list[i].json))
             take_row(&making, i);
     for (size_t i = 0; i < answer->view_count; i++)
         choose(&answer->views[i], ask);

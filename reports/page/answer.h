@@ -2,6 +2,7 @@
  * all scenes and views of one target which setting. Errors against two targets never stand beside each other. */
 #ifndef AOB_REPORTS_PAGE_ANSWER_H
 #define AOB_REPORTS_PAGE_ANSWER_H
+#include "budget/budget.h"
 #include "budget/choice.h"
 #include "costs.h"
 #include "rows.h"
@@ -15,8 +16,16 @@ struct aob_ask {
     int width, height;   /* 0: all */
 };
 
-/* One scene and view at one size on one backend, against one target. Candidates are the good cases but `none`, which is the
- * floor of a cost and no technique. */
+/* What a budget asks of all scenes and targets; its texts belong to the budget. */
+struct aob_ask aob_ask_of(const struct aob_budget *budget);
+
+/* Of a record: whether its case is good and of the scene and size that are asked for; whether it is `none`, which is the
+ * floor of a cost and no candidate; and the cost that is judged. */
+bool aob_ask_has(const struct aob_ask *ask, const json_t *record);
+bool aob_ask_is_floor(const json_t *record);
+struct aob_interval aob_ask_cost(const struct aob_ask *ask, const json_t *record);
+
+/* One scene and view at one size on one backend, against one target. Candidates are the good cases but `none`. */
 struct aob_answer_view {
     const struct aob_row *first; /* of its rows: says scene, view, backend and size */
     size_t target;               /* its place among the rows' */

@@ -5,14 +5,31 @@
 #include <string.h>
 #include "base/memory.h"
 
+void aob_three_digits(double value, struct aob_text *text)
+{
+    aob_text_add(text, fabs(value) >= 999.5 ? "%.0f" : "%.3g", value);
+}
+
+static void add_range(double low, double high, struct aob_text *text)
+{
+    aob_text_add(text, " (");
+    aob_three_digits(low, text);
+    aob_text_add(text, " .. ");
+    aob_three_digits(high, text);
+    aob_text_add(text, ")");
+}
+
 void aob_interval_print(const struct aob_interval *interval, struct aob_text *text)
 {
-    if (!isfinite(interval->at))
+    if (!isfinite(interval->at)) {
         aob_text_add(text, "-");
-    else if (!isfinite(interval->high))
-        aob_text_add(text, "%.3g (no interval)", interval->at);
+        return;
+    }
+    aob_three_digits(interval->at, text);
+    if (isfinite(interval->high))
+        add_range(interval->low, interval->high, text);
     else
-        aob_text_add(text, "%.3g (%.3g .. %.3g)", interval->at, interval->low, interval->high);
+        aob_text_add(text, " (no interval)");
 }
 
 struct aob_interval aob_answer_room(const struct aob_candidate *candidate, double ms)
@@ -20,22 +37,28 @@ struct aob_interval aob_answer_room(const struct aob_candidate *candidate, doubl
     return (struct aob_interval){ms - candidate->ms, ms - candidate->high, ms - candidate->low};
 }
 
+/* Behind "1.1 ms over" or "0.69 ms to spare": the interval, or that it reaches to the other side. */
+static void add_ends(const struct aob_interval *room, struct aob_text *text)
+{
+    bool over = room->at < 0;
+    double least = over ? -room->high : room->low, most = over ? -room->low : room->high;
+    if (!isfinite(room->low))
+        aob_text_add(text, ", but no interval is known");
+    else if (least >= 0)
+        add_range(fabs(least), most, text); /* never -0 */
+    else {
+        aob_text_add(text, ", but perhaps ");
+        aob_three_digits(-least, text);
+        aob_text_add(text, over ? " ms to spare" : " ms over");
+    }
+}
+
 void aob_answer_print_room(const struct aob_candidate *candidate, double ms, struct aob_text *text)
 {
     struct aob_interval room = aob_answer_room(candidate, ms);
-    enum aob_fit fit = aob_candidate_fit(candidate, ms);
-    if (fit == AOB_FIT_WHOLE)
-        aob_text_add(text, "%.3g ms to spare (%.3g .. %.3g)", room.at, room.low, room.high);
-    else if (fit == AOB_FIT_POINT && isinf(candidate->high))
-        aob_text_add(text, "%.3g ms to spare, but no interval is known", room.at);
-    else if (fit == AOB_FIT_POINT)
-        aob_text_add(text, "%.3g ms to spare, but perhaps %.3g ms over", room.at, -room.low);
-    else if (isinf(candidate->high))
-        aob_text_add(text, "%.3g ms over, no interval is known", -room.at);
-    else if (room.high > 0)
-        aob_text_add(text, "%.3g ms over, but perhaps %.3g ms to spare", -room.at, room.high);
-    else
-        aob_text_add(text, "%.3g ms over (%.3g .. %.3g)", -room.at, -room.high, -room.low);
+    aob_three_digits(fabs(room.at), text);
+    aob_text_add(text, room.at < 0 ? " ms over" : " ms to spare");
+    add_ends(&room, text);
 }
 
 struct aob_answer_pass aob_answer_dearest_pass(const struct aob_row *row, const char *profile)
@@ -58,7 +81,8 @@ struct aob_answer_pass aob_answer_dearest_pass(const struct aob_row *row, const 
 void aob_answer_print_budget(const struct aob_answer *answer, const struct aob_row *row,
                              struct aob_text *text)
 {
-    aob_text_add(text, "%.4g ms", answer->ask.ms);
+    aob_three_digits(answer->ask.ms, text);
+    aob_text_add(text, " ms");
     if (answer->ask.profile)
         aob_text_add(text, ", modelled on %s", answer->ask.profile);
     else
@@ -132,7 +156,9 @@ static void say_pass(const struct aob_answer *answer, const struct aob_candidate
     struct aob_text text = {0};
     if (!*pass.name)
         return;
-    aob_text_add(&text, "Its pass '%s' takes most, %.3g ms", pass.name, pass.ms);
+    aob_text_add(&text, "Its pass '%s' takes most, ", pass.name);
+    aob_three_digits(pass.ms, &text);
+    aob_text_add(&text, " ms");
     if (*pass.limit)
         aob_text_add(&text, ", and is limited by %s.", pass.limit);
     else

@@ -5,6 +5,9 @@
 #include "answer.h"
 #include "base/text.h"
 
+/* "0.0123", "1.31", "1234": three digits, or all before the point. */
+void aob_three_digits(double value, struct aob_text *text);
+
 /* "1.31 (0.9 .. 1.8)"; "1.31 (no interval)"; "-" if it is not known. */
 void aob_interval_print(const struct aob_interval *interval, struct aob_text *text);
 

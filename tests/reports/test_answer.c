@@ -365,6 +365,23 @@ static void test_room(void **state)
     free(text);
 }
 
+static void assert_shown(double value, const char *expected)
+{
+    struct aob_text text = {0};
+    aob_three_digits(value, &text);
+    assert_string_equal(text.data, expected);
+    aob_text_finish(&text);
+}
+
+static void test_digits(void **state)
+{
+    (void)state;
+    assert_shown(0.012345, "0.0123");
+    assert_shown(999.4, "999");
+    assert_shown(1234.5678, "1235");
+    assert_shown(-20000, "-20000");
+}
+
 /* `none` of the same options: 6 (5 .. 8) over 2 (1 .. 2.5), by hand through Zou and Donner's formula. */
 static void test_frames_of_none(void **state)
 {
@@ -386,6 +403,7 @@ int main(void)
         cmocka_unit_test(test_random_journals),
         cmocka_unit_test(test_overrun),
         cmocka_unit_test(test_room),
+        cmocka_unit_test(test_digits),
         cmocka_unit_test(test_frames_of_none),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
