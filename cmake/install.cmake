@@ -6,7 +6,7 @@ install(TARGETS aobudget aobudget-plot RUNTIME DESTINATION bin)
 install(TARGETS aoviz LIBRARY DESTINATION lib)
 install(TARGETS ${BUILTIN_MODULES} LIBRARY DESTINATION lib/aobudget/modules)
 install(DIRECTORY include/aobudget DESTINATION include FILES_MATCHING PATTERN "*.h")
-install(DIRECTORY configs/papers configs/profiles DESTINATION share/aobudget FILES_MATCHING PATTERN "*.yaml")
+install(DIRECTORY configs/budgets configs/papers configs/profiles DESTINATION share/aobudget FILES_MATCHING PATTERN "*.yaml")
 install(DIRECTORY shaders/common shaders/steps DESTINATION share/aobudget/shaders FILES_MATCHING PATTERN "*.glsl")
 
 configure_file(cmake/aobudget.pc.in ${package}/aobudget.pc @ONLY)

@@ -1,5 +1,5 @@
 # Bash completion of aobudget. It offers commands, flags, and the names that the program itself lists.
-_aobudget_names() { # techniques|scenes|backends|profiles
+_aobudget_names() { # techniques|scenes|backends|profiles|budgets
   "${COMP_WORDS[0]}" list "$1" --json - 2>/dev/null | sed -n 's/^      "name": "\([^"]*\)".*/\1/p'
 }
 
@@ -7,7 +7,7 @@ _aobudget() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
   local words
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="list plan run shot report papers compare calibrate cache doctor --help --version"
+    words="list plan run shot report papers compare calibrate cache budget doctor --help --version"
   else
     case $previous in
       --technique) words=$(_aobudget_names techniques) ;;
@@ -18,7 +18,8 @@ _aobudget() {
       --backend) words=$(_aobudget_names backends) ;;
       --target-weighting) words="cosine uniform" ;;
       --profile) words=$(_aobudget_names profiles) ;;
-      list) words="techniques scenes backends profiles" ;;
+      --budget) words=$(_aobudget_names budgets) ;;
+      list) words="techniques scenes backends profiles budgets" ;;
       --index) words="modulo xor" ;;
       *)
         case $current in

@@ -66,6 +66,16 @@ struct aob_ratio aob_paired_ratio(const double *a, const double *b, size_t n)
     return result;
 }
 
+struct aob_ratio aob_quotient(const struct aob_ratio *b, const struct aob_ratio *a)
+{
+    struct aob_ratio q = {.ratio = b->ratio / a->ratio, .bounded = a->bounded && b->bounded};
+    double down = hypot(log(b->ratio / b->low), log(a->high / a->ratio));
+    double up = hypot(log(b->high / b->ratio), log(a->ratio / a->low));
+    q.low = q.bounded ? q.ratio * exp(-down) : 0;
+    q.high = q.bounded ? q.ratio * exp(up) : INFINITY;
+    return q;
+}
+
 /* P(|T| < t): the finite sums for whole degrees of freedom (Abramowitz and Stegun, 26.7.3 and 26.7.4). */
 static double within(double t, size_t freedom)
 {

@@ -24,4 +24,9 @@ struct aob_ratio {
     bool bounded; /* low and high are a 95 % interval */
 };
 struct aob_ratio aob_paired_ratio(const double *a, const double *b, size_t n);
+
+/* b / a of two independent estimates with intervals of one level, which need not lie evenly about them. With l, u the
+ * distances to the ends of each: the quotient's distances are sqrt(l_b^2 + u_a^2) and sqrt(u_b^2 + l_a^2). (Zou and
+ * Donner, Construction of confidence limits about effect measures, Statistics in Medicine 27, 2008, equation 6.) */
+struct aob_ratio aob_quotient(const struct aob_ratio *b, const struct aob_ratio *a);
 #endif

@@ -1,6 +1,9 @@
+#include <math.h>
 #include <string.h>
 #include "base/file.h"
 #include "base/json.h"
+#include "base/shelf.h"
+#include "budget/budget.h"
 #include "command.h"
 #include "gpu/gpu.h"
 #include "profile/profile.h"
@@ -252,14 +255,14 @@ static void add_profile(const char *name, json_t *array, struct aob_text *out)
 
 static bool list_profiles(struct aob_common *common, struct aob_error *error)
 {
-    struct aob_profile_names names;
+    struct aob_shelf_names names;
     struct aob_text out = {0};
-    if (!aob_profile_names(&names, error))
+    if (!aob_shelf_list(AOB_PROFILE_SHELF, &names, error))
         return false;
     json_t *array = json_array();
     for (size_t i = 0; i < names.count; i++)
         add_profile(names.items[i], array, common->json ? &out : &common->out);
-    aob_profile_names_finish(&names);
+    aob_shelf_names_finish(&names);
     aob_text_finish(&out);
     json_t *document = json_pack("{s:o}", "profiles", array);
     if (common->json)
@@ -268,28 +271,69 @@ static bool list_profiles(struct aob_common *common, struct aob_error *error)
     return true;
 }
 
+static void print_budget(const struct aob_budget *budget, struct aob_text *out)
+{
+    aob_text_add_line(out, "%s: %s", budget->name, budget->title);
+    aob_text_add(out, "    frame %g ms", budget->frame_ms);
+    if (budget->rest_ms > 0)
+        aob_text_add(out, ", rest %g ms", budget->rest_ms);
+    if (isfinite(budget->ao_ms))
+        aob_text_add(out, ", ambient occlusion %g ms", budget->ao_ms);
+    if (budget->width)
+        aob_text_add(out, ", %dx%d", budget->width, budget->height);
+    aob_text_add_line(out, "%s%s", budget->device ? ", modelled on " : "",
+                      budget->device ? budget->device : "");
+    aob_text_add_line(out, "    %s", budget->source);
+}
+
+static bool list_budgets(struct aob_common *common, struct aob_error *error)
+{
+    struct aob_shelf_names names;
+    json_t *array = json_array();
+    bool ok = aob_shelf_list(AOB_BUDGET_SHELF, &names, error);
+    for (size_t i = 0; ok && i < names.count; i++) {
+        struct aob_budget budget;
+        ok = aob_budget_find(&budget, names.items[i], error);
+        if (ok && common->json)
+            json_array_append_new(array, aob_budget_to_json(&budget));
+        else if (ok)
+            print_budget(&budget, &common->out);
+        if (ok)
+            aob_budget_finish(&budget);
+    }
+    aob_shelf_names_finish(&names);
+    json_t *document = json_pack("{s:o}", "budgets", array);
+    if (ok && common->json)
+        return write_document(document, common->json, error);
+    json_decref(document);
+    return ok;
+}
+
+/* What can be listed. */
+static const struct listed {
+    const char *name;
+    bool (*print)(struct aob_common *common, struct aob_error *error);
+} lists[] = {{"techniques", list_techniques}, {"scenes", list_scenes},   {"backends", list_backends},
+             {"profiles", list_profiles},     {"budgets", list_budgets}, {0}};
+
 static enum aob_exit list(void *options, struct aob_error *error)
 {
     struct aob_common *common = options;
     const char *what = common->words.items[0];
-    bool ok = false;
-    if (strcmp(what, "techniques") == 0)
-        ok = list_techniques(common, error);
-    else if (strcmp(what, "scenes") == 0)
-        ok = list_scenes(common, error);
-    else if (strcmp(what, "backends") == 0)
-        ok = list_backends(common, error);
-    else if (strcmp(what, "profiles") == 0)
-        ok = list_profiles(common, error);
-    else
-        aob_fail(error, "list: '%s' is not one of techniques, scenes, backends, profiles", what);
-    return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;
+    const struct listed *listed = lists;
+    while (listed->name && strcmp(listed->name, what) != 0)
+        listed++;
+    if (!listed->name)
+        return aob_fail(error, "list: '%s' is not one of techniques, scenes, backends, profiles, budgets",
+                        what),
+               AOB_EXIT_USAGE;
+    return listed->print(common, error) ? AOB_EXIT_OK : AOB_EXIT_USAGE;
 }
 
 const struct aob_command aob_command_list = {
     .name = "list",
-    .help = "what there is: techniques, scenes, backends, profiles",
-    .usage = "techniques|scenes|backends|profiles [--device NAME|N] [--json FILE]",
+    .help = "what there is: techniques, scenes, backends, profiles, budgets",
+    .usage = "techniques|scenes|backends|profiles|budgets [--device NAME|N] [--json FILE]",
     .summary = "What there is, with parameters, units, bounds and geometry.",
     .modules = true,
     .devices = true,

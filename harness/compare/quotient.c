@@ -1,16 +1,6 @@
 #include "quotient.h"
 #include <math.h>
 
-struct aob_ratio aob_quotient(const struct aob_ratio *b, const struct aob_ratio *a)
-{
-    struct aob_ratio q = {.ratio = b->ratio / a->ratio, .bounded = a->bounded && b->bounded};
-    double down = hypot(log(b->ratio / b->low), log(a->high / a->ratio));
-    double up = hypot(log(b->high / b->ratio), log(a->ratio / a->low));
-    q.low = q.bounded ? q.ratio * exp(-down) : 0;
-    q.high = q.bounded ? q.ratio * exp(up) : INFINITY;
-    return q;
-}
-
 double aob_compare_alpha(size_t comparisons)
 {
     return AOB_COMPARE_ALPHA / (double)(comparisons ? comparisons : 1);

@@ -1,14 +1,8 @@
-/* Intervals of a comparison: of the quotient of two estimates that were measured apart, and at a stricter level than the
- * 95 % of a record. All work on logarithms, where a cost that is halved lies as far away as one that is doubled. */
+/* Intervals of a comparison, at a stricter level than the 95 % of a record. All work on logarithms, where a cost that is halved lies as far away as one that is doubled. */
 #ifndef AOB_COMPARE_QUOTIENT_H
 #define AOB_COMPARE_QUOTIENT_H
 #include <stddef.h>
 #include "base/statistics.h"
-
-/* b / a of two independent estimates with intervals of one level, which need not lie evenly about them. With l, u the
- * distances to the ends of each: the quotient's distances are sqrt(l_b^2 + u_a^2) and sqrt(u_b^2 + l_a^2). (Zou and
- * Donner, Construction of confidence limits about effect measures, Statistics in Medicine 27, 2008, equation 6.) */
-struct aob_ratio aob_quotient(const struct aob_ratio *b, const struct aob_ratio *a);
 
 /* The level of a table of `comparisons` cases: whatever they are, one of its intervals misses the truth with a
  * probability of AOB_COMPARE_ALPHA at most (Bonferroni). */

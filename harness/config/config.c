@@ -283,6 +283,15 @@ static bool read_name(struct aob_yaml *yaml, const yaml_node_t *node, struct aob
     return true;
 }
 
+static bool read_budget(struct aob_yaml *yaml, const yaml_node_t *node, struct aob_config *config)
+{
+    const char *text;
+    if (!aob_yaml_text(yaml, node, &text))
+        return false;
+    config->budget = aob_yaml_value(node, text);
+    return true;
+}
+
 static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
 {
     static const char *const measure_keys[] = {"time",      "error", "images", "seconds",
@@ -303,6 +312,8 @@ static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_
         return aob_yaml_sequence(yaml, node, read_technique, config);
     if (strcmp(key, "measure") == 0)
         return aob_yaml_mapping(yaml, node, measure_keys, read_measure_entry, config);
+    if (strcmp(key, "budget") == 0)
+        return read_budget(yaml, node, config);
     if (strcmp(key, "target") == 0)
         return aob_yaml_sequence(yaml, node, aob_config_read_target, config) &&
                (config->target_count || aob_yaml_fail(yaml, node, "the list of targets is empty"));
@@ -333,8 +344,9 @@ bool aob_config_read(struct aob_config *config, const char *path, struct aob_err
 bool aob_config_read_copy(struct aob_config *config, const char *path, const char *place,
                           struct aob_error *error)
 {
-    static const char *const keys[] = {"name",       "scenes",  "resolutions", "backends",  "options",
-                                       "techniques", "measure", "target",      "reference", NULL};
+    static const char *const keys[] = {"name",      "scenes",     "resolutions", "backends",
+                                       "options",   "techniques", "measure",     "target",
+                                       "reference", "budget",     NULL};
     struct aob_yaml yaml;
     aob_config_init(config);
     config->text = aob_file_read(path, 1 << 20, &config->size, error);

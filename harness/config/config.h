@@ -27,6 +27,7 @@
  *   target: {radius: 1, weighting: cosine}   # what every image is compared with: the ray-traced visibility of this radius
  *                                    # (inf allowed) and weighting (cosine, uniform). One or a list; default: each radius
  *                                    # of the sweep, cosine
+ *   budget: gtao-ps4                 # what a frame has for ambient occlusion (docs/budget.md); or ./mine.yaml
  *   reference: {spp: 256, thickness: inf}   # thickness: of the screen-space bound's surfaces; default: the radius
  */
 #ifndef AOB_CONFIG_CONFIG_H
@@ -113,6 +114,8 @@ struct aob_config {
     struct aob_value
         *profiles; /* of caches that are simulated, as written; not judged here. None: no cache is */
     size_t profile_count, profile_capacity;
+    struct aob_value
+        budget;       /* of a frame, a name or path as written; not judged here. No text: there is none */
     double seconds;   /* of timing, a case */
     int processes;    /* to time in, at least; 0: as timing/processes.h says. No key of a file */
     double precision; /* share of a cost that its interval may reach to either side: timing ends there */
@@ -131,8 +134,8 @@ void aob_config_finish(struct aob_config *config);
 bool aob_config_read_copy(struct aob_config *config, const char *path, const char *place,
                           struct aob_error *error);
 
-/* Takes out the profiles of caches, as if the config had none: for a comparison, which shows none of their figures. */
-void aob_config_leave_profiles(struct aob_config *config);
+/* Takes out the profiles of caches and the budget, as if the config had none: for a comparison, which shows neither. */
+void aob_config_leave_unshown(struct aob_config *config);
 
 void aob_scene_choice_finish(struct aob_scene_choice *choice); /* of a scene that leaves its config */
 void aob_technique_choice_finish(

@@ -39,13 +39,31 @@ void aob_scene_choice_finish(struct aob_scene_choice *choice)
     free(choice->gbuffer);
 }
 
-void aob_config_leave_profiles(struct aob_config *config)
+void aob_config_leave_gone(struct aob_config *config, struct aob_text *gone)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < config->scene_count; i++) {
+        struct aob_scene_choice *choice = &config->scenes[i];
+        const char *file = choice->capture ? choice->capture : choice->file;
+        if (!file || aob_file_exists(file)) {
+            config->scenes[kept++] = *choice;
+            continue;
+        }
+        aob_text_add_line(gone, "%s%s", choice->capture ? "capture:" : "", choice->given);
+        aob_scene_choice_finish(choice);
+    }
+    config->scene_count = kept;
+}
+
+void aob_config_leave_unshown(struct aob_config *config)
 {
     for (size_t i = 0; i < config->profile_count; i++)
         free(config->profiles[i].text);
     free(config->profiles);
     config->profiles = NULL;
     config->profile_count = config->profile_capacity = 0;
+    free(config->budget.text);
+    config->budget.text = NULL;
 }
 
 void aob_config_finish(struct aob_config *config)
@@ -54,7 +72,7 @@ void aob_config_finish(struct aob_config *config)
         aob_scene_choice_finish(&config->scenes[i]);
     for (size_t i = 0; i < config->technique_count; i++)
         aob_technique_choice_finish(&config->techniques[i]);
-    aob_config_leave_profiles(config);
+    aob_config_leave_unshown(config);
     free_backends(&config->backends);
     free_axes(config->options, config->option_count);
     free(config->scenes);

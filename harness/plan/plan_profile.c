@@ -3,12 +3,13 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/shelf.h"
 #include "profile/profile.h"
 
 static bool read_profile(const struct aob_config *config, const char *name, struct aob_profile *profile,
                          struct aob_error *error)
 {
-    if (!config->place || !aob_profile_is_file(name))
+    if (!config->place || !aob_shelf_is_path(name))
         return aob_profile_find(profile, name, error);
     char *file = aob_path_beside(config->place, name);
     bool ok = aob_profile_read(profile, file, error);

@@ -75,11 +75,10 @@ struct aob_profile {
 bool aob_profile_read(struct aob_profile *profile, const char *path, struct aob_error *error);
 void aob_profile_finish(struct aob_profile *profile); /* frees; a zeroed one too */
 
-/* Reads the profile of a name, which lies beside the program, or of a path: what has a slash or ends in .yaml. */
-bool aob_profile_find(struct aob_profile *profile, const char *name, struct aob_error *error);
+#define AOB_PROFILE_SHELF "profiles" /* where those lie that come with the program (base/shelf.h) */
 
-/* Whether it is a path, and no name. */
-bool aob_profile_is_file(const char *name);
+/* Reads the profile of a name, which lies beside the program, or of a path. */
+bool aob_profile_find(struct aob_profile *profile, const char *name, struct aob_error *error);
 
 /* Of all its numbers and words, with what the machine tells; comments and sources do not count. Figures of one digest are
  * of one device. */
@@ -87,14 +86,6 @@ void aob_profile_digest(const struct aob_profile *profile, char digest[AOB_KEY_S
 
 /* Whether it is one of what the device model takes, and the cache simulation does not: "rates.clock", "levels.L1.fill". */
 bool aob_profile_fact_is_rate(const struct aob_profile_fact *fact);
-
-/* The names of those beside the program, in order of the alphabet. */
-struct aob_profile_names {
-    char **items;
-    size_t count, capacity;
-};
-bool aob_profile_names(struct aob_profile_names *names, struct aob_error *error);
-void aob_profile_names_finish(struct aob_profile_names *names);
 
 const char *aob_layout_name(enum aob_layout layout); /* "linear", "morton", "block_linear" */
 #endif

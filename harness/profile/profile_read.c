@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/shelf.h"
 #include "profile_fact.h"
 #include "profile_level.h"
 #include "profile_machine.h"
@@ -275,16 +276,6 @@ static bool read_root(struct aob_yaml *yaml, bool alone, struct aob_profile *pro
     return read_like(yaml, root, like, profile);
 }
 
-/* The file's name without folder and ending. */
-static char *name_of(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    char *name = aob_strdup(slash ? slash + 1 : path), *dot = strrchr(name, '.');
-    if (dot && dot != name)
-        *dot = '\0';
-    return name;
-}
-
 static bool read_file(struct aob_profile *profile, const char *path, bool alone, struct aob_error *error)
 {
     struct aob_yaml yaml;
@@ -296,7 +287,7 @@ static bool read_file(struct aob_profile *profile, const char *path, bool alone,
     bool ok = aob_yaml_load(&yaml, path, text, size, error);
     if (ok) {
         profile->path = aob_strdup(path);
-        profile->name = name_of(path);
+        profile->name = aob_shelf_name(path);
         ok = read_root(&yaml, alone, profile);
         aob_yaml_finish(&yaml);
     }

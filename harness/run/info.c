@@ -66,6 +66,8 @@ json_t *aob_run_info_create(const struct aob_sweep *sweep, const struct aob_disp
                   AOBUDGET_VERSION, "date", date, "cases", (int)sweep->plan.case_count, "keys",
                   keys_to_json(&sweep->plan), "techniques", techniques_to_json(sweep), "devices", devices);
     free(place);
+    if (sweep->budget.name)
+        json_object_set_new(info, "budget", aob_budget_to_json(&sweep->budget));
     return info;
 }
 

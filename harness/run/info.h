@@ -4,7 +4,7 @@
 #include <jansson.h>
 #include "sweep.h"
 
-/* {name, config_hash, build, program, date, cases, keys, techniques, devices}, of the whole plan whatever the filter: a page
+/* {name, config_hash, build, program, date, cases, keys, techniques, devices, budget}, of the whole plan whatever the filter: a page
  * is complete when all of it is measured. Opens each backend of the plan once, in a worker; a backend that cannot be
  * opened stands in `devices` as null. NULL after a line if this program's own file cannot be read, or
  * if no backend of the plan has the device that is asked for. Decref it. */

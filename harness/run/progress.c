@@ -22,6 +22,23 @@ static void add_time_left(const struct aob_progress *progress, struct aob_text *
     aob_text_add(line, "%ld:%02ld left  ", left / 60, left % 60);
 }
 
+/* The cursor goes back to the end of the line above, so that a message begins where it does without them. */
+static void say_below(const struct aob_progress *progress, int width, int column)
+{
+    int lines = 0;
+    for (size_t i = 0; i < progress->below_count; i++) {
+        struct aob_text shown = {0};
+        if (!progress->below[i].size)
+            continue;
+        aob_text_add_shown(&shown, progress->below[i].data, progress->below[i].size, false);
+        fprintf(stderr, "\n%.*s", width, shown.data);
+        aob_text_finish(&shown);
+        lines++;
+    }
+    if (lines)
+        fprintf(stderr, "\033[%dA\r\033[%dC", lines, column < width ? column : width);
+}
+
 void aob_progress_say(const struct aob_progress *progress, const char *what)
 {
     if (!progress->shown)
@@ -32,7 +49,9 @@ void aob_progress_say(const struct aob_progress *progress, const char *what)
     aob_text_add(&line, "[%zu/%zu] ", progress->done, progress->total);
     add_time_left(progress, &line);
     aob_text_add_shown(&line, what, strlen(what), false);
-    fprintf(stderr, "\r\033[K%.*s", window.ws_col > 1 ? window.ws_col - 1 : 79, line.data);
+    int width = window.ws_col > 1 ? window.ws_col - 1 : 79;
+    fprintf(stderr, "\r%s%.*s", progress->below_count ? "\033[J" : "\033[K", width, line.data);
+    say_below(progress, width, (int)line.size);
     fflush(stderr);
     aob_text_finish(&line);
 }
@@ -46,5 +65,5 @@ void aob_progress_step(struct aob_progress *progress, const char *what)
 void aob_progress_finish(struct aob_progress *progress)
 {
     if (progress->shown)
-        fprintf(stderr, "\r\033[K");
+        fprintf(stderr, "\r%s", progress->below_count ? "\033[J" : "\033[K");
 }

@@ -4,11 +4,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "base/text.h"
 
 struct aob_progress {
     bool shown;
     size_t done, total;
     int64_t start_ns;
+    const struct aob_text *below; /* lines that stand under it, borrowed; empty ones do not */
+    size_t below_count;
 };
 void aob_progress_init(struct aob_progress *progress, size_t total, bool quiet);
 void aob_progress_say(const struct aob_progress *progress, const char *what); /* what goes on now */

@@ -8,6 +8,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "again.h"
+#include "best.h"
 #include "cache_case.h"
 #include "config/config_builds.h"
 #include "info.h"
@@ -25,6 +26,7 @@ struct run {
     struct aob_measurement measurement;
     struct aob_run_folder folder;
     struct aob_progress progress;
+    struct aob_best best;  /* against the budget */
     json_t *info;          /* what run.json says (info.h); at the end with the seconds */
     size_t stored;         /* records of this time */
     size_t counts[4];      /* by status, in status_names' order, of the cases in this run's plan */
@@ -51,7 +53,7 @@ static bool read_config(struct run *run, struct aob_error *error)
         config->seconds = desc->seconds;
     config->processes = desc->processes;
     if (desc->builds || desc->again)
-        aob_config_leave_profiles(config);
+        aob_config_leave_unshown(config);
     if (desc->precision > 0)
         config->precision = desc->precision;
     if (desc->max_spp && config->spp > desc->max_spp)
@@ -109,12 +111,23 @@ static const struct aob_case *state_case(const struct run *run, const struct aob
     return &run->sweep.plan.cases[state - run->measurement.states];
 }
 
+static void take_best(struct run *run, const struct aob_case *c, const json_t *record)
+{
+    struct aob_text what = {0};
+    if (!run->best.ask)
+        return;
+    aob_case_describe(&run->sweep.plan, c, &what);
+    aob_best_take(&run->best, record, what.data);
+    aob_text_finish(&what);
+}
+
 /* Where only the cache figures are not those of now, they alone are measured. */
 static void take_stored(struct run *run, struct aob_state *state, json_t *record)
 {
     if (aob_cache_case_is_done(&run->sweep.plan, record)) {
         state->stage = AOB_DONE;
         count(run, record);
+        take_best(run, state_case(run, state), record);
     } else
         state->stored = json_incref(record);
 }
@@ -155,6 +168,7 @@ static void store_record(void *user, size_t index, json_t *record)
     run->stored++;
     count(run, record);
     aob_case_describe(&run->sweep.plan, &run->sweep.plan.cases[index], &done);
+    take_best(run, &run->sweep.plan.cases[index], record);
     aob_progress_step(&run->progress, done.data);
     aob_text_finish(&done);
 }
@@ -247,6 +261,7 @@ static size_t pending(const struct run *run)
 
 static bool measure(struct run *run, struct aob_error *error)
 {
+    aob_best_init(&run->best, &run->sweep.budget);
     if (!aob_measurement_init(&run->measurement, &run->desc->dispatch, &run->sweep.plan, error) ||
         !skip_finished(run, error))
         return false;
@@ -256,6 +271,8 @@ static bool measure(struct run *run, struct aob_error *error)
     run->measurement.on_record = store_record;
     run->measurement.user = run;
     aob_progress_init(&run->progress, pending(run), run->desc->quiet);
+    run->progress.below = run->best.lines;
+    run->progress.below_count = run->best.ask ? AOB_BEST_SHOWN : 0;
     aob_measurement_layout(&run->measurement);
     store_refused(run);
     bool ok = measure_blocks(run, error);
@@ -368,6 +385,7 @@ enum aob_exit aob_run(const struct aob_run_desc *desc, struct aob_error *error)
               print_summary(&run, error);
     enum aob_exit code = ok ? verdict(&run, error) : AOB_EXIT_USAGE;
     json_decref(run.info);
+    aob_best_finish(&run.best);
     aob_measurement_finish(&run.measurement);
     aob_run_folder_close(&run.folder);
     aob_sweep_finish(&run.sweep);

@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/shelf.h"
 #include "captures.h"
 
 /* Where a path leads to nothing, loading it will say so. */
@@ -100,9 +101,24 @@ static void warn_of_units(const struct aob_sweep *sweep)
     }
 }
 
+/* A path in the config is seen from its folder. */
+static bool read_budget(struct aob_sweep *sweep, struct aob_error *error)
+{
+    const struct aob_value *value = &sweep->config.budget;
+    if (!value->text)
+        return true;
+    char *name = aob_shelf_is_path(value->text) ? aob_path_beside(sweep->config.place, value->text)
+                                                : aob_strdup(value->text);
+    bool ok = aob_budget_find(&sweep->budget, name, error) ||
+              aob_config_fail_at(&sweep->config, value->line, value->column, error);
+    free(name);
+    return ok;
+}
+
 bool aob_sweep_expand(struct aob_sweep *sweep, const struct aob_dispatch *dispatch, struct aob_error *error)
 {
-    bool ok = describe(sweep, dispatch, error) && aob_captures_load(&sweep->config, dispatch, error) &&
+    bool ok = read_budget(sweep, error) && describe(sweep, dispatch, error) &&
+              aob_captures_load(&sweep->config, dispatch, error) &&
               aob_plan_create(&sweep->plan, &sweep->config, &sweep->techniques, error);
     if (ok)
         warn_of_units(sweep);
@@ -111,6 +127,7 @@ bool aob_sweep_expand(struct aob_sweep *sweep, const struct aob_dispatch *dispat
 
 void aob_sweep_finish(struct aob_sweep *sweep)
 {
+    aob_budget_finish(&sweep->budget);
     aob_plan_finish(&sweep->plan);
     aob_technique_list_finish(&sweep->techniques);
     aob_config_finish(&sweep->config);

@@ -2,17 +2,19 @@
  * with. */
 #ifndef AOB_RUN_SWEEP_H
 #define AOB_RUN_SWEEP_H
+#include "budget/budget.h"
 #include "config/config.h"
 #include "dispatch.h"
 #include "plan/plan.h"
 
 struct aob_sweep {
     struct aob_config config; /* filled in by the caller: aob_config_read, or by hand after aob_config_init */
+    struct aob_budget budget; /* the config's; zero without one */
     struct aob_technique_list techniques;
     struct aob_plan plan; /* over the two above; the sweep must stay where it is */
 };
 
-/* Asks a worker for the techniques, loads the config's captures and expands the plan. False with one line, after which
+/* Reads the budget, asks a worker for the techniques, loads the config's captures and expands the plan. False with one line, after which
  * the sweep is still to be finished. */
 bool aob_sweep_expand(struct aob_sweep *sweep, const struct aob_dispatch *dispatch, struct aob_error *error);
 void aob_sweep_finish(struct aob_sweep *sweep); /* of a zeroed one too */

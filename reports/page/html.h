@@ -37,6 +37,9 @@ void aob_html_split(struct aob_text *page, const struct aob_gallery *gallery, co
 /* One scene's view: for each target charts and pictures, then what needs no target. */
 void aob_html_section(struct aob_text *page, const struct aob_gallery *gallery, size_t section);
 
+/* Where a run has a budget (run.json): which case to take for it, of each scene, view and target. */
+void aob_html_budget(struct aob_text *page, const struct aob_rows *rows);
+
 /* The tables of all cases, one for each target. */
 void aob_html_table(struct aob_text *page, const struct aob_rows *rows);
 

@@ -191,6 +191,11 @@ static void add_troubles(struct aob_text *page, const struct aob_rows *rows)
 static void add_navigation(struct aob_text *page, const struct aob_rows *rows)
 {
     aob_text_add(page, "<nav>");
+    for (size_t i = 0; i < rows->run_count; i++)
+        if (json_object_get(rows->runs[i].info, "budget")) {
+            aob_text_add(page, "<a href=\"#budget\">budget</a>\n");
+            break;
+        }
     for (size_t i = 0; i < rows->section_count; i++) {
         aob_text_add(page, "<a href=\"#s%zu\">", i);
         aob_html_escape(page, rows->sections[i].scene);

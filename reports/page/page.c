@@ -13,6 +13,7 @@ static char *page_text(const struct aob_gallery *gallery)
     aob_html_head(&page, gallery->rows);
     aob_html_target_control(&page, gallery->rows);
     aob_text_add(&page, "<main>\n");
+    aob_html_budget(&page, gallery->rows);
     for (size_t i = 0; i < gallery->rows->section_count; i++)
         aob_html_section(&page, gallery, i);
     aob_html_table(&page, gallery->rows);

@@ -2,6 +2,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "costs.h"
 #include "label.h"
 #include "places.h"
 #include "rows_scores.h"
@@ -34,15 +35,6 @@ static int small_int(double value)
     return value >= 1 && value <= 65536 ? (int)value : 0;
 }
 
-/* By the clock that the case is judged by: processor time on a software driver, the device's own on a GPU that has one. */
-static double cost_of(const json_t *time)
-{
-    const char *clock = aob_member_text(time, "clock");
-    return aob_member_number(time, strcmp(clock, "device") == 0 ? "device_ms"
-                                   : strcmp(clock, "wall") == 0 ? "wall_ms"
-                                                                : "cpu_ms");
-}
-
 static void take_line(struct aob_row *row, size_t run, const json_t *line)
 {
     const json_t *time = json_object_get(line, "time");
@@ -62,7 +54,7 @@ static void take_line(struct aob_row *row, size_t run, const json_t *line)
         .image = aob_member_text(line, "image"),
         .width = small_int(aob_member_number(line, "width")),
         .height = small_int(aob_member_number(line, "height")),
-        .cost_ms = cost_of(time),
+        .cost_ms = aob_costs_ms(time),
         .ratio = aob_member_number(time, "ratio_to_ref"),
         .ci_low = aob_member_number(time, "ci_low"),
         .ci_high = aob_member_number(time, "ci_high"),

@@ -22,6 +22,23 @@ EOF
     awk -v s="$start" -v e="$(date +%s.%N)" 'BEGIN { printf "%.2f", e - s }'
   }
   row "cases: plan of 20,000" "$(elapsed build/release/aobudget plan "$folder/cases.yaml")" s "<=" 2
+  # The record of one case with all its figures, and 10,000 of them that differ in cost and error.
+  cat >"$folder/one.yaml" <<EOF
+name: one
+scenes: [{name: corner}]
+resolutions: [160x90]
+backends: [vulkan]
+techniques: [{name: gtao}]
+measure: {seconds: 0.2, images: false, cache: [ps4]}
+reference: {spp: 2}
+EOF
+  build/release/aobudget run "$folder/one.yaml" --out "$folder/one" --quiet
+  cp "$folder/one/journal.jsonl" "$folder/one.jsonl"
+  jq -c '. as $r | range(10000) | . as $i | $r | .key = "\($i)" | .params.radius = $i | .time.cpu_ms = 1 + ($i * 7919 % 10007) / 1000
+    | .errors[0].band_rmse = (1 + $i * 104729 % 10009) / 10010' "$folder/one.jsonl" >"$folder/one/journal.jsonl"
+  jq '.cases = 10000 | del(.keys)' "$folder/one/run.json" >"$folder/one.json"
+  mv "$folder/one.json" "$folder/one/run.json"
+  row "cases: budget of 10,000, $(($(wc -c <"$folder/one/journal.jsonl") / 1000000)) MB" "$(elapsed build/release/aobudget budget "$folder/one" --ms 5)" s "<=" 1
   # A config near its limit of a megabyte: what reads it must not look at every entry for each entry.
   {
     echo 'name: cameras'

@@ -29,4 +29,23 @@ check "no line is wider than the terminal" test "$(awk '{ if (length($0) > m) m 
 check "nor cut where it need not be" test "$(awk '{ if (length($0) > m) m = length($0) } END { print m }' narrow)" -eq 29
 check "nothing if --quiet" test -z "$(shown 80 --quiet)"
 expect 0 "6 cases: 6 ok" "$program" run config.yaml --fresh # standard error is a file: one line, the summary
+
+# With a budget what fits best so far stands under it, and goes with it.
+printf 'title: a frame\nsource: made up\nframe: 1000\n' >frame.yaml
+sed 's/time: false/time: true, seconds: 0.05/; s/^name: .*/&\nbudget: .\/frame.yaml/' config.yaml >budget.yaml
+below() { # COLUMNS: all that the terminal gets, escapes as they are
+  script -qec "stty cols $1; '$program' run budget.yaml --fresh" /dev/null | tr -d '\r'
+}
+below 200 >under
+check "it is cleared with all lines below" grep -qF $'\e[J[1/6] ' under
+check "nothing fits before the first case does" grep -qxF "1000 ms: nothing fits yet, against the truth within 0.25 scene units" under
+check "then a case of the scene and view" grep -qE "^1000 ms: error [0-9.]+, [0-9.]+ \([0-9.]+ \.\. [0-9.]+\) ms: plane/front gtao radius=0.25, against the truth within 0.25 scene units$" under
+check "the cursor goes back to the end of the line above" grep -qE $'\e\\[2A\e\\[[0-9]+C' under
+below 40 >slim
+check "no line below is wider either" test "$(grep '^1000 ms' slim | sed $'s/\e.*//' | awk '{ if (length($0) > m) m = length($0) } END { print m }')" -le 39
+check "what stood there last is what the finished run answers" test "$(grep -oE 'error [0-9.]+, .* ms: plane/front gtao radius=0.25, against the truth within 0.5' under | tail -1 | grep -oE 'error [0-9.]+')" = \
+  "error $("$program" budget results/progress --scene plane --target 0.5 --json - | jq -r '.questions[0].accurate.error' | xargs printf '%.4f')"
+check "the page has it" grep -q '<section id=budget><h2>Budget <small>a frame</small>' results/progress/report/index.html
+sed 's/frame.yaml/nosuch.yaml/' budget.yaml >lost.yaml
+expect 2 "lost.yaml:2:9: ./nosuch.yaml: cannot open" "$program" plan lost.yaml
 finish

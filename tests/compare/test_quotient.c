@@ -3,34 +3,6 @@
 #include "compare/quotient.h"
 #include "random.h"
 
-/* Intervals that lie evenly about their estimates add as independent errors do. */
-static void test_even_quotient(void **state)
-{
-    (void)state;
-    struct aob_ratio b = {3, 3 * exp(-0.03), 3 * exp(0.03), true};
-    struct aob_ratio a = {2, 2 * exp(-0.04), 2 * exp(0.04), true};
-    struct aob_ratio q = aob_quotient(&b, &a);
-    assert_true(q.bounded);
-    assert_near(q.ratio, 1.5, 1e-12);
-    assert_near(log(q.low / q.ratio), -0.05, 1e-12);
-    assert_near(log(q.high / q.ratio), 0.05, 1e-12);
-}
-
-/* Which side of which interval counts: b may be much larger than measured, a not at all smaller. */
-static void test_uneven_quotient(void **state)
-{
-    (void)state;
-    struct aob_ratio b = {1, exp(-0.01), exp(0.12), true}, a = {1, exp(-0.05), exp(0.02), true};
-    struct aob_ratio q = aob_quotient(&b, &a), back = aob_quotient(&a, &b);
-    assert_near(log(q.high), 0.13, 1e-12);
-    assert_near(log(q.low), -hypot(0.01, 0.02), 1e-12);
-    assert_near(log(back.low), -log(q.high), 1e-12);
-    assert_near(log(back.high), -log(q.low), 1e-12);
-    a.bounded = false;
-    assert_false(aob_quotient(&b, &a).bounded);
-    assert_true(isinf(aob_quotient(&b, &a).high));
-}
-
 /* Means of `n` normal values with their interval of 95 %. */
 static struct aob_ratio measure(uint32_t *seed, double truth, double spread, size_t n)
 {
@@ -96,9 +68,7 @@ static void test_no_interval(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_even_quotient),
-                                       cmocka_unit_test(test_uneven_quotient),
-                                       cmocka_unit_test(test_tables_of_equal_costs),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_tables_of_equal_costs),
                                        cmocka_unit_test(test_lasting), cmocka_unit_test(test_no_interval)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

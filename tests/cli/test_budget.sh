@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# budget: the case to take for some milliseconds, from a journal that is written here, so that each figure is known.
+source "$(dirname "$0")/lib.sh"
+cd "$folder"
+mkdir run
+# line KEY VIEW TECHNIQUE N MS ERROR_NEAR ERROR_FAR MODEL_MS: 10 % about the measured time, a third about the modelled
+line() {
+  awk -v key="$1" -v view="$2" -v technique="$3" -v n="$4" -v ms="$5" -v near="$6" -v far="$7" -v model="$8" 'BEGIN {
+    printf "{\"key\":\"%s\",\"scene\":\"corner\",\"view\":\"%s\",\"technique\":\"%s\",\"params\":{\"samples\":%d},\"options\":{\"guard_band\":0},", key, view, technique, n
+    printf "\"backend\":\"null\",\"width\":64,\"height\":36,\"status\":\"ok\","
+    printf "\"errors\":[{\"target\":{\"radius\":0.5,\"weighting\":\"cosine\"},\"rmse\":0.001,\"band_rmse\":%g},{\"target\":{\"radius\":2,\"weighting\":\"cosine\"},\"rmse\":0.001,\"band_rmse\":%g}],", near, far
+    printf "\"time\":{\"clock\":\"cpu\",\"cpu_ms\":%g,\"wall_ms\":77,\"ratio_to_ref\":%g,\"ci_low\":%g,\"ci_high\":%g,\"passes\":[{\"name\":\"ao\",\"cpu_ms\":%g},{\"name\":\"blur\",\"cpu_ms\":%g}]},", ms, ms, ms * 0.9, ms * 1.1, ms * 0.75, ms * 0.25
+    printf "\"cache\":{\"ps4\":{\"status\":\"ok\",\"modelled\":{\"frame\":{\"ms\":%g,\"low_ms\":%g,\"high_ms\":%g,\"limit\":\"texture\"},\"passes\":[{\"name\":\"ao\",\"ms\":%g,\"limit\":\"alu\"},{\"name\":\"blur\",\"ms\":%g,\"limit\":\"texture\"}]}}}}\n", model, model * 2 / 3, model * 4 / 3, model * 0.25, model * 0.75
+  }'
+}
+{
+  line n1 front none 0 0.5 0.5 0.6 0.03
+  line a1 front gtao 4 1 0.2 0.09 0.3
+  line b1 front gtao 8 2 0.1 0.2 0.6
+  line c1 front gtao 16 4 0.05 0.3 1.2
+  line n2 far none 0 0.5 0.5 0.6 0.03
+  line a2 far gtao 4 1.5 0.3 0.08 0.3
+  line b2 far gtao 8 3 0.2 0.25 0.9
+  line c2 far gtao 16 4 0.1 0.4 1.5
+} >run/journal.jsonl
+echo '{"name":"made","cases":8}' >run/run.json
+
+check "what fits 2.2 ms" "$program" budget run --ms 2.2 --target 0.5 --json made.json
+cp .stdout table
+check "the head counts what fits" grep -qx 'corner/front null 64x36 against the truth within 0.5 scene units: 2 of 3 cases fit 2.2 ms of processor time, measured here' table
+check "a row: mark, error, both costs, bar, case" grep -qxF '  * 0.1000  2 (1.8 .. 2.2)          4 (3.47 .. 4.61)        ##################--|            gtao samples=8' table
+check "the bar goes over" grep -qxF '    0.0500  4 (3.6 .. 4.4)          8 (6.94 .. 9.22)        ####################|#########>  gtao samples=16' table
+check "the sentence" grep -qxF '  The most accurate case that fits is gtao samples=8: error 0.1000, 2 (1.8 .. 2.2) ms, 0.2 ms to spare (0 .. 0.4).' table
+check "over all views the worst one decides" grep -qxF '  The most accurate setting whose worst view fits is gtao samples=4: error 0.3000, 1.5 (1.35 .. 1.65) ms, 0.7 ms to spare (0.55 .. 0.85).' table
+check "two views of one target" jq -e '(.questions | length) == 2 and all(.questions[]; .target.radius == 0.5 and .cases == 3) and .fits' made.json
+check "the choice of each view" jq -e '[.questions[].accurate.key] == ["b1", "a2"] and .settings[0].accurate.params.samples == 4 and .settings[0].accurate.error == 0.3' made.json
+check "the Pareto set, by cost" jq -e '[.questions[0].front[].key] == ["a1", "b1", "c1"]' made.json
+check "frames of none" jq -e '.questions[0].accurate.to_none | .at == 4 and (.low - 3.4702 | fabs) < 1e-3' made.json
+
+"$program" budget run --ms 2.2 --json - >both.json
+check "two radii are two questions" jq -e '(.questions | length) == 4 and [.questions[] | select(.target.radius == 2) | .accurate.key] == ["a1", "a2"]' both.json
+check "a front is of one target" jq -e '[.questions[] | select(.target.radius == 2) | .front | length] == [1, 1]' both.json
+
+check "modelled" "$program" budget run --ms 0.8 --profile ps4 --target 0.5 --json modelled.json
+cp .stdout modelled
+check "is judged by the model's upper end" grep -qx '.*front.*2 of 3 cases fit 0.8 ms, modelled on ps4' modelled
+check "beside the measured time" jq -e '.profile == "ps4" and (.questions[0].accurate | .key == "b1" and .judged_ms.at == 0.6 and .measured_ms.at == 2 and .modelled_ms.high == 0.8)' modelled.json
+
+got=0
+"$program" budget run --ms 0.2 --profile ps4 --target 0.5 --json - >none.json || got=$?
+check "nothing fits: 1" test $got -eq 1
+check "by how much, and where it lies" jq -e '.fits == false and (.questions[0] | .accurate == null and (.least | .key == "a1" and .fit == "over" and (.room_ms.at + 0.1 | fabs) < 1e-9 and .dearest_pass.name == "blur" and .dearest_pass.limit == "texture"))' none.json
+got=0
+"$program" budget run --ms 2.1 --target 0.5 --json - >point.json || got=$?
+check "a point that fits with an end that does not is named as such" jq -e '.questions[0] | .accurate.key == "a1" and .hopeful.key == "b1" and .hopeful.fit == "point"' point.json
+check "the cheapest of an error" test "$("$program" budget run --ms 5 --target 0.5 --error 0.25 --json - | jq -r '[.questions[].cheap.key] | join(" ")')" = "a1 b2"
+
+cat >frame.yaml <<END
+title: a frame
+source: made up
+frame: 10
+rest: 7.5
+ao: 2.2
+resolution: 64x36
+END
+check "a budget's slice" test "$("$program" budget run --budget ./frame.yaml --target 0.5 --json - | jq '.ms')" = 2.2
+sed -i 's/rest: 7.5/rest: 8/; /^ao/d' frame.yaml
+check "or what the rest leaves" test "$("$program" budget run --budget ./frame.yaml --target 0.5 --json - | jq '.ms')" = 2
+check "--ms stands in its place" test "$("$program" budget run --budget ./frame.yaml --ms 9 --target 0.5 --json - | jq '.ms')" = 9
+check "every budget that comes with the program can be read" "$program" list budgets
+expect 2 "choose one of alchemy-gtx580" "$program" budget run --budget nosuch
+expect 2 "no good case of 1920x1080, which the budget 'gtao-ps4' is about" "$program" budget run --budget gtao-ps4
+sed 's/64x36/9x9/' frame.yaml >size.yaml
+expect 2 "no good case of 9x9" "$program" budget run --budget ./size.yaml
+sed 's/rest: 8/rest: 10/' frame.yaml >rest.yaml
+expect 2 "rest.yaml:4:7: the rest takes 10 ms, which is the whole frame of 10 ms" "$program" budget run --budget ./rest.yaml
+sed '/source/d' frame.yaml >source.yaml
+expect 2 "'source' is missing" "$program" budget run --budget ./source.yaml
+expect 2 "say how much time there is" "$program" budget run
+expect 2 "--ms: '0' is not a number from" "$program" budget run --ms 0
+expect 2 "no case has a time modelled on 'ps5': put measure: {cache: [ps5]} into its config" "$program" budget run --ms 1 --profile ps5
+expect 2 "no good case of the scene plane" "$program" budget run --ms 1 --scene plane
+expect 2 "no case of these has an error against the target 1; the radii are 0.5, 2" "$program" budget run --ms 1 --target 1
+expect 2 "is not the folder of a run" "$program" budget . --ms 1
+
+# The config's budget, as run.json has it, is the default, and the page has a section of it.
+echo '{"name":"made","cases":8,"budget":{"name":"frame","title":"a frame","source":"made up","frame_ms":10,"rest_ms":0,"ao_ms":2.2,"error":"inf","width":0,"height":0,"device":null}}' >run/run.json
+check "the run's own budget" test "$("$program" budget run --target 0.5 --json - | jq -r '"\(.ms) \(.budget.name)"')" = "2.2 frame"
+"$program" report run --quiet
+page=run/report/index.html
+check "a row of the page" grep -q '<td>corner</td><td>front</td><td>64×36 null</td><td class=strong>gtao</td>.*<td class=n data-v="0.1">0.1000</td><td class=n data-v="2">2 (1.8 .. 2.2)</td><td class=n data-v="4">4 (3.47 .. 4.61)</td><td><span class=budget><i style="width:66.7%"></i><b style="width:60.6%"></b></span></td><td><span class="chip ok">fits</span> 0.2 ms to spare (0 .. 0.4)</td>' $page
+check "the setting of all views" grep -q 'Over all 2 scenes and views, null 64x36 against the truth within 0.5 scene units: 3 settings are in all of them. The most accurate setting whose worst view fits is gtao samples=4: error 0.3000' $page
+check "a part for each target" test "$(sed -n '/<section id=budget/,/<\/section>/p' $page | grep -c '<div data-target=')" -eq 2
+check "a way to it" grep -qF '<a href="#budget">budget</a>' $page
+sed -i 's/"device":null/"device":"ps4"/; s/"ao_ms":2.2/"ao_ms":0.2/' run/run.json
+"$program" report run --quiet
+check "modelled, and over" grep -q '<th>modelled <small>(ms)</small></th>' $page
+check "in its own column" grep -q '<td class=n data-v="0.3">0.3 (0.2 .. 0.4)</td><td><span class=budget><i style="width:100.0%"></i><b style="width:100.0%"></b></span></td><td><span class="chip failed">over</span> 0.1 ms over (0 .. 0.2)</td>' $page
+echo '{"name":"made","cases":9}' >run/run.json
+"$program" report run --quiet
+check "no section without a budget" bash -c "! grep -q 'id=budget' $page"
+got=0
+"$program" budget run --ms 9 --quiet || got=$?
+check "of a run that lacks a case: 3" test $got -eq 3
+finish
