@@ -1,4 +1,5 @@
 #include <stdlib.h>
+#include "base/file.h"
 #include "config.h"
 
 static void free_axes(struct aob_axis *axes, size_t count)

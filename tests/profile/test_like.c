@@ -1,4 +1,5 @@
 /* Profiles that are like another one, but for the formats of the screen. */
+#include <stdlib.h>
 #include <unistd.h>
 #include "base/file.h"
 #include "base/memory.h"
