@@ -219,8 +219,8 @@ static json_t *profile_to_json(const struct aob_profile *profile)
         json_array_append_new(facts, json_pack("{s:s, s:s, s:s, s:b}", "key", fact->key, "value", fact->value,
                                                "source", fact->source, "confirmed", fact->confirmed));
     }
-    return json_pack("{s:s, s:s, s:s, s:o}", "name", profile->name, "title", profile->title, "file",
-                     profile->path, "facts", facts);
+    return json_pack("{s:s, s:s, s:s, s:o, s:s}", "name", profile->name, "title", profile->title, "file",
+                     profile->path, "facts", facts, "reason", "");
 }
 
 static void print_profile(const struct aob_profile *profile, struct aob_text *out)
@@ -233,27 +233,39 @@ static void print_profile(const struct aob_profile *profile, struct aob_text *ou
     }
 }
 
+/* One that cannot be read says why in place of its numbers, as a backend without a device does. */
+static void add_profile(const char *name, json_t *array, struct aob_text *out)
+{
+    struct aob_profile profile;
+    struct aob_error error = {{0}};
+    if (aob_profile_find(&profile, name, &error)) {
+        json_array_append_new(array, profile_to_json(&profile));
+        print_profile(&profile, out);
+        aob_profile_finish(&profile);
+        return;
+    }
+    json_array_append_new(array, json_pack("{s:s, s:n, s:n, s:[], s:s}", "name", name, "title", "file",
+                                           "facts", "reason", error.text));
+    aob_text_add_line(out, "%s: cannot be used", name);
+    aob_text_add_line(out, "    %s", error.text);
+}
+
 static bool list_profiles(struct aob_common *common, struct aob_error *error)
 {
     struct aob_profile_names names;
+    struct aob_text out = {0};
+    if (!aob_profile_names(&names, error))
+        return false;
     json_t *array = json_array();
-    bool ok = aob_profile_names(&names, error);
-    for (size_t i = 0; ok && i < names.count; i++) {
-        struct aob_profile profile;
-        ok = aob_profile_find(&profile, names.items[i], error);
-        if (ok && common->json)
-            json_array_append_new(array, profile_to_json(&profile));
-        else if (ok)
-            print_profile(&profile, &common->out);
-        if (ok)
-            aob_profile_finish(&profile);
-    }
+    for (size_t i = 0; i < names.count; i++)
+        add_profile(names.items[i], array, common->json ? &out : &common->out);
     aob_profile_names_finish(&names);
+    aob_text_finish(&out);
     json_t *document = json_pack("{s:o}", "profiles", array);
-    if (ok && common->json)
+    if (common->json)
         return write_document(document, common->json, error);
     json_decref(document);
-    return ok;
+    return true;
 }
 
 static enum aob_exit list(void *options, struct aob_error *error)

@@ -123,11 +123,10 @@ uint64_t aob_level_associative(const struct aob_level *level)
 double aob_level_bytes(const struct aob_level_desc *desc)
 {
     struct aob_tags_desc tags = tags_desc(desc);
-    double lines = (double)desc->numbers / tags.sectors, bytes = aob_tags_bytes(&tags) + desc->numbers / 8.0;
+    double bytes = aob_tags_bytes(&tags) + desc->numbers / 8.0;
     if (desc->curve == AOB_CURVE_NONE)
         return bytes;
-    if (desc->curve == AOB_CURVE_EVERY &&
-        !desc->own_size) /* a table, and a window of twice the lines or four times */
-        return bytes + lines * (4 + 8 + 4 * 4.5) + (tags.sectors > 1 ? 4.0 * desc->numbers : 0);
-    return bytes + lines * 12 + (tags.sectors > 1 ? desc->numbers : 0);
+    return bytes + (desc->curve == AOB_CURVE_EVERY && !desc->own_size
+                        ? aob_reuse_bytes(desc->numbers, tags.sectors)
+                        : aob_stack_bytes(desc->numbers, tags.sectors));
 }

@@ -1,14 +1,16 @@
 #include "lines.h"
 #include <endian.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
-#include "base/machine.h"
 #include "base/memory.h"
+#include "room.h"
 #include "stack.h"
 #include "tags.h"
 
-enum { BYTES_A_NUMBER = 8, DIGITS = 256 }; /* of memory for each byte of the file, at most */
+/* Bytes of memory for each number: the line and its name; while they are named, two that are sorted; later its set. */
+enum { SORTING = 24, USING = 12, DIGITS = 256 };
 
 struct stream {
     uint32_t *lines, *names; /* names: 0, 1, 2 ... in place of the lines, so that tables of them are small */
@@ -26,7 +28,7 @@ static bool read_stream(const char *path, struct stream *stream, struct aob_erro
 {
     size_t size;
     *stream = (struct stream){0};
-    char *bytes = aob_file_read(path, aob_machine_memory() / BYTES_A_NUMBER, &size, error);
+    char *bytes = aob_file_read(path, (size_t)(aob_room_size() / SORTING * sizeof(uint32_t)), &size, error);
     if (!bytes)
         return false;
     stream->count = size / sizeof(uint32_t);
@@ -77,10 +79,14 @@ static void name_lines(struct stream *stream)
     free(other);
 }
 
+/* More ways than there are lines change nothing: no set is ever full. */
 static struct aob_tags_desc cache_of(const struct aob_lines_desc *desc, const struct stream *stream)
 {
-    return (struct aob_tags_desc){
-        .sets = desc->sets, .ways = desc->ways, .index = desc->index, .numbers = stream->distinct + 1};
+    uint32_t most = stream->distinct ? stream->distinct : 1;
+    return (struct aob_tags_desc){.sets = desc->sets,
+                                  .ways = desc->ways < most ? desc->ways : most,
+                                  .index = desc->index,
+                                  .numbers = stream->distinct + 1};
 }
 
 static void count_misses(const struct aob_lines_desc *desc, const struct stream *stream,
@@ -88,11 +94,12 @@ static void count_misses(const struct aob_lines_desc *desc, const struct stream 
 {
     struct aob_tags_desc cache = cache_of(desc, stream);
     struct aob_tags *tags = aob_tags_create(&cache);
-    uint32_t *sets = AOB_NEW_ARRAY(uint32_t, stream->count + 1), size = desc->sets * desc->ways;
+    uint32_t *sets = AOB_NEW_ARRAY(uint32_t, stream->count + 1);
     aob_index_sets(&cache, stream->lines, stream->count, sets);
     misses->misses = aob_tags_access_in(tags, stream->names, sets, stream->count, NULL);
     free(sets);
     aob_tags_destroy(tags);
+    uint32_t size = cache.sets * cache.ways;
     struct aob_stack *stack = aob_stack_create(&(struct aob_stack_desc){stream->distinct, 1, &size, 1});
     aob_stack_access(stack, stream->names, stream->count);
     uint64_t associative = aob_stack_misses(stack, 0);
@@ -107,13 +114,19 @@ static bool judge_cache(const struct aob_lines_desc *desc, const struct stream *
                         struct aob_error *error)
 {
     struct aob_tags_desc cache = cache_of(desc, stream);
-    double lines = (double)desc->sets * desc->ways, memory = (double)aob_machine_memory();
+    struct aob_room room = {0};
+    char who[128];
     if (desc->index == AOB_INDEX_XOR && (desc->sets & (desc->sets - 1)))
         return aob_fail(error, "the index xor needs a power of two of sets, and %u is none", desc->sets);
-    return (lines <= INT32_MAX && aob_tags_bytes(&cache) <= memory) ||
-           aob_fail(error,
-                    "a cache of %u sets and %u ways is larger than this machine can hold: lower one of them",
-                    desc->sets, desc->ways);
+    if ((double)cache.sets * cache.ways > INT32_MAX)
+        return aob_fail(
+            error, "a cache of %u sets and %u ways is larger than this machine can hold: lower one of them",
+            desc->sets, desc->ways);
+    snprintf(who, sizeof who, "a cache of %u sets and %u ways with a stream of %zu numbers", desc->sets,
+             desc->ways, stream->count);
+    double bytes =
+        (double)USING * (double)stream->count + aob_tags_bytes(&cache) + aob_stack_bytes(stream->distinct, 1);
+    return aob_room_take(&room, bytes, who, "lower one of them", error);
 }
 
 bool aob_lines_simulate(const struct aob_lines_desc *desc, struct aob_misses *misses, struct aob_error *error)

@@ -202,6 +202,16 @@ bool aob_field_read(struct aob_yaml *yaml, const char *key, yaml_node_t *value, 
     return true;
 }
 
+void aob_field_default(const struct aob_field_reader *reader, size_t field, const char *value,
+                       const char *source)
+{
+    char key[64];
+    if (reader->nodes[field])
+        return;
+    snprintf(key, sizeof key, "%s%s", reader->prefix, reader->fields[field].key);
+    aob_profile_note(reader->profile, key, value, source, false);
+}
+
 bool aob_field_need(struct aob_yaml *yaml, const yaml_node_t *node, const struct aob_field_reader *reader)
 {
     for (const struct aob_field *field = reader->fields; field->key; field++)

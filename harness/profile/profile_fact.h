@@ -38,4 +38,9 @@ bool aob_field_read(struct aob_yaml *yaml, const char *key, yaml_node_t *value, 
 
 /* False with a line if a field that is needed was not in the mapping. */
 bool aob_field_need(struct aob_yaml *yaml, const yaml_node_t *node, const struct aob_field_reader *reader);
+
+/* Notes what stands in place of a field that was not in the mapping, as unverified; `field` is its place in the table. Does
+ * nothing where the field was there. */
+void aob_field_default(const struct aob_field_reader *reader, size_t field, const char *value,
+                       const char *source);
 #endif

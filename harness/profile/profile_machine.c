@@ -4,6 +4,7 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/text.h"
+#include "profile_level.h"
 
 enum { MAX_CACHE = 16, MAX_TEXT = 4096 };
 
@@ -49,46 +50,76 @@ static int count_processors(const char *list)
     return count;
 }
 
-static void note(struct aob_profile *profile, const char *folder, int cache, const char *level,
-                 const char *what, uint64_t value)
+static void note(struct aob_profile *profile, const char *folder, int cache, const char *what, uint64_t value)
 {
+    const struct aob_profile_level *level = &profile->levels[profile->level_count - 1];
     char key[64], text[32], source[256];
-    snprintf(key, sizeof key, "levels.%s.%s", level, what);
+    snprintf(key, sizeof key, "levels.%s.%s", level->name, what);
     snprintf(text, sizeof text, "%llu", (unsigned long long)value);
     snprintf(source, sizeof source, "%s/index%d", folder, cache);
     aob_profile_note(profile, key, text, source, true);
 }
 
-/* 0: not a cache of data, or a level that is one already; below 0: the folder does not tell. */
-static int add_cache(struct aob_profile *profile, const char *folder, int cache, int first)
+/* What no kernel tells. */
+static void note_choice(struct aob_profile *profile, const char *what, const char *value, const char *source)
 {
-    char type[32], sharing[256] = "";
+    char key[64];
+    snprintf(key, sizeof key, "levels.%s.%s", profile->levels[profile->level_count - 1].name, what);
+    aob_profile_note(profile, key, value, source, false);
+}
+
+static void note_level(struct aob_profile *profile, const char *folder, int cache)
+{
+    const struct aob_profile_level *level = &profile->levels[profile->level_count - 1];
+    note(profile, folder, cache, "size", level->size);
+    note(profile, folder, cache, "line", level->line);
+    note(profile, folder, cache, "ways", level->ways);
+    note(profile, folder, cache, "units", (uint64_t)level->units);
+    note_choice(profile, "index", aob_index_name(level->index), "default: the kernel does not tell it");
+    if (profile->level_count > 1)
+        note_choice(profile, "cold", "frame", "default: no pass empties it");
+}
+
+/* Appends a level of what the folder says, before it is judged. False: the folder does not tell. */
+static bool append_level(struct aob_profile *profile, const char *folder, int cache, int first)
+{
+    char sharing[256] = "";
     uint64_t number, size, line, ways;
-    if (!read_line(folder, cache, "type", type, sizeof type) || strcmp(type, "Instruction") == 0 ||
-        profile->level_count == AOB_PROFILE_MAX_LEVEL)
-        return 0;
     if (!read_whole(folder, cache, "level", 1, 9, &number) ||
         !read_whole(folder, cache, "size", 1, (uint64_t)1 << 36, &size) ||
         !read_whole(folder, cache, "coherency_line_size", 16, 4096, &line) ||
-        !read_whole(folder, cache, "ways_of_associativity", 1, 65536, &ways) || (line & (line - 1)) ||
-        size % (line * ways) || size / line > INT32_MAX)
-        return -1;
+        !read_whole(folder, cache, "ways_of_associativity", 1, 65536, &ways))
+        return false;
     read_line(folder, cache, "shared_cpu_list", sharing, sizeof sharing);
     struct aob_profile_level *level = &profile->levels[profile->level_count++];
     int share = count_processors(sharing);
     *level = (struct aob_profile_level){.size = size,
                                         .line = (uint32_t)line,
-                                        .sector = (uint32_t)line,
                                         .ways = (uint32_t)ways,
-                                        .sets = (uint32_t)(size / line / ways),
                                         .units = share > first ? share / first : 1,
                                         .cold_at_pass = profile->level_count == 1};
     snprintf(level->name, sizeof level->name, "L%llu", (unsigned long long)number);
-    note(profile, folder, cache, level->name, "size", size);
-    note(profile, folder, cache, level->name, "line", line);
-    note(profile, folder, cache, level->name, "ways", ways);
-    note(profile, folder, cache, level->name, "units", (uint64_t)level->units);
-    return 1;
+    return true;
+}
+
+/* Adds the cache as a level if it is one of data. */
+static bool add_cache(struct aob_profile *profile, const char *folder, int cache, int first,
+                      struct aob_error *error)
+{
+    static const char advice[] = "write a profile with levels of your own";
+    struct aob_error why = {{0}};
+    enum aob_level_part part;
+    char type[32];
+    if (!read_line(folder, cache, "type", type, sizeof type) || strcmp(type, "Instruction") == 0 ||
+        profile->level_count == AOB_PROFILE_MAX_LEVEL)
+        return true;
+    if (!append_level(profile, folder, cache, first))
+        return aob_fail(error, "%s/index%d does not tell the cache's level, size, line and ways: %s", folder,
+                        cache, advice);
+    if (!aob_profile_judge_level(profile, &part, &why))
+        return aob_fail(error, "%s/index%d: %s: %s", folder, cache, why.text, advice);
+    note_level(profile, folder, cache);
+    return true;
 }
 
 /* How many processors share their first cache of data, as two threads of a core do; 1 where it is not told. */
@@ -114,11 +145,8 @@ bool aob_profile_machine(struct aob_profile *profile, const char *folder, struct
 {
     int first = first_share(folder);
     for (int cache = 0; cache < MAX_CACHE; cache++)
-        if (add_cache(profile, folder, cache, first) < 0)
-            return aob_fail(error,
-                            "%s/index%d does not tell the cache's level, size, line and ways: write a "
-                            "profile with levels of your own",
-                            folder, cache);
+        if (!add_cache(profile, folder, cache, first, error))
+            return false;
     return profile->level_count > 0 ||
            aob_fail(error, "%s names no data cache: write a profile with levels of your own", folder);
 }

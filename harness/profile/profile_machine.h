@@ -7,7 +7,7 @@
 
 /* Reads the data caches of a processor from a folder as AOB_PROFILE_SYSFS: levels with their facts, the first cold at each
  * pass. A cache that shares its lines with other processors becomes one for as many units. False with a line if the folder
- * does not tell, as in some virtual machines. */
+ * does not tell, as in some virtual machines, or if what it tells is no level that can be simulated (profile_level.h). */
 bool aob_profile_machine(struct aob_profile *profile, const char *folder, struct aob_error *error);
 
 /* First caches of data that so many processors have together: processors by those that share one, at least 1. */

@@ -2,15 +2,15 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
-#include "base/machine.h"
 #include "base/memory.h"
 #include "profile_fact.h"
+#include "profile_level.h"
 #include "profile_machine.h"
 #include "profile_rates.h"
 
 enum { MAX_FILE = 1 << 20 };
 enum { UNITS, IN_FLIGHT, TILE, BLOCK, WARP, LAYOUT, BLOCK_HEIGHT, DEPTH_BYTES, NORMAL_BYTES };
-enum { SIZE, LINE, SECTOR, WAYS, INDEX, SHARED, COLD, FILL, PORTS };
+enum { SHARED = AOB_LEVEL_PART_COUNT, COLD, FILL, PORTS }; /* behind the parts of a level */
 
 #define OF(type, name) offsetof(struct type, name)
 static const struct aob_field profile_fields[] = {
@@ -26,11 +26,11 @@ static const struct aob_field profile_fields[] = {
     {0},
 };
 static const struct aob_field level_fields[] = {
-    [SIZE] = {"size", AOB_FIELD_BYTES, 64, 0x1p50, OF(aob_profile_level, size), true},
-    [LINE] = {"line", AOB_FIELD_WHOLE, 16, 4096, OF(aob_profile_level, line), true},
-    [SECTOR] = {"sector", AOB_FIELD_WHOLE, 16, 4096, OF(aob_profile_level, sector), false},
-    [WAYS] = {"ways", AOB_FIELD_WHOLE, 1, 0x1p31, OF(aob_profile_level, ways), true},
-    [INDEX] = {"index", AOB_FIELD_INDEX, 0, 0, OF(aob_profile_level, index), true},
+    [AOB_LEVEL_SIZE] = {"size", AOB_FIELD_BYTES, 64, 0x1p50, OF(aob_profile_level, size), true},
+    [AOB_LEVEL_LINE] = {"line", AOB_FIELD_WHOLE, 16, 4096, OF(aob_profile_level, line), true},
+    [AOB_LEVEL_SECTOR] = {"sector", AOB_FIELD_WHOLE, 16, 4096, OF(aob_profile_level, sector), false},
+    [AOB_LEVEL_WAYS] = {"ways", AOB_FIELD_WHOLE, 1, 0x1p31, OF(aob_profile_level, ways), true},
+    [AOB_LEVEL_INDEX] = {"index", AOB_FIELD_INDEX, 0, 0, OF(aob_profile_level, index), true},
     [SHARED] = {"units", AOB_FIELD_UNITS, 1, 256, OF(aob_profile_level, units), false},
     [COLD] = {"cold", AOB_FIELD_COLD, 0, 0, OF(aob_profile_level, cold_at_pass), false},
     [FILL] = {"fill", AOB_FIELD_WHOLE, 1, 65536, OF(aob_profile_level, fill), false},
@@ -43,51 +43,27 @@ static bool is_power(uint64_t value)
     return value && (value & (value - 1)) == 0;
 }
 
-/* Lines, sectors and ways that go together. */
-static bool judge_lines(struct aob_yaml *yaml, const struct aob_field_reader *reader)
-{
-    const struct aob_profile_level *level = reader->target;
-    const yaml_node_t *const *nodes = reader->nodes;
-    if (!is_power(level->line))
-        return aob_yaml_fail(yaml, nodes[LINE], "a line of %u bytes is no power of two", level->line);
-    if (!is_power(level->sector) || level->sector > level->line || level->line / level->sector > 32)
-        return aob_yaml_fail(yaml, nodes[SECTOR],
-                             "a sector of %u bytes is no power of two between the line and a 32nd of it",
-                             level->sector);
-    if (level->size % level->line)
-        return aob_yaml_fail(yaml, nodes[SIZE], "%llu bytes are no whole number of lines of %u",
-                             (unsigned long long)level->size, level->line);
-    if (level->size / level->line % level->ways)
-        return aob_yaml_fail(yaml, nodes[WAYS], "%u ways do not divide the cache's %llu lines", level->ways,
-                             (unsigned long long)(level->size / level->line));
-    return true;
-}
-
+/* What is wrong is shown where it is written: a sector that was left out is the line. */
 static bool judge_level(struct aob_yaml *yaml, const struct aob_field_reader *reader)
 {
-    struct aob_profile_level *level = reader->target;
-    const struct aob_profile_level *before = level == reader->profile->levels ? NULL : level - 1;
-    size_t memory = aob_machine_memory();
-    if (level->size > memory)
-        return aob_yaml_fail(yaml, reader->nodes[SIZE],
-                             "a cache of %.0f GiB is larger than this machine's memory, %.0f GiB",
-                             (double)level->size / 0x1p30, (double)memory / 0x1p30);
-    if (!level->sector)
-        level->sector = level->line;
-    if (!judge_lines(yaml, reader))
-        return false;
-    if (level->size / level->line > INT32_MAX)
-        return aob_yaml_fail(yaml, reader->nodes[SIZE], "a cache of %llu lines: there are %d at most",
-                             (unsigned long long)(level->size / level->line), INT32_MAX);
-    level->sets = (uint32_t)(level->size / level->line / level->ways);
-    if (level->index == AOB_INDEX_XOR && !is_power(level->sets))
-        return aob_yaml_fail(yaml, reader->nodes[INDEX], "xor needs a power of two of sets, and these are %u",
-                             level->sets);
-    if (before && before->sector > level->sector)
-        return aob_yaml_fail(yaml, reader->nodes[SECTOR] ? reader->nodes[SECTOR] : reader->nodes[LINE],
-                             "it brings %u bytes at a time, less than the %u of the level before",
-                             level->sector, before->sector);
-    return true;
+    struct aob_error error = {{0}};
+    enum aob_level_part part;
+    if (aob_profile_judge_level(reader->profile, &part, &error))
+        return true;
+    return aob_yaml_fail(yaml, reader->nodes[reader->nodes[part] ? part : AOB_LEVEL_LINE], "%s", error.text);
+}
+
+/* What a file leaves out is a choice of ours all the same. */
+static void note_level_defaults(const struct aob_field_reader *reader)
+{
+    const struct aob_profile_level *level = reader->target;
+    char line[16];
+    snprintf(line, sizeof line, "%u", level->line);
+    aob_field_default(reader, AOB_LEVEL_SECTOR, line, "default: a miss brings the whole line");
+    if (level == reader->profile->levels)
+        return;
+    aob_field_default(reader, SHARED, "all", "default: all units share it");
+    aob_field_default(reader, COLD, "frame", "default: no pass empties it");
 }
 
 static bool read_level_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *value, void *user)
@@ -131,8 +107,11 @@ static bool read_level(struct aob_yaml *yaml, yaml_node_t *node, void *user)
     level->cold_at_pass = is_first;
     level->units = is_first;
     struct aob_field_reader reader = {profile, prefix, level_fields, level, {NULL}};
-    return aob_yaml_mapping(yaml, node, is_first ? first : later, read_level_entry, &reader) &&
-           aob_field_need(yaml, node, &reader) && judge_level(yaml, &reader);
+    if (!aob_yaml_mapping(yaml, node, is_first ? first : later, read_level_entry, &reader) ||
+        !aob_field_need(yaml, node, &reader) || !judge_level(yaml, &reader))
+        return false;
+    note_level_defaults(&reader);
+    return true;
 }
 
 static bool accept(struct aob_yaml *yaml, const char *key, yaml_node_t *value, void *user)
@@ -198,6 +177,16 @@ static bool judge_bytes(struct aob_yaml *yaml, const yaml_node_t *node, int byte
            aob_yaml_fail(yaml, node, "%d bytes a texel are no power of two", bytes);
 }
 
+static void note_profile_defaults(const struct aob_field_reader *reader)
+{
+    const struct aob_profile *profile = reader->target;
+    char block[32];
+    snprintf(block, sizeof block, "%dx%d", profile->block.width, profile->block.height);
+    aob_field_default(reader, BLOCK, block, "default: a tile is one block");
+    if (profile->layout == AOB_LAYOUT_BLOCK_LINEAR)
+        aob_field_default(reader, BLOCK_HEIGHT, "16", "default: the highest block that the layout has");
+}
+
 static bool judge_profile(struct aob_yaml *yaml, const struct aob_field_reader *reader)
 {
     struct aob_profile *profile = reader->target;
@@ -229,7 +218,10 @@ static bool read_root(struct aob_yaml *yaml, struct aob_profile *profile)
         return false;
     if (!profile->title || !profile->level_count)
         return aob_yaml_fail(yaml, root, "'%s' is missing", profile->title ? "levels" : "title");
-    return judge_profile(yaml, &reader) && aob_profile_rates_judge(yaml, root, profile);
+    if (!judge_profile(yaml, &reader) || !aob_profile_rates_judge(yaml, root, profile))
+        return false;
+    note_profile_defaults(&reader);
+    return true;
 }
 
 /* The file's name without folder and ending. */

@@ -43,6 +43,17 @@ struct aob_reuse *aob_reuse_create(uint32_t numbers, uint32_t sectors)
     return reuse;
 }
 
+/* A window is doubled when more than half of it is in use, so it has fewer than four points a line; and two windows stand
+ * while one is moved into the next. */
+double aob_reuse_bytes(uint32_t numbers, uint32_t sectors)
+{
+    double lines = (double)(numbers / (sectors ? sectors : 1)) + 2;
+    double point = 1.0 / 8 + sizeof(uint32_t) + (double)sizeof(uint32_t) / BLOCK;
+    double points = 4 * lines > FIRST_WINDOW ? 4 * lines : FIRST_WINDOW;
+    return lines * (sizeof(uint32_t) + sizeof(uint64_t)) + 2 * points * point +
+           (sectors > 1 ? ((double)numbers + sectors) * sizeof(uint32_t) : 0);
+}
+
 void aob_reuse_destroy(struct aob_reuse *reuse)
 {
     if (!reuse)

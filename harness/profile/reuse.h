@@ -10,6 +10,8 @@
 
 struct aob_reuse *aob_reuse_create(uint32_t numbers,
                                    uint32_t sectors); /* all numbers are below it; 0 sectors means 1 */
+double aob_reuse_bytes(uint32_t numbers,
+                       uint32_t sectors); /* of memory at most, without the curves taken of it */
 void aob_reuse_destroy(struct aob_reuse *reuse);
 void aob_reuse_access(struct aob_reuse *reuse, const uint32_t *numbers, size_t count);
 

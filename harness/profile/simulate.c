@@ -1,11 +1,13 @@
 #include "simulate.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/machine.h"
 #include "base/memory.h"
 #include "gather.h"
 #include "level.h"
+
+enum { MAX_TEXELS = 4 }; /* of a word, which may be bilinear */
 
 /* Warps that a unit has begun, until there are enough to take turns. */
 struct pending {
@@ -30,6 +32,8 @@ struct aob_simulation {
     uint64_t associative[AOB_PROFILE_MAX_LEVEL][AOB_FLIGHT_COUNT]; /* misses before this pass */
     struct pending *pending;                                       /* by unit */
     struct numbers work;
+    struct aob_room own_room, *room;
+    double turns_taken; /* of the room, by warps in flight */
 };
 
 struct aob_simulation *aob_simulation_create(const struct aob_simulation_desc *desc)
@@ -37,6 +41,7 @@ struct aob_simulation *aob_simulation_create(const struct aob_simulation_desc *d
     struct aob_simulation *simulation = AOB_NEW(struct aob_simulation);
     const struct aob_profile *profile = desc->profile;
     simulation->desc = *desc;
+    simulation->room = desc->room ? desc->room : &simulation->own_room;
     simulation->result.profile = profile;
     simulation->result.split = desc->curve != AOB_CURVE_NONE;
     simulation->pending = AOB_NEW_ARRAY(struct pending, (size_t)profile->units);
@@ -94,10 +99,18 @@ static struct aob_level_desc level_desc(const struct aob_simulation *simulation,
                                    simulation->desc.curve, l > 0};
 }
 
-static bool judge_memory(const struct aob_simulation *simulation, struct aob_error *error)
+static bool take_room(struct aob_simulation *simulation, double bytes, struct aob_error *error)
+{
+    char who[128];
+    snprintf(who, sizeof who, "profile %s: its simulation", simulation->desc.profile->name);
+    return aob_room_take(simulation->room, bytes, who, "lower the size, the units or the warps in flight",
+                         error);
+}
+
+static bool take_caches(struct aob_simulation *simulation, struct aob_error *error)
 {
     const struct aob_profile *profile = simulation->desc.profile;
-    double need = 0, has = (double)aob_machine_memory();
+    double need = 0;
     for (int l = 0; l < profile->level_count; l++) {
         if (simulation->placed.size / profile->levels[l].sector >= UINT32_MAX - 1)
             return aob_fail(
@@ -107,10 +120,31 @@ static bool judge_memory(const struct aob_simulation *simulation, struct aob_err
         struct aob_level_desc desc = level_desc(simulation, l);
         need += aob_level_bytes(&desc) * simulation->cache_counts[l] * flights(simulation);
     }
-    return need <= has || aob_fail(error,
-                                   "profile %s: its simulation may take %.1f GiB and this machine has %.1f: "
-                                   "lower the size or the units",
-                                   profile->name, need / 0x1p30, has / 0x1p30);
+    return take_room(simulation, need, error);
+}
+
+/* Bytes of the warps that wait for their turn, and of one unit's on their way through the levels. */
+static double turn_bytes(const struct aob_simulation *simulation, int slots)
+{
+    const struct aob_profile *profile = simulation->desc.profile;
+    const struct aob_trace_pass *pass = &simulation->pass;
+    double lanes = (double)profile->warp.width * profile->warp.height;
+    double all = pass->fragments ? INFINITY : (double)pass->width * pass->height; /* lanes of the pass */
+    double word = MAX_TEXELS * sizeof(uint32_t) * (simulation->desc.map ? 2 : 1);
+    double in_turn = fmin(all, lanes * profile->in_flight), waiting = fmin(all, in_turn * profile->units);
+    double starts = sizeof(size_t) * (slots + 1.0) * profile->in_flight * profile->units;
+    double work = in_turn * slots * (word + MAX_TEXELS * sizeof(uint32_t));
+    return flights(simulation) == 1 ? work : work + 2 * waiting * slots * word + starts;
+}
+
+/* What an earlier pass has taken is used again. */
+static bool take_turns_room(struct aob_simulation *simulation, int slots, struct aob_error *error)
+{
+    double more = turn_bytes(simulation, slots) - simulation->turns_taken;
+    if (more <= 0)
+        return true;
+    simulation->turns_taken += more;
+    return take_room(simulation, more, error);
 }
 
 static bool begin_frame(struct aob_simulation *simulation, const struct aob_trace_frame *frame,
@@ -118,7 +152,7 @@ static bool begin_frame(struct aob_simulation *simulation, const struct aob_trac
 {
     simulation->frame = frame;
     return aob_layout_place(simulation->desc.profile, frame, &simulation->placed, error) &&
-           judge_memory(simulation, error);
+           take_caches(simulation, error);
 }
 
 static void begin_caches(struct aob_simulation *simulation)
@@ -285,7 +319,8 @@ static bool begin(void *self, const struct aob_trace_frame *frame, const struct 
 static bool band(void *self, const struct aob_trace_band *rows, struct aob_error *error)
 {
     struct aob_simulation *simulation = self;
-    return aob_gather_band(simulation->gather, rows, error);
+    return take_turns_room(simulation, rows->slots, error) &&
+           aob_gather_band(simulation->gather, rows, error);
 }
 
 /* What the caches of a level would have missed in this pass if they were fully associative. */

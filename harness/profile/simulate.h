@@ -2,14 +2,17 @@
  * as the profile says, gives each texel its address, and sends it through the levels, once with one warp in flight and
  * once with the most.
  *
- * Memory does not grow with the number of samples, but with the textures of the frame and with the profile: for each
- * cache and each of the two orders at most 4 bytes for each line of the textures (16 with a curve of powers of two, 34 with
- * one of every size), a bit for each of their sectors, and 16 for each line of the cache; and for each unit 16 bytes for
- * each texel that the warps in flight ask for. The first part is compared with the machine's memory before a frame begins.
+ * Memory, all of it at most: for each cache and each of the two orders 16 bytes for each of its lines, a bit for each
+ * sector of the textures, and for each of their lines 4 bytes, 12 more with a curve of powers of two, 46 more with one of
+ * every size. And for each unit 32 bytes (64 with a map) for each word that its warps in flight fetch: up to four texels
+ * each, in arrays that double as they grow; fewer words than the invocations of a pass have, and none where one warp is in
+ * flight. The first part is taken from the room (room.h) before a frame begins, the second before a pass's first band;
+ * what does not fit is refused then.
  * Threads: one at a time for each object. */
 #ifndef AOB_PROFILE_SIMULATE_H
 #define AOB_PROFILE_SIMULATE_H
 #include "result.h"
+#include "room.h"
 #include "trace.h"
 
 enum aob_curve_kind {
@@ -24,6 +27,7 @@ struct aob_simulation_desc {
         curve; /* of the first level; without one capacity and conflict are not told apart either */
     bool map;  /* of misses by pixel */
     enum aob_flight map_flight; /* that the map is of */
+    struct aob_room *room;      /* of all simulations that run at once, borrowed; NULL: this one is alone */
 };
 
 struct aob_simulation;

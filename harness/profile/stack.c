@@ -34,6 +34,12 @@ struct aob_stack *aob_stack_create(const struct aob_stack_desc *desc)
     return stack;
 }
 
+double aob_stack_bytes(uint32_t numbers, uint32_t sectors)
+{
+    double lines = (double)(numbers / (sectors ? sectors : 1)) + 2;
+    return lines * sizeof(struct node) + (sectors > 1 ? (double)numbers + sectors : 0);
+}
+
 void aob_stack_destroy(struct aob_stack *stack)
 {
     if (!stack)
@@ -129,9 +135,4 @@ uint64_t aob_stack_misses(const struct aob_stack *stack, size_t size)
     for (size_t group = size + 2; group <= stack->size_count + 1; group++)
         misses += stack->found[group];
     return misses;
-}
-
-uint64_t aob_stack_cold(const struct aob_stack *stack)
-{
-    return stack->found[0];
 }

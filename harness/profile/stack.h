@@ -18,10 +18,10 @@ struct aob_stack_desc {
 };
 
 struct aob_stack *aob_stack_create(const struct aob_stack_desc *desc);
+double aob_stack_bytes(uint32_t numbers, uint32_t sectors); /* of memory, at most */
 void aob_stack_destroy(struct aob_stack *stack);
 void aob_stack_access(struct aob_stack *stack, const uint32_t *numbers, size_t count);
 
-uint64_t aob_stack_misses(const struct aob_stack *stack,
-                          size_t size);                 /* of the size with that place in `sizes` */
-uint64_t aob_stack_cold(const struct aob_stack *stack); /* first uses: what no size saves */
+/* Of the size with that place in `sizes`. */
+uint64_t aob_stack_misses(const struct aob_stack *stack, size_t size);
 #endif

@@ -33,6 +33,14 @@ static void take_figures(const struct asked *asked, const struct aob_cache_answe
     json_object_set_new(asked->figures, profile->name, figures);
 }
 
+static void refuse_rest(const struct asked *asked, const char *reason)
+{
+    const struct aob_plan *plan = asked->m->plan;
+    for (size_t i = 0; i < plan->profile_count; i++)
+        if (!json_object_get(asked->figures, plan->profiles[i].name))
+            put_refused(asked->figures, &plan->profiles[i], "failed", reason);
+}
+
 static void foretell(const struct asked *asked, const struct aob_cache_capture *capture)
 {
     struct aob_text work = {0};
@@ -96,10 +104,7 @@ json_t *aob_cache_case(struct aob_measurement *m, size_t index, const struct aob
         m->on_work(m->user, index, "tracing fetches");
     if (!send(&asked, files, &error) && !*error.text)
         aob_fail(&error, "the worker gave no reason");
-    for (size_t i = 0; i < m->plan->profile_count; i++)
-        if (!json_object_get(asked.figures, m->plan->profiles[i].name))
-            put_refused(asked.figures, &m->plan->profiles[i], "failed",
-                        *error.text ? error.text : "the worker gave no answer for this profile");
+    refuse_rest(&asked, *error.text ? error.text : "the worker gave no answer for this profile");
     return asked.figures;
 }
 
@@ -115,4 +120,28 @@ bool aob_cache_case_is_done(const struct aob_plan *plan, const json_t *record)
             return false;
     }
     return true;
+}
+
+static json_t *trace_again(struct aob_measurement *m, size_t index)
+{
+    struct aob_view_files files = {0};
+    struct aob_error error = {{0}};
+    if (aob_view_prepare(m, &index, 1, &files, &error)) {
+        json_t *figures = aob_cache_case(m, index, &files);
+        aob_view_files_finish(&files);
+        return figures;
+    }
+    const struct asked asked = {m, index, json_object()};
+    refuse_rest(&asked, error.text);
+    return asked.figures;
+}
+
+void aob_cache_case_again(struct aob_measurement *m, size_t index)
+{
+    struct aob_state *state = &m->states[index];
+    json_t *record = json_deep_copy(state->stored);
+    json_object_set_new(record, "cache", trace_again(m, index));
+    state->stage = AOB_DONE;
+    m->on_record(m->user, index, record);
+    json_decref(record);
 }

@@ -12,4 +12,7 @@ json_t *aob_cache_case(struct aob_measurement *m, size_t index, const struct aob
 /* Whether a record holds what the plan's profiles ask for now: figures of the same profile, or the reason why there can
  * be none. What failed is tried again. */
 bool aob_cache_case_is_done(const struct aob_plan *plan, const json_t *record);
+
+/* Ends a case of which a record is stored (state.h): the record with cache figures of now and all else as it was. */
+void aob_cache_case_again(struct aob_measurement *m, size_t index);
 #endif

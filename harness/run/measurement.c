@@ -50,8 +50,10 @@ bool aob_measurement_init(struct aob_measurement *m, const struct aob_dispatch *
 
 void aob_measurement_finish(struct aob_measurement *m)
 {
-    for (size_t i = 0; m->states && i < m->plan->case_count; i++)
+    for (size_t i = 0; m->states && i < m->plan->case_count; i++) {
         json_decref(m->states[i].definition);
+        json_decref(m->states[i].stored);
+    }
     free(m->states);
     free(m->by_view);
     free(m->place);

@@ -8,6 +8,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "again.h"
+#include "cache_case.h"
 #include "config/config_builds.h"
 #include "info.h"
 #include "measurement.h"
@@ -106,6 +107,16 @@ static const struct aob_case *state_case(const struct run *run, const struct aob
     return &run->sweep.plan.cases[state - run->measurement.states];
 }
 
+/* Where only the cache figures are not those of now, they alone are measured. */
+static void take_stored(struct run *run, struct aob_state *state, json_t *record)
+{
+    if (aob_cache_case_is_done(&run->sweep.plan, record)) {
+        state->stage = AOB_DONE;
+        count(run, record);
+    } else
+        state->stored = json_incref(record);
+}
+
 /* What is left is timed by the clock of what is there. */
 static bool skip_finished(struct run *run, struct aob_error *error)
 {
@@ -125,9 +136,8 @@ static bool skip_finished(struct run *run, struct aob_error *error)
         if (!state || state->stage != AOB_PENDING ||
             !aob_stored_is_finished(&run->sweep.plan, run->folder.path, record))
             continue;
-        state->stage = AOB_DONE;
-        count(run, record);
         aob_run_clocks_take(&run->measurement.clocks, state_case(run, state)->backend, record);
+        take_stored(run, state, record);
     }
     json_decref(places);
     json_decref(records);
@@ -202,10 +212,18 @@ static size_t next_block(const struct run *run, size_t *at, size_t indices[AOB_B
     return used;
 }
 
+static void measure_caches(struct run *run)
+{
+    for (size_t i = 0; i < run->sweep.plan.case_count && !*run->store_error.text; i++)
+        if (run->measurement.states[i].stage == AOB_PENDING && run->measurement.states[i].stored)
+            aob_cache_case_again(&run->measurement, i);
+}
+
 /* What cannot be stored is not measured. A journal that went away behind its last line is noticed at the end. */
 static bool measure_blocks(struct run *run, struct aob_error *error)
 {
     size_t indices[AOB_BLOCK_MAX];
+    measure_caches(run);
     for (size_t at = 0; at < run->sweep.plan.case_count && !*run->store_error.text;) {
         size_t used = next_block(run, &at, indices);
         if (used)

@@ -5,7 +5,6 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/sealed.h"
-#include "cache_case.h"
 
 bool aob_stored_is_precise(const struct aob_config *config, const json_t *time)
 {
@@ -53,8 +52,6 @@ bool aob_stored_is_finished(const struct aob_plan *plan, const char *folder, con
     if (strcmp(status, "ok") != 0 || (config->measure_time && !time) || (config->measure_error && !error))
         return false;
     if (config->measure_time && is_coarse(config, time))
-        return false;
-    if (!aob_cache_case_is_done(plan, record))
         return false;
     return !config->images || (has_file(folder, json_object_get(record, "image")) &&
                                (!error || has_file(folder, json_object_get(error, "truth"))));

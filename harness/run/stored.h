@@ -11,7 +11,8 @@ bool aob_stored_is_precise(const struct aob_config *config, const json_t *time);
  * precision than this. */
 double aob_stored_seconds_needed(const struct aob_config *config, const json_t *time);
 
-/* Whether the case need not be measured again. Cases with a verdict stay; failed and unsupported ones get another chance,
- * and so does one that lacks what the plan's config wants. `folder` is the run's. */
+/* Whether the case need not be measured again but for its cache figures (cache_case.h). Cases with a verdict stay; failed
+ * and unsupported ones get another chance, and so does one that lacks what the plan's config wants. `folder` is the
+ * run's. */
 bool aob_stored_is_finished(const struct aob_plan *plan, const char *folder, const json_t *record);
 #endif

@@ -20,6 +20,7 @@ struct cached {
     struct aob_profile *profiles; /* those of the job, and what simulates them */
     struct aob_simulation **simulations;
     struct aob_drawing_part part;
+    struct aob_room room; /* that all of them share */
     struct aob_trace trace;
     struct aob_frame plain;     /* the same frame without a trace */
     struct aob_error uncounted; /* why it has no operations, where a profile has use for them */
@@ -47,7 +48,7 @@ static bool read_profiles(struct cached *cached, struct aob_error *error)
             return aob_fail(error, "%s: it has changed since the run was planned: run again",
                             cached->job.profiles[i].path);
         cached->simulations[i] = aob_simulation_create(&(struct aob_simulation_desc){
-            &cached->profiles[i], AOB_CURVE_POWERS, cached->job.map, AOB_FLIGHT_MOST});
+            &cached->profiles[i], AOB_CURVE_POWERS, cached->job.map, AOB_FLIGHT_MOST, &cached->room});
     }
     return true;
 }

@@ -105,6 +105,20 @@ check "another cache is measured again" "$program" run config.yaml --out out --q
 check "each case once" test "$(wc -l <out/journal.jsonl)" -eq 12
 check "with fewer misses" jq -se 'map(select(.backend == "gl-osmesa") | .cache.mine.frame.levels[0].one.misses) |
   .[0] > .[3] and .[2] > .[5]' out/journal.jsonl
+# Only the figures of a changed profile are: the case is not timed, scored or drawn again.
+sed 's/time: false, error: false, images: false/seconds: 0.1/; s/gl-osmesa, null/gl-osmesa/; s/0.5, 1, 2/1/; s/generic, //' config.yaml >timed.yaml
+printf 'reference: {spp: 2}\n' >>timed.yaml
+check "a timed run" "$program" run timed.yaml --out timed --quiet
+ls timed/rounds >rounds.txt
+profile 512 4 >mine.yaml
+check "another cache" "$program" run timed.yaml --out timed --quiet
+check "another line" test "$(wc -l <timed/journal.jsonl)" -eq 2
+check "all but the figures is as it was" test "$(jq -cS 'del(.cache)' timed/journal.jsonl | uniq | wc -l)" -eq 1
+check "which has a time" jq -se 'all(.time.seconds > 0)' timed/journal.jsonl
+check "the figures are others" jq -se '.[0].cache.mine.frame.levels[0].one.misses < .[1].cache.mine.frame.levels[0].one.misses' timed/journal.jsonl
+check "nothing was timed" cmp <(ls timed/rounds) rounds.txt
+check "after which it is finished" "$program" run timed.yaml --out timed --quiet
+check "with two lines" test "$(wc -l <timed/journal.jsonl)" -eq 2
 sed 's/, cache: .*/}/' config.yaml >plain.yaml
 check "a run without" "$program" run plain.yaml --out plain --quiet
 check "has no such member" jq -se 'all(has("cache") | not)' plain/journal.jsonl
@@ -127,6 +141,9 @@ cp mine.yaml deep/mine.yaml
 sed 's|generic, .*|mine.yaml, deep/mine.yaml]}|' config.yaml >wrong.yaml
 expect 2 "two profiles are called 'mine'" "$program" plan wrong.yaml
 expect 2 "null: no trace" "$program" cache --technique none --scene corner --size 32x18 --backend null --profile generic
+profile "256 MiB" 4 | sed '/L1/s/line: {value: 64/line: {value: 16/; s/ways: {value: 2,/ways: {value: 32,/' >large.yaml
+expect 2 "profile large: its simulation may take" bash -c 'ulimit -S -m 524288; "$@"' _ \
+  "$program" cache --technique none --scene corner --size 32x18 --backend gl-osmesa --profile ./large.yaml
 expect 2 "--profile is needed" "$program" cache --technique none --scene corner
 expect 2 "not both" "$program" cache --technique none --scene corner --lines lines.u32
 finish

@@ -2,6 +2,7 @@
 #include <unistd.h>
 #include "base/file.h"
 #include "check.h"
+#include "limited.h"
 #include "profile/lines.h"
 #include "streams.h"
 
@@ -80,6 +81,57 @@ static void test_refused(void **state)
     assert_contains(error.text, "/nowhere/lines: cannot open");
 }
 
+/* A stream of `count` numbers with eight lines in a machine whose half of the memory is `mib`. */
+static bool fits(size_t count, uint32_t sets, double mib)
+{
+    struct aob_error error = {{0}};
+    struct aob_misses misses;
+    uint32_t *numbers = AOB_NEW_ARRAY(uint32_t, count);
+    for (size_t i = 0; i < count; i++)
+        numbers[i] = (uint32_t)(i % 8);
+    write_bytes(numbers, count * sizeof *numbers);
+    free(numbers);
+    limit_memory((rlim_t)(2 * mib * 0x1p20));
+    bool ok = aob_lines_simulate(&(struct aob_lines_desc){path, sets, 4, AOB_INDEX_XOR}, &misses, &error);
+    limit_memory(RLIM_INFINITY);
+    if (!ok && sets > 1)
+        assert_contains(error.text, "with a stream of ");
+    return ok;
+}
+
+/* Four ways of a set are 16 bytes, a number is 12 when the cache is there and 24 before: together they are at most half of
+ * the memory. */
+static void test_half_of_the_memory(void **state)
+{
+    (void)state;
+    assert_true(fits(8, 1 << 20, 17));
+    assert_false(fits(8, 1 << 20, 15));
+    assert_true(fits(1 << 20, 1, 25));
+    assert_false(fits(1 << 20, 1, 23));
+    assert_true(fits(1 << 20, 1 << 20, 29));
+    assert_false(fits(1 << 20, 1 << 20, 27)); /* each of the two would fit */
+}
+
+/* No set is ever full. */
+static void test_more_ways_than_lines(void **state)
+{
+    (void)state;
+    struct aob_error error = {{0}};
+    struct aob_misses misses;
+    const uint32_t numbers[] = {7, 900, 7, 4000000000, 900, 7};
+    const struct aob_lines_desc descs[] = {{path, 1, INT32_MAX, AOB_INDEX_MODULO},
+                                           {path, 4096, INT32_MAX, AOB_INDEX_XOR}};
+    write_bytes(numbers, sizeof numbers);
+    for (size_t i = 0; i < AOB_COUNT(descs); i++) {
+        if (!aob_lines_simulate(&descs[i], &misses, &error))
+            fail_msg("%s", error.text);
+        assert_int_equal(misses.misses, 3);
+        assert_int_equal(misses.compulsory, 3);
+        assert_int_equal(misses.capacity, 0);
+        assert_int_equal(misses.conflict, 0);
+    }
+}
+
 static void test_empty(void **state)
 {
     (void)state;
@@ -108,6 +160,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_any_numbers),
         cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_half_of_the_memory),
+        cmocka_unit_test(test_more_ways_than_lines),
         cmocka_unit_test(test_empty),
     };
     return cmocka_run_group_tests(tests, open_file, remove_file);

@@ -1,4 +1,5 @@
 /* Profile files: what is read, what is refused and where, and those that come with the program. */
+#include <glob.h>
 #include <unistd.h>
 #include "base/file.h"
 #include "base/text.h"
@@ -208,6 +209,75 @@ static void test_machine(void **state)
     assert_contains(error.text, "names no data cache");
 }
 
+/* What the kernel tells is held to the rules of a file. */
+static void test_machine_rules(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *file, *value, *says;
+    } rows[] = {
+        {"index2/coherency_line_size", "32", "index2: it brings 32 bytes at a time, less than the 64"},
+        {"index2/coherency_line_size", "96", "index2: a line of 96 bytes is no power of two"},
+        {"index0/ways_of_associativity", "13", "index0: 13 ways do not divide"},
+        {"index3/size", "1000001", "index3: 1000001 bytes are no whole number of lines"},
+    };
+    for (size_t i = 0; i < AOB_COUNT(rows); i++) {
+        struct aob_error error = {{0}};
+        struct aob_profile profile = {.units = 8};
+        char file[128];
+        write_machine();
+        snprintf(file, sizeof file, "%s/%s", folder, rows[i].file);
+        assert_true(aob_file_write(file, rows[i].value, strlen(rows[i].value), &error));
+        assert_false(aob_profile_machine(&profile, folder, &error));
+        assert_contains(error.text, rows[i].says);
+        assert_contains(error.text, ": write a profile with levels of your own");
+        aob_profile_finish(&profile);
+    }
+}
+
+static const char *value_of(const struct aob_profile *profile, const char *key)
+{
+    for (size_t i = 0; i < profile->fact_count; i++)
+        if (strcmp(profile->facts[i].key, key) == 0) {
+            bool is_default = strncmp(profile->facts[i].source, "default: ", 9) == 0;
+            assert_int_equal(profile->facts[i].confirmed, 0);
+            return is_default ? profile->facts[i].value : "written";
+        }
+    return "none";
+}
+
+/* What is left out is a fact as well, without a source. What is written stays as it is. */
+static void test_defaults(void **state)
+{
+    (void)state;
+    struct aob_profile profile;
+    struct aob_error error = {{0}};
+    write_file(good);
+    assert_true(aob_profile_read(&profile, path, &error));
+    assert_string_equal(value_of(&profile, "block"), "8x8");
+    assert_string_equal(value_of(&profile, "block_height"), "16");
+    assert_string_equal(value_of(&profile, "levels.L1.sector"), "written");
+    assert_string_equal(value_of(&profile, "levels.L2.sector"), "128");
+    assert_string_equal(value_of(&profile, "levels.L2.units"), "written");
+    assert_string_equal(value_of(&profile, "levels.L2.cold"), "written");
+    assert_string_equal(value_of(&profile, "levels.L1.units"), "none"); /* a unit has one: no choice */
+    aob_profile_finish(&profile);
+    struct aob_text text = {0};
+    aob_text_add(&text, "%.*s", (int)(strstr(good, "    units: ") - good), good);
+    write_file(text.data);
+    assert_true(aob_profile_read(&profile, path, &error));
+    assert_string_equal(value_of(&profile, "levels.L2.units"), "all");
+    assert_string_equal(value_of(&profile, "levels.L2.cold"), "frame");
+    aob_profile_finish(&profile);
+    aob_text_finish(&text);
+    write_machine();
+    assert_true(aob_profile_machine(&profile, folder, &error));
+    assert_string_equal(value_of(&profile, "levels.L1.index"), "modulo");
+    assert_string_equal(value_of(&profile, "levels.L1.cold"), "none");
+    assert_string_equal(value_of(&profile, "levels.L3.cold"), "frame");
+    aob_profile_finish(&profile);
+}
+
 /* Two processors share a first cache, so 16 of them are 8 units, all of which share the last level. */
 static void test_machine_units(void **state)
 {
@@ -233,33 +303,44 @@ static void test_machine_large(void **state)
         assert_true(aob_file_write(file, large[i][1], strlen(large[i][1]), &error));
     }
     assert_false(aob_profile_machine(&profile, folder, &error));
-    assert_contains(error.text, "index3 does not tell");
+    assert_contains(error.text,
+                    "index3: a cache of "); /* too many lines, or more than this machine's memory */
     aob_profile_finish(&profile);
 }
 
-/* Every profile in the tree is read, and each of its numbers has a source. */
+static void judge_tree(const char *file)
+{
+    struct aob_profile profile;
+    struct aob_error error = {{0}};
+    if (!aob_profile_read(&profile, file, &error))
+        fail_msg("%s", error.text);
+    size_t facts = 5 + 4 * (size_t)profile.level_count; /* those that every profile has */
+    assert_true(profile.fact_count >= facts);
+    for (size_t f = 0; f < profile.fact_count; f++)
+        assert_true(*profile.facts[f].source && *profile.facts[f].value);
+    aob_profile_finish(&profile);
+}
+
+/* Every file of configs/profiles is read, and each of its numbers has a source. Where the kernel does not tell the caches,
+ * `llvmpipe` says so. */
 static void test_tree(void **state)
 {
     (void)state;
-    static const char *const names[] = {"generic", "geforce8800gtx", "gtx460se", "gtx580", "ps4",
-                                        "ps5",     "turing",         "xbox360",  "xboxone"};
+    glob_t files;
+    struct aob_profile machine = {.units = 1};
+    struct aob_text pattern = {0};
     const char *build = getenv("AOBUDGET_BUILD");
     assert_non_null(build);
-    for (size_t i = 0; i < AOB_COUNT(names); i++) {
-        struct aob_profile profile;
-        struct aob_error error = {{0}};
-        struct aob_text file = {0};
-        aob_text_add(&file, "%s/../../configs/profiles/%s.yaml", build, names[i]);
-        if (!aob_profile_read(&profile, file.data, &error))
-            fail_msg("%s", error.text);
-        assert_string_equal(profile.name, names[i]);
-        size_t facts = 5 + 4 * (size_t)profile.level_count; /* those that every profile has */
-        assert_true(profile.fact_count >= facts);
-        for (size_t f = 0; f < profile.fact_count; f++)
-            assert_true(*profile.facts[f].source && *profile.facts[f].value);
-        aob_profile_finish(&profile);
-        aob_text_finish(&file);
-    }
+    bool tells = aob_profile_machine(&machine, AOB_PROFILE_SYSFS, NULL);
+    aob_profile_finish(&machine);
+    aob_text_add(&pattern, "%s/../../configs/profiles/*.yaml", build);
+    assert_int_equal(glob(pattern.data, 0, NULL, &files), 0);
+    assert_true(files.gl_pathc >= 10);
+    for (size_t i = 0; i < files.gl_pathc; i++)
+        if (tells || !strstr(files.gl_pathv[i], "/llvmpipe.yaml"))
+            judge_tree(files.gl_pathv[i]);
+    globfree(&files);
+    aob_text_finish(&pattern);
 }
 
 static int open_folder(void **state)
@@ -283,7 +364,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_good),          cmocka_unit_test(test_damaged),
         cmocka_unit_test(test_machine),       cmocka_unit_test(test_machine_units),
-        cmocka_unit_test(test_machine_large), cmocka_unit_test(test_tree),
+        cmocka_unit_test(test_machine_rules), cmocka_unit_test(test_machine_large),
+        cmocka_unit_test(test_defaults),      cmocka_unit_test(test_tree),
     };
     return cmocka_run_group_tests(tests, open_folder, remove_folder);
 }
