@@ -16,7 +16,7 @@ static const struct aob_flag flags[] = {
     AOB_FLAG_OF(struct options, profile, "profile", "P[,P...]",
                 "whose caches: a name (see: aobudget list profiles) or a file"),
     AOB_FLAG_OF(struct options, out, "out", "FILE.exr",
-                "misses by pixel, and a picture of them for each profile"),
+                "misses by pixel; for each profile also a picture and a .vti file for ParaView"),
     AOB_SINGLE_FLAGS(struct options, frame),
     AOB_FLAG_OF(struct options, lines, "lines", "FILE",
                 "no frame, but a stream of 32-bit line numbers, little-endian"),

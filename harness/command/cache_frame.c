@@ -65,8 +65,8 @@ static void print(const struct aob_sweep *sweep, const json_t *record, struct ao
         aob_cache_table_print(name, figures, out);
 }
 
-/* Every profile has its picture. */
-static void draw(const struct aob_cache_frame_desc *desc, const struct aob_sweep *sweep)
+/* Every profile has its picture, and its file for ParaView. */
+static void draw(const struct aob_cache_frame_desc *desc, const struct aob_sweep *sweep, struct aob_text *out)
 {
     struct aob_text title = {0};
     aob_case_describe(&sweep->plan, &sweep->plan.cases[0], &title);
@@ -74,7 +74,8 @@ static void draw(const struct aob_cache_frame_desc *desc, const struct aob_sweep
         aob_cache_map_draw(&(struct aob_cache_map_desc){.image = desc->out,
                                                         .profile = sweep->plan.profiles[i].name,
                                                         .title = title.data,
-                                                        .program = desc->common->dispatch.program});
+                                                        .program = desc->common->dispatch.program},
+                           out);
     aob_text_finish(&title);
 }
 
@@ -89,10 +90,10 @@ enum aob_exit aob_cache_frame(const struct aob_cache_frame_desc *desc, struct ao
               judge(record, error);
     if (record && common->json && !aob_json_write(record, common->json, ok ? error : NULL))
         ok = false;
-    if (ok && desc->out)
-        draw(desc, &sweep);
     if (ok && aob_common_speaks(common))
         print(&sweep, record, &common->out);
+    if (ok && desc->out)
+        draw(desc, &sweep, aob_common_speaks(common) ? &common->out : NULL);
     json_decref(record);
     aob_sweep_finish(&sweep);
     return ok ? AOB_EXIT_OK : AOB_EXIT_USAGE;

@@ -26,6 +26,8 @@ static void add_screen(struct aob_planes *planes, const struct aob_pass_graph *g
                            ? textures->depth
                            : add_texture(planes, "normal", aob_encoding_normal_format(&screen->encoding),
                                          view->width, view->height, 1);
+    planes->frame.textures[textures->normal].role = AOB_TRACE_ROLE_NORMAL;
+    planes->frame.textures[textures->depth].role = AOB_TRACE_ROLE_DEPTH;
     if (aob_graph_needs_triangles(graph))
         add_texture(planes, "triangles", AOB_RGBA32F, screen->geometry->texture->width,
                     screen->geometry->texture->height, 1);
@@ -100,7 +102,6 @@ static void describe_pass(struct aob_planes *planes, const struct aob_pass_graph
     describe_reads(planes, graph, screen, textures, index);
 }
 
-/* A word has 31 bits for the number of a texel, and one number is AOB_TRACE_NONE's. */
 static bool number_planes(struct aob_trace_pass *pass, struct aob_error *error)
 {
     uint64_t next = 0;
@@ -108,12 +109,11 @@ static bool number_planes(struct aob_trace_pass *pass, struct aob_error *error)
         struct aob_trace_plane *plane = &pass->planes[i];
         plane->first = (uint32_t)next;
         next += (uint64_t)plane->width * (uint64_t)plane->height;
-        if (next > AOB_TRACE_BILINEAR - 1)
-            return aob_fail(
-                error,
-                "pass '%s' reads textures of more than %.2g texels together, which a trace cannot "
-                "number: use a smaller image",
-                pass->name, 0x1p31);
+        if (next > AOB_TRACE_MAX_TEXEL)
+            return aob_fail(error,
+                            "pass '%s' reads textures of more than %u texels together, which a trace cannot "
+                            "number: use a smaller image",
+                            pass->name, AOB_TRACE_MAX_TEXEL);
     }
     return true;
 }

@@ -90,6 +90,16 @@ bool aob_prelude_is_storage(enum aob_fetch fetch, enum aob_filter filter, int le
     return fetch == AOB_FETCH_STORAGE && filter == AOB_NEAREST && levels == 1;
 }
 
+/* What all traced passes have. */
+static void add_trace(struct aob_text *text)
+{
+    aob_text_add(text,
+                 "#define AOB_TRACE_NONE 0x%xu\n#define AOB_TRACE_BILINEAR 0x%xu\n"
+                 "#define AOB_TRACE_ONE_COLUMN 0x%xu\n#define AOB_TRACE_ONE_ROW 0x%xu\n%s",
+                 AOB_TRACE_NONE, AOB_TRACE_BILINEAR, AOB_TRACE_ONE_COLUMN, AOB_TRACE_ONE_ROW,
+                 aob_text_frame_trace);
+}
+
 /* Of a traced pass, uint aob_number_<name>(ivec2, int): what a texel of a level has as its number. */
 static void add_numbers(const struct aob_prelude_desc *desc, const char *name, int binding, int levels,
                         struct aob_text *text)
@@ -178,9 +188,10 @@ static void add_filtered(const struct aob_prelude_desc *desc, const char *name, 
                          const char *level, const char *part, struct aob_text *text)
 {
     if (desc->planes)
-        aob_text_add(
-            text, "aob_note(aob_number_%s(aob_footprint(%s, textureSize(aob_image_%s, %s)), %s) | 0x%xu); ",
-            name, uv, name, level, level, AOB_TRACE_BILINEAR);
+        aob_text_add(text,
+                     "ivec2 aob_first = aob_upper_left(%s, textureSize(aob_image_%s, %s));\n"
+                     "    aob_note(aob_number_%s(max(aob_first, 0), %s) | aob_footprint(aob_first));\n    ",
+                     uv, name, level, name, level);
     aob_text_add(text, "return textureLod(aob_image_%s, %s, float(%s)).%s;", name, uv, level, part);
 }
 
@@ -325,7 +336,7 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
     bool derived = desc->encoding->normals == AOB_NORMALS_FROM_DEPTH;
     add_head(desc, text);
     if (desc->planes)
-        aob_text_add(text, "%s", aob_text_frame_trace);
+        add_trace(text);
     if (pass->reads & AOB_DEPTH || (pass->reads && derived))
         add_depth(desc, text);
     if (pass->reads & AOB_NORMAL)

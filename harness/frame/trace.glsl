@@ -1,5 +1,5 @@
-/* What an invocation reads, as numbers of texels, into its own slots. The head comes from the host: with no slots, or no
- * room for fragments, all is counted and nothing is written. */
+/* What an invocation reads, as the words of profile/trace.h, into its own slots. The head comes from the host: with no
+ * slots, or no room for fragments, all is counted and nothing is written. */
 layout(std430, BIND_STORAGE) buffer AobTrace {
     uint row, slots, room; /* the first row that is drawn; words of an invocation; fragments that fit */
     uint most, count;      /* words that any invocation has; fragments */
@@ -15,10 +15,14 @@ void aob_note(uint word) {
 void aob_close() {
     atomicMax(aob_trace.most, aob_slot);
     for (; aob_slot < aob_slots; aob_slot++)
-        aob_trace.words[aob_at + aob_slot] = 0xffffffffu;
+        aob_trace.words[aob_at + aob_slot] = AOB_TRACE_NONE;
 }
-/* The texel to the upper left of a bilinear sample; the footprint ends at the texture's edge, as the sampler's does. */
-ivec2 aob_footprint(vec2 uv, ivec2 size) {
-    return clamp(ivec2(floor(uv * vec2(size) - 0.5)), ivec2(0), size - 1);
+/* The texel to the upper left of a bilinear sample: -1 beyond the first one, of which the sampler makes the first. */
+ivec2 aob_upper_left(vec2 uv, ivec2 size) {
+    return ivec2(clamp(floor(uv * vec2(size) - 0.5), vec2(-1.0), vec2(size - 1)));
+}
+uint aob_footprint(ivec2 upper_left) {
+    return AOB_TRACE_BILINEAR | (upper_left.x < 0 ? AOB_TRACE_ONE_COLUMN : 0u) |
+           (upper_left.y < 0 ? AOB_TRACE_ONE_ROW : 0u);
 }
 #define discard do { aob_close(); discard; } while (false)

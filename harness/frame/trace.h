@@ -40,8 +40,8 @@ struct aob_trace {
     struct aob_trace_capture *capture; /* its own */
 };
 
-/* Compiles the traced frame, draws it once to learn how many slots each pass needs, and draws a strip of each pass to
- * foretell the cost. False after one line, and leaves nothing behind but `unfit`. */
+/* Compiles the traced frame, draws it once to learn how many slots each pass needs, and draws a strip of each pass, twice,
+ * to foretell the cost. False after one line, and leaves nothing behind but `unfit`. */
 bool aob_trace_init(struct aob_trace *trace, const struct aob_trace_desc *desc, struct aob_error *error);
 void aob_trace_finish(struct aob_trace *trace);
 

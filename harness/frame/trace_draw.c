@@ -44,7 +44,7 @@ bool aob_trace_check(const struct aob_trace_pass *pass, const uint32_t *words, s
     uint32_t texels = aob_planes_texels(pass);
     size_t wrong = 0;
     for (size_t i = 0; i < count; i++)
-        wrong += words[i] != AOB_TRACE_NONE && (words[i] & ~AOB_TRACE_BILINEAR) >= texels;
+        wrong += words[i] != AOB_TRACE_NONE && aob_trace_texel(words[i]) >= texels;
     return !wrong || aob_fail(error,
                               "pass '%s' read %zu texels outside its textures: its text must use the "
                               "names of technique.h only",

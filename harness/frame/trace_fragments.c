@@ -174,14 +174,13 @@ bool aob_trace_fragments_cost(struct aob_trace *trace, int index, struct aob_err
     const struct aob_trace_counts *counts = &trace->capture->counts[index];
     if (!triangles_init(&triangles, trace, index, error))
         return false;
-    if (!triangles.all)
-        return true;
     uint32_t count = range_size(&triangles);
     int64_t start = aob_clock_wall_ns();
     if (!capture_range(&triangles, (triangles.all - count) / 2, &count, error))
         return false;
     double seconds = (double)(aob_clock_wall_ns() - start) * 1e-9;
-    trace->cost.seconds += triangles.seen ? seconds * counts->fragments / triangles.seen : counts->seconds;
+    trace->cost.seconds +=
+        triangles.read ? seconds * counts->fragments / (double)triangles.read : counts->seconds;
     trace->cost.words += (double)counts->fragments * triangles.slots;
     trace->cost.strips += 1 + counts->fragments / triangles.room;
     return true;

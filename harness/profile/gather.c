@@ -165,9 +165,11 @@ static inline uint32_t number_at(const struct place *place, uint32_t x, uint32_t
 }
 
 /* Writes the numbers of the other texels of a bilinear word, up to three, and returns how many. */
-static uint32_t add_neighbours(const struct place *place, uint32_t x, uint32_t y, uint32_t *out)
+static uint32_t add_neighbours(const struct place *place, uint32_t word, uint32_t x, uint32_t y,
+                               uint32_t *out)
 {
-    bool right = x + 1 < (uint32_t)place->plane.width, below = y + 1 < (uint32_t)place->plane.height;
+    bool right = !(word & AOB_TRACE_ONE_COLUMN) && x + 1 < (uint32_t)place->plane.width;
+    bool below = !(word & AOB_TRACE_ONE_ROW) && y + 1 < (uint32_t)place->plane.height;
     uint32_t count = 0;
     if (right)
         out[count++] = number_at(place, x + 1, y);
@@ -180,10 +182,10 @@ static uint32_t add_neighbours(const struct place *place, uint32_t x, uint32_t y
 
 static inline uint32_t expand(const struct place *place, uint32_t word, uint32_t *out)
 {
-    uint32_t width = (uint32_t)place->plane.width, texel = (word & ~AOB_TRACE_BILINEAR) - place->plane.first;
+    uint32_t width = (uint32_t)place->plane.width, texel = aob_trace_texel(word) - place->plane.first;
     uint32_t y = texel / width, x = texel - y * width;
     *out = number_at(place, x, y);
-    return word & AOB_TRACE_BILINEAR ? 1 + add_neighbours(place, x, y, out + 1) : 1;
+    return word & AOB_TRACE_BILINEAR ? 1 + add_neighbours(place, word, x, y, out + 1) : 1;
 }
 
 static bool fail_word(const struct aob_gather *gather, uint32_t texel, struct aob_error *error)
@@ -220,7 +222,7 @@ static bool emit_slot(struct aob_gather *gather, const uint32_t *words, uint32_t
     struct quad quad = {0};
     go_to_plane(gather, &place);
     for (int lane = 0; lane < gather->order.lanes; lane++) {
-        uint32_t word = words[lane], texel = word & ~AOB_TRACE_BILINEAR;
+        uint32_t word = words[lane], texel = aob_trace_texel(word);
         if (lane % AOB_ISSUE_LANES == 0)
             end_quad(gather, &quad, numbers, count);
         if (word == AOB_TRACE_NONE)

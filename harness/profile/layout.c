@@ -1,5 +1,4 @@
 #include "layout.h"
-#include <string.h>
 
 int aob_layout_texel_bytes(enum aob_format format)
 {
@@ -47,9 +46,9 @@ struct aob_placed aob_layout_level(const struct aob_profile *profile, int bytes,
 
 static int texel_bytes(const struct aob_profile *profile, const struct aob_trace_texture *texture)
 {
-    if (profile->depth_bytes && strcmp(texture->name, "depth") == 0)
+    if (profile->depth_bytes && texture->role == AOB_TRACE_ROLE_DEPTH)
         return profile->depth_bytes;
-    if (profile->normal_bytes && strcmp(texture->name, "normal") == 0)
+    if (profile->normal_bytes && texture->role == AOB_TRACE_ROLE_NORMAL)
         return profile->normal_bytes;
     return aob_layout_texel_bytes(texture->format);
 }

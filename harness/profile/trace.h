@@ -2,7 +2,8 @@
  * order of threads is in it: a profile imposes one when it gathers the words.
  *
  * Every level of every texture that a pass may read is a plane of texels, and the planes of a pass are numbered through:
- * texel (x, y) of a plane has the number first + y * width + x. So one 32-bit word names a texture, a level and a texel. */
+ * texel (x, y) of a plane has the number first + y * width + x. So one 32-bit word names a texture, a level and a texel.
+ * A pass has AOB_TRACE_MAX_TEXEL texels at most, so that no word of one texel has the bits of the flags. */
 #ifndef AOB_PROFILE_TRACE_H
 #define AOB_PROFILE_TRACE_H
 #include <aobudget/technique.h>
@@ -18,14 +19,35 @@ enum {
         AOB_MAX_TEXTURE + 4,   /* the graph's, and depth, normal and triangles of the screen */
     AOB_TRACE_MAX_PLANE = 112, /* levels of AOB_MAX_IN inputs and of an own depth, depth, normal */
 };
-#define AOB_TRACE_NONE UINT32_MAX /* the slot was not used */
-#define AOB_TRACE_BILINEAR                                                                                   \
-    0x80000000u /* the word is the upper left one of 2 x 2 texels, which end at the plane's edge */
+#define AOB_TRACE_NONE UINT32_MAX /* the slot was not used; it is no word of texels, whatever its bits say */
+
+/* A bilinear sample: the word has the number of the upper left one of 2 x 2 texels, which end at the plane's right and
+ * lower edge. At the left and the upper edge a sampler that clamps to the edge reads the first column, or row, twice: then
+ * the word says that there is only one. The flags of the edges come with AOB_TRACE_BILINEAR only. */
+#define AOB_TRACE_BILINEAR   0x80000000u
+#define AOB_TRACE_ONE_COLUMN 0x40000000u
+#define AOB_TRACE_ONE_ROW    0x20000000u
+#define AOB_TRACE_MAX_TEXEL  0x1fffffffu /* numbers are below it; it is the mask of a bilinear word's, too */
+
+/* The number that a word has, which is not AOB_TRACE_NONE. */
+static inline uint32_t aob_trace_texel(uint32_t word)
+{
+    return word & AOB_TRACE_BILINEAR ? word & AOB_TRACE_MAX_TEXEL : word;
+}
+
+enum aob_trace_role {                       /* whose a texture is */
+                      AOB_TRACE_ROLE_GRAPH, /* the technique's, or the scene's triangles */
+                      AOB_TRACE_ROLE_DEPTH, /* the screen's depth, also where normals are packed beside it */
+                      AOB_TRACE_ROLE_NORMAL /* the screen's normals */
+};
 
 struct aob_trace_texture { /* one of the frame, whatever passes read or write it */
-    char name[48];         /* the graph's name for it; "depth", "normal" and "triangles" are the screen's */
+    char name
+        [48]; /* the graph's name for it; the screen's are "depth", "normal" and "triangles", which a graph may
+                      have as well */
     enum aob_format format;
     int width, height, levels; /* in texels, of level 0, as it lies in memory */
+    enum aob_trace_role role;
 };
 struct aob_trace_plane {
     uint32_t first;     /* number of its texel (0, 0) in the pass */

@@ -44,8 +44,8 @@ static void refuse_rest(const struct asked *asked, const char *reason)
 static void foretell(const struct asked *asked, const struct aob_cache_capture *capture)
 {
     struct aob_text work = {0};
-    aob_text_add(&work, "tracing %.3g million fetches in %.0f draws, about %.2g s", 1e-6 * capture->words,
-                 capture->strips, capture->seconds);
+    aob_text_add(&work, "tracing at most %.3g million fetches in %.0f draws, about %.2g s",
+                 1e-6 * capture->words, capture->strips, capture->seconds);
     if (asked->m->on_work)
         asked->m->on_work(asked->m->user, asked->index, work.data);
     if (asked->m->on_foretold)

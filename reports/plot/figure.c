@@ -97,6 +97,23 @@ static bool draw_split(const json_t *figure, struct aob_figure_cache *cache, con
     return rc == 0 || aob_fail(error, "%s", why);
 }
 
+static bool write_fields(const struct aob_figure_image *from, const struct aob_viz_field *fields,
+                         size_t count, const char *out, struct aob_error *error)
+{
+    char why[AOB_VIZ_ERROR_SIZE] = "";
+    return aob_viz_vti(from->image->width, from->image->height, fields, count, out, why) == 0 ||
+           aob_fail(error, "%s", why);
+}
+
+/* One channel, by its own name. */
+static bool write_amount(const json_t *figure, const struct aob_figure_image *from, const char *out,
+                         struct aob_error *error)
+{
+    const struct aob_viz_field field = {aob_figure_text(figure, "error", "error.AO"),
+                                        channel(figure, from->error, "error", "error.AO", error)};
+    return field.pixels && write_fields(from, &field, 1, out, error);
+}
+
 static bool write_vti(const json_t *figure, const struct aob_figure_image *from,
                       const struct aob_parts *parts, const char *out, struct aob_error *error)
 {
@@ -111,14 +128,12 @@ static bool write_vti(const json_t *figure, const struct aob_figure_image *from,
     };
     struct aob_viz_field fields[AOB_COUNT(all)];
     size_t count = 0;
-    char why[AOB_VIZ_ERROR_SIZE] = "";
     if (!from->technique || (!alone && (!from->reference || !from->error)))
         return false;
     for (size_t i = 0; i < AOB_COUNT(all); i++)
         if (all[i].pixels)
             fields[count++] = all[i];
-    return aob_viz_vti(from->image->width, from->image->height, fields, count, out, why) == 0 ||
-           aob_fail(error, "%s", why);
+    return write_fields(from, fields, count, out, error);
 }
 
 static bool draw_vti(const json_t *figure, struct aob_figure_cache *cache, const char *out,
@@ -128,6 +143,8 @@ static bool draw_vti(const json_t *figure, struct aob_figure_cache *cache, const
     struct aob_parts parts = {0};
     if (!aob_figure_image_load(&from, cache, figure, error))
         return false;
+    if (aob_figure_text(figure, "amount", NULL))
+        return write_amount(figure, &from, out, error);
     if (!json_is_true(json_object_get(figure, "alone")) && aob_parts_exist(from.image) &&
         !aob_parts_init(&parts, &from, error))
         return aob_fail_in(error, "%s", aob_figure_text(figure, "image", "?"));

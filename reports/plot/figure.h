@@ -7,7 +7,8 @@
  *                         names of its channels; default technique.AO, reference.AO, error.AO
  *   reference_image       path of another EXR file: its channel AO takes the place of the image's reference, and the error
  *                         is the technique less that, 0 where the image's Z is infinite. All but chart
- *   amount                the unit of a channel "error" that is no error but an amount from 0 up: map
+ *   amount                the unit of a channel "error" that is no error but an amount from 0 up: map, vti. The .vti has
+ *                         that channel only
  *   limit                 where the colours end, or
  *   limit_group           a name: figures of one name share one limit, a round number near the median of their
  *                         images' 99.5th percentiles of |error|. map, triptych, split, height

@@ -1,5 +1,6 @@
-/* bench_cache FOLDER: how fast caches are simulated, those of some profiles in FOLDER too: "name value unit" lines, in accesses a second of this thread's processor time, the best of
- * three. The traces are 720p x 12 texels of a disc about each pixel, as a technique of random samples fetches them. */
+/* bench_cache FOLDER: how fast caches are simulated, those of some profiles in FOLDER too: "name value unit" lines, in
+ * accesses a second of this thread's processor time, the best of three. The traces are 720p x 12 texels of a disc about
+ * each pixel, as a technique of random samples fetches them. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -67,9 +68,9 @@ static void order_lines(const struct aob_profile *profile, struct trace *trace)
 static void time_tags(const char *name, int radius, const struct trace *trace, struct aob_tags_desc desc)
 {
     double best = HUGE_VAL;
-    uint32_t *missed = AOB_NEW_ARRAY(uint32_t, COUNT);
     if (!aob_tags_can(&desc))
         return;
+    uint32_t *missed = AOB_NEW_ARRAY(uint32_t, COUNT);
     for (int i = 0; i < TRIES; i++) {
         struct aob_tags *tags = aob_tags_create(&desc);
         double start = thread_seconds();
@@ -108,7 +109,8 @@ static bool time_frame(const char *path, int radius, const struct trace *trace, 
 {
     struct aob_error error = {{0}};
     struct aob_profile profile;
-    struct aob_trace_frame frame = {.textures = {{"depth", AOB_R32F, WIDTH, HEIGHT, 1}}, .texture_count = 1};
+    struct aob_trace_frame frame = {.textures = {{"depth", AOB_R32F, WIDTH, HEIGHT, 1, AOB_TRACE_ROLE_DEPTH}},
+                                    .texture_count = 1};
     struct aob_trace_pass pass = {.name = "ao",
                                   .width = WIDTH,
                                   .height = HEIGHT,

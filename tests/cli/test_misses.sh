@@ -52,7 +52,7 @@ check "the image is that without a trace" test "$(jq .cache.mine.texels_differ f
 # The table says what the record has, and the map adds up, over passes of two sizes.
 profile 512 4 >four.yaml
 shot=("$program" cache --technique alchemy --scene cornell --size 48x32 --backend gl-osmesa -p divisor=2)
-"${shot[@]}" --profile ./four.yaml,generic --out map.exr --json shot.json >/dev/null 2>warnings
+"${shot[@]}" --profile ./four.yaml,generic --out map.exr --json shot.json >told.txt 2>warnings
 check "no word of warning" test ! -s warnings
 "${shot[@]}" --profile ./four.yaml,generic >table.txt
 sum() { "$AOBUDGET_BUILD/exr_sum" "$@"; }
@@ -60,8 +60,11 @@ for name in four generic; do
   misses=$(jq ".cache.$name.frame.levels[0].most.misses" shot.json)
   check "the map of $name adds up" awk -v a="$(sum map.exr $name.misses)" -v b="$misses" 'BEGIN { exit !(b > 0 && (a - b) ^ 2 < (1e-4 * b) ^ 2) }'
   check "a picture of $name" test "$(head -c 4 "map-$name.png" | tail -c 3)" = PNG
+  check "the file for ParaView of $name is the map" "$AOBUDGET_BUILD/same_vti" "map-$name.vti" $name.misses map.exr $name.misses
+  check "the files of $name are named" grep -qxF "$name: misses by pixel are in map.exr, map-$name.png, map-$name.vti" told.txt
   check "the table has $name" grep -qE "^$name: $(jq ".cache.$name.units" shot.json) units?," table.txt
 done
+check "no map is told of where none is" test "$(grep -c 'misses by pixel' table.txt)" -eq 0
 check "the table's misses are the record's" grep -q "  L1     $(jq -r '.cache.generic.frame.levels[0].one |
   100 * .miss_ratio' shot.json | awk '{ printf "%.2f ", $1 }')" table.txt
 check "the levels of each pass add up to the frame's" jq -e '.cache[] | . as $p |

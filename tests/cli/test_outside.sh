@@ -101,6 +101,9 @@ if [ -n "$drivers" ]; then
   ours=$(figure rmse --technique depth_unsharp --module plain/depth_unsharp.so --scene corner -p kernel=8)
   none=$(figure rmse --technique none --scene corner --target-radius 0.5)
   plane=$(figure rmse --technique depth_unsharp --module $module --scene plane)
+  # A text of the module is traced as it is: its own depth, eight pairs of taps, and aob_is_sky.
+  check "its fetches" bash -c "'$program' cache --technique depth_unsharp --module $module --scene corner --size 96x54 \
+    --backend gl-egl -p blur=0 --profile generic | grep -F 'fetched 93312 times, 18 a pixel;'"
   check "better than nothing: $ours < 0.6 x $none" awk "BEGIN { exit !($ours > 0 && $ours < 0.6 * $none) }"
   check "an open plane stays open: $plane" awk "BEGIN { exit !(\"$plane\" != \"\" && $plane < 0.001) }"
 fi

@@ -1,5 +1,6 @@
 /* The words of a trace, against what bodies made for the purpose are known to read. */
 #include "traced.h"
+#include <math.h>
 
 enum { W = 70, H = 67, GUARD = 0 }; /* two bands; no side a multiple of 4 */
 
@@ -25,6 +26,15 @@ static const struct aob_shader shaders[] = {
              "    if ((p.x & 1) == 0)\n"
              "        s += aob_normal(p).z;\n"
              "    o = clamp(s * 1e-6, 0.0, 1.0);\n}\n"},
+    /* Samples about the middle of each texel, to all four sides, and beyond the texture. */
+    {"edges", "void main() {\n"
+              "    vec2 p = vec2(aob_pixel), size = vec2(aob_size);\n"
+              "    float s = aob_sample_soft((p + vec2(0.25, 0.25)) / size);\n"
+              "    s += aob_sample_soft((p + vec2(0.75, 0.25)) / size);\n"
+              "    s += aob_sample_soft((p + vec2(0.25, 0.75)) / size);\n"
+              "    s += aob_sample_soft((p + vec2(0.75, 0.75)) / size);\n"
+              "    s += aob_sample_soft((3.0 * p - size + 0.25) / size);\n"
+              "    o = clamp(s * 1e-6, 0.0, 1.0);\n}\n"},
     {"leave", "void main() {\n"
               "    o = aob_fetch_again(aob_pixel) * 0.0 + 1.0;\n"
               "    if (aob_pixel.x == 3) discard;\n"
@@ -99,7 +109,8 @@ static int at_most(int a, int b)
     return a < b ? a : b;
 }
 
-/* Of a sample at the middle of pixel `a` of `size`, among the texels of a level of half the size. */
+/* Of a sample at the middle of pixel `a` of `size`, among the texels of a level of half the size, whose texture is larger:
+ * there the prelude itself keeps the place within what the view fills, so it never lies beyond the first texel. */
 static int upper_left(int a, int size)
 {
     double place = (a + 0.5) / size * ((size + 1) / 2) - 0.5;
@@ -115,7 +126,8 @@ static size_t known_words(const struct taken *taken, const struct taken_pass *pa
     words[n++] = number(taken, pass, "pyramid", 1, x / 2, y / 2);
     words[n++] = number(taken, pass, "pyramid", 2, x / 4, y / 4);
     words[n++] = number(taken, pass, "table", 0, at_most(x % 7, 4), at_most(y % 7, 2));
-    words[n++] = AOB_TRACE_BILINEAR | number(taken, pass, "flat", 0, x, y > 0 ? y - 1 : 0);
+    words[n++] = AOB_TRACE_BILINEAR | (y > 0 ? 0 : AOB_TRACE_ONE_ROW) |
+                 number(taken, pass, "flat", 0, x, y > 0 ? y - 1 : 0);
     words[n++] = AOB_TRACE_BILINEAR | number(taken, pass, "pyramid", 1, upper_left(x, W), upper_left(y, H));
     words[n++] = number(taken, pass, "depth", 0, W - 1, y);
     if (x % 2 == 0)
@@ -220,6 +232,70 @@ static void test_discarded_pixels_have_words(void **state)
     free(taken);
 }
 
+/* The first and the last texel that a sampler reads in a row of `size`, for a place in it: it clamps both of the texels
+ * about the place to the edge. */
+static void clamped(double place, int size, int *first, int *last)
+{
+    int left = (int)floor(place - 0.5), end = size - 1;
+    *first = left < 0 ? 0 : left > end ? end : left;
+    *last = left + 1 < 0 ? 0 : left + 1 > end ? end : left + 1;
+}
+
+/* The word names just the texels that the sampler reads at a place of `flat`. */
+static void check_footprint(uint32_t word, uint32_t first_texel, double x, double y)
+{
+    int left, right, top, bottom;
+    clamped(x, W, &left, &right);
+    clamped(y, H, &top, &bottom);
+    assert_true(word & AOB_TRACE_BILINEAR);
+    int texel = (int)(aob_trace_texel(word) - first_texel), column = texel % W, row = texel / W;
+    bool one_column = word & AOB_TRACE_ONE_COLUMN || column == W - 1,
+         one_row = word & AOB_TRACE_ONE_ROW || row == H - 1;
+    if (column != left || row != top || column + !one_column != right || row + !one_row != bottom)
+        fail_msg("at %g, %g: word %x is %d x %d texels from %d, %d, not %d .. %d, %d .. %d", x, y, word,
+                 2 - one_column, 2 - one_row, column, row, left, right, top, bottom);
+}
+
+/* What the text "edges" reads. */
+static void check_edges(const struct taken *taken, const struct taken_pass *pass)
+{
+    uint32_t first = number(taken, pass, "flat", 0, 0, 0);
+    assert_int_equal(pass->slots, 5);
+    assert_int_equal(pass->count, W * H);
+    for (int y = 0; y < H; y++)
+        for (int x = 0; x < W; x++) {
+            const uint32_t *words = pass->words + (size_t)(y * W + x) * 5;
+            for (int i = 0; i < 4; i++)
+                check_footprint(words[i], first, x + (i & 1 ? 0.75 : 0.25), y + (i & 2 ? 0.75 : 0.25));
+            check_footprint(words[4], first, 3 * x - W + 0.25, 3 * y - H + 0.25);
+        }
+}
+
+/* At all edges and corners, and for places far beyond them. */
+static void test_bilinear_edges(void **state)
+{
+    (void)state;
+    struct aob_rig rig;
+    struct traced *traced = AOB_NEW(struct traced);
+    struct taken *taken = AOB_NEW(struct taken);
+    aob_rig_plane(&rig, &(struct aob_rig_plane){.width = W, .height = H});
+    reader = "edges";
+    for (size_t b = 0; b < AOB_COUNT(backends); b++) {
+        struct aob_gpu *gpu = aob_rig_gpu(backends[b]);
+        for (int fetch = AOB_FETCH_SAMPLED; fetch <= AOB_FETCH_STORAGE; fetch++) {
+            init(traced, &rig, gpu, fetch);
+            take(traced, taken);
+            check_edges(taken, &taken->passes[taken->pass_count - 1]);
+            taken_finish(taken);
+            traced_finish(traced);
+        }
+        aob_gpu_close(gpu);
+    }
+    aob_rig_finish(&rig);
+    free(traced);
+    free(taken);
+}
+
 static bool refused(const struct aob_rig *rig, struct aob_gpu *gpu, size_t device_bytes, size_t host_bytes,
                     struct aob_error *error)
 {
@@ -314,7 +390,8 @@ static void test_a_sink_stops_a_capture(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known_reads), cmocka_unit_test(test_discarded_pixels_have_words),
-        cmocka_unit_test(test_refusals), cmocka_unit_test(test_a_sink_stops_a_capture)};
+        cmocka_unit_test(test_known_reads), cmocka_unit_test(test_bilinear_edges),
+        cmocka_unit_test(test_discarded_pixels_have_words), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_a_sink_stops_a_capture)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,6 +39,14 @@ static inline void made_texture(struct aob_trace_frame *frame, const char *name,
     snprintf(texture->name, sizeof texture->name, "%s", name);
 }
 
+/* The same, of the screen. */
+static inline void made_screen(struct aob_trace_frame *frame, enum aob_trace_role role,
+                               enum aob_format format, int width, int height, int levels)
+{
+    made_texture(frame, role == AOB_TRACE_ROLE_DEPTH ? "depth" : "normal", format, width, height, levels);
+    frame->textures[frame->texture_count - 1].role = role;
+}
+
 /* A pass of that area that reads level 0 of texture 0. */
 static inline struct aob_trace_pass made_pass(const struct aob_trace_frame *frame, int width, int height)
 {

@@ -170,19 +170,32 @@ static void test_asked_twice(void **state)
     free(rig);
 }
 
-/* Four texels; at the right edge and at the lower one two, in the corner one. */
+/* Four texels; two at an edge, in a corner one. At the right and the lower edge the footprint ends with the plane, at the
+ * others the word says so. */
 static void test_bilinear(void **state)
 {
     (void)state;
-    static const uint32_t texels[] = {17, SIDE * 2 - 1, SIDE * (SIDE - 1), SIDE * SIDE - 1};
-    static const uint32_t expected[] = {17, 18, 33, 34, 31, 47, 240, 241, 255};
+    enum { RIGHT = SIDE - 1, LOW = SIDE * (SIDE - 1), WORDS = 9 };
+    static const uint32_t texels[WORDS] = {17,
+                                           2 * SIDE + RIGHT,
+                                           LOW + 3,
+                                           2 * SIDE | AOB_TRACE_ONE_COLUMN,
+                                           5 | AOB_TRACE_ONE_ROW,
+                                           0 | AOB_TRACE_ONE_COLUMN | AOB_TRACE_ONE_ROW,
+                                           RIGHT | AOB_TRACE_ONE_ROW,
+                                           LOW | AOB_TRACE_ONE_COLUMN,
+                                           LOW + RIGHT};
+    static const uint32_t expected[] = {17, 18, 33, 34, 47, 63, 243, 244, 32, 48, 5, 6, 0, 15, 240, 255};
     struct rig *rig = AOB_NEW(struct rig);
-    uint32_t words[4];
-    for (uint32_t i = 0; i < 4; i++)
+    uint32_t words[WORDS];
+    for (uint32_t i = 0; i < WORDS; i++)
         words[i] = texels[i] | AOB_TRACE_BILINEAR;
-    open_rig(rig, 4, 1);
+    open_rig(rig, WORDS, 1);
+    rig->profile.tile = rig->profile.block = (struct aob_size2){16, 2};
+    rig->profile.warp = (struct aob_size2){16, 2};
     gather(rig, words, 1);
-    assert_int_equal(rig->counts.fetches, 4);
+    assert_int_equal(rig->counts.fetches, WORDS);
+    assert_int_equal(rig->counts.distinct, WORDS);
     assert_int_equal(rig->counts.texels, AOB_COUNT(expected));
     for (size_t i = 0; i < AOB_COUNT(expected); i++)
         assert_int_equal(rig->seen.warps[0].numbers[i], expected[i]);
@@ -240,6 +253,12 @@ static void test_refused(void **state)
     assert_true(aob_gather_band(rig->gather, &band, &error));
     assert_false(aob_gather_end(rig->gather, &error));
     assert_contains(error.text, "names texel 256");
+    aob_gather_destroy(rig->gather);
+    begin(rig);
+    word = 5 | AOB_TRACE_ONE_ROW; /* of one texel, so it is no flag */
+    assert_true(aob_gather_band(rig->gather, &band, &error));
+    assert_false(aob_gather_end(rig->gather, &error));
+    assert_contains(error.text, "names texel 536870917");
     aob_gather_destroy(rig->gather);
     free(rig);
 }

@@ -104,9 +104,9 @@ static void test_frame(void **state)
     struct aob_trace_frame frame = {.texture_count = 0};
     struct aob_placed_frame *placed = AOB_NEW(struct aob_placed_frame);
     struct aob_profile profile = {.layout = AOB_LAYOUT_LINEAR, .depth_bytes = 8, .normal_bytes = 4};
-    made_texture(&frame, "depth", AOB_R32F, 200, 100, 3);
-    made_texture(&frame, "normal", AOB_RGBA32F, 200, 100, 1);
-    made_texture(&frame, "own", AOB_R16F, 5, 3, 2);
+    made_screen(&frame, AOB_TRACE_ROLE_DEPTH, AOB_R32F, 200, 100, 3);
+    made_screen(&frame, AOB_TRACE_ROLE_NORMAL, AOB_RGBA32F, 200, 100, 1);
+    made_texture(&frame, "depth", AOB_R16F, 5, 3, 2); /* the technique's own */
     assert_true(aob_layout_place(&profile, &frame, placed, &error));
     assert_int_equal(placed->bytes[0], 8);
     assert_int_equal(placed->bytes[1], 4);
@@ -119,7 +119,7 @@ static void test_frame(void **state)
     assert_int_equal(placed->levels[2][1].base, 262144 + 131072 + 1024); /* three rows of 256, up to 512 */
     frame.textures[2].levels = AOB_LAYOUT_MAX_LEVEL + 1;
     assert_false(aob_layout_place(&profile, &frame, placed, &error));
-    assert_contains(error.text, "'own' has 16 levels");
+    assert_contains(error.text, "'depth' has 16 levels");
     free(placed);
 }
 
