@@ -55,6 +55,7 @@ bool aob_profile_rates_read(struct aob_yaml *yaml, const yaml_node_t *node, stru
         rates->alu_clock = rates->clock;
     if (!reader.nodes[POINT_64])
         rates->point_64 = 2;
+    aob_field_default(&reader, POINT_64, "2", "default: as a filtered one");
     return judge_choice(yaml, reader.nodes[TAGS], rates->tags, tags) &&
            judge_choice(yaml, reader.nodes[POINT_64], rates->point_64, point_64);
 }

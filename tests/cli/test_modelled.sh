@@ -57,7 +57,7 @@ check "a frame is its passes" jq -e "$near .cache.mine.modelled | . as \$m |
   all((\"ms\", \"low_ms\", \"high_ms\", \"launch_ms\"); . as \$k | near(\$m.frame[\$k]; [\$m.passes[][\$k]] | add))" shot.json
 check "its operations too" jq -e "$near .cache.mine | . as \$m |
   all((\"alu\", \"special\", \"image\"); . as \$k | near(\$m.frame.operations[\$k]; [\$m.passes[].operations[\$k]] | add))" shot.json
-check "what is in doubt" jq -e '.cache.mine.modelled.unverified == ["rates.special"]' shot.json
+check "what is in doubt" jq -e '.cache.mine.modelled.unverified == ["rates.special", "rates.point_64"]' shot.json
 check "image operations are the trace's" jq -e "$passes \$c.operations.image <= \$c.fetches and
   \$c.operations.image >= \$c.distinct and \$c.operations.image > 0)" shot.json
 
@@ -66,6 +66,16 @@ line=$(jq -r '.cache.mine.modelled.frame | "\(.ms) \(.low_ms) \(.high_ms) \(.lim
   { print "modelled on mine: " show($1) " ms (" show($2) " .. " show($3) "), limited by " $4 }')
 check "the table says so" grep -qF "  $line" table.txt
 check "of a pass as well" test "$(grep -c ', limited by ' table.txt)" -eq $((1 + $(jq '.cache.mine.passes | length' shot.json)))
+
+# What cannot be counted keeps its other figures, and says why it has no times.
+uncounted=("$program" cache --module "$AOBUDGET_BUILD/tests/modules/uncounted.so" --technique uncounted
+  --scene cornell --size 48x32 --backend gl-osmesa --profile generic,./mine.yaml)
+check "what cannot be counted" "${uncounted[@]}" --json uncounted.json --quiet
+check "is traced" jq -e '.cache.mine | .status == "ok" and .frame.fetches > 0 and .texels_differ == 0' uncounted.json
+check "and has no times" jq -e '.cache.mine | .modelled == null and .frame.operations == null and
+  (.not_modelled | test("cannot be counted"))' uncounted.json
+check "which is no word on a device without rates" jq -e '.cache.generic | has("not_modelled") | not' uncounted.json
+check "the table says why" test "$("${uncounted[@]}" | grep -c '^  not modelled: uncounted: .* cannot be counted')" -eq 1
 
 # A rate is one of the device's numbers: where it changes, a run measures again.
 cat >config.yaml <<END

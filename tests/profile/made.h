@@ -1,7 +1,10 @@
 /* Profiles and captures that tests make by hand. */
 #ifndef AOB_TESTS_PROFILE_MADE_H
 #define AOB_TESTS_PROFILE_MADE_H
+#include <jansson.h>
 #include <stdio.h>
+#include <string.h>
+#include "check.h"
 #include "profile/simulate.h"
 
 /* Two units, tiles of 8 x 8, warps of 8 x 4, linear; one level of 4 ways of 64-byte lines, hashed. */
@@ -69,5 +72,18 @@ static inline bool made_send(const struct aob_trace_sink *sink, const struct aob
         ok = sink->band(sink->self, &band, error);
     }
     return ok && sink->end(sink->self, error);
+}
+
+/* The number at a path of a document: "passes.0.levels.1.one.misses". */
+static inline double made_real_at(const json_t *object, const char *path)
+{
+    char copy[128], *rest = copy, *name;
+    snprintf(copy, sizeof copy, "%s", path);
+    while (object && (name = strsep(&rest, ".")))
+        object = *name >= '0' && *name <= '9' ? json_array_get(object, (size_t)(*name - '0'))
+                                              : json_object_get(object, name);
+    if (!json_is_number(object))
+        fail_msg("there is no number at %s", path);
+    return json_number_value(object);
 }
 #endif

@@ -3,18 +3,6 @@
 #include "made.h"
 #include "streams.h"
 
-static double real_at(const json_t *object, const char *path)
-{
-    char copy[128], *rest = copy, *name;
-    snprintf(copy, sizeof copy, "%s", path);
-    while (object && (name = strsep(&rest, ".")))
-        object = *name >= '0' && *name <= '9' ? json_array_get(object, (size_t)(*name - '0'))
-                                              : json_object_get(object, name);
-    if (!json_is_number(object))
-        fail_msg("there is no number at %s", path);
-    return json_number_value(object);
-}
-
 static struct aob_cache_pass set_by_hand(void)
 {
     return (struct aob_cache_pass){.name = "ao",
@@ -78,7 +66,7 @@ static void test_fields(void **state)
     aob_cache_result_add(&result, &result.passes[0]);
     json_t *document = aob_cache_result_to_json(&result);
     for (size_t i = 0; i < AOB_COUNT(rows); i++)
-        assert_near(real_at(document, rows[i].path), rows[i].value, 1e-12);
+        assert_near(made_real_at(document, rows[i].path), rows[i].value, 1e-12);
     assert_string_equal(json_string_value(json_object_get(document, "profile")), "made");
     assert_null(json_object_get(json_object_get(document, "frame"), "curve"));
     assert_int_equal(aob_cache_filled(&result, &result.frame, 1, AOB_FLIGHT_MOST), 1640 * 128);
@@ -121,14 +109,14 @@ static void test_sum(void **state)
         aob_cache_result_add(&result, pass);
     }
     json_t *document = aob_cache_result_to_json(&result);
-    assert_near(real_at(document, "frame.width"), 40, 0);
-    assert_near(real_at(document, "frame.fetches"), 10000, 0);
-    assert_near(real_at(document, "frame.levels.0.one.misses"), 2050, 0);
-    assert_near(real_at(document, "frame.levels.0.one.miss_ratio"), 0.25, 0);
-    assert_near(real_at(document, "frame.levels.0.one.fills_per_pixel"), 2050 / 400.0, 1e-12);
-    assert_near(real_at(document, "frame.levels.0.most.conflict"), -102, 0);
-    assert_near(real_at(document, "frame.curve.one.lines.0"), 1, 0);
-    assert_near(real_at(document, "frame.curve.one.misses.0"), 16, 0);
+    assert_near(made_real_at(document, "frame.width"), 40, 0);
+    assert_near(made_real_at(document, "frame.fetches"), 10000, 0);
+    assert_near(made_real_at(document, "frame.levels.0.one.misses"), 2050, 0);
+    assert_near(made_real_at(document, "frame.levels.0.one.miss_ratio"), 0.25, 0);
+    assert_near(made_real_at(document, "frame.levels.0.one.fills_per_pixel"), 2050 / 400.0, 1e-12);
+    assert_near(made_real_at(document, "frame.levels.0.most.conflict"), -102, 0);
+    assert_near(made_real_at(document, "frame.curve.one.lines.0"), 1, 0);
+    assert_near(made_real_at(document, "frame.curve.one.misses.0"), 16, 0);
     json_decref(document);
     aob_cache_result_finish(&result);
 }
