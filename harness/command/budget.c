@@ -200,13 +200,57 @@ static enum aob_exit answer_all(struct asking *asking, struct aob_text *out, str
     return code;
 }
 
+/* What an answer needs, and rows to be one. Most of a record is something else, and parsing it would take most of the
+ * time. */
+static const char *const needed[] = {
+    "key",
+    "scene",
+    "view",
+    "technique",
+    "module",
+    "params",
+    "options",
+    "metre",
+    "backend",
+    "width",
+    "height",
+    "status",
+    "reference_radius",
+    "errors.target",
+    "errors.reference",
+    "errors.rmse",
+    "errors.band_rmse",
+    "error.target",
+    "error.reference",
+    "error.rmse",
+    "error.band_rmse",
+    "time.clock",
+    "time.cpu_ms",
+    "time.wall_ms",
+    "time.device_ms",
+    "time.ratio_to_ref",
+    "time.ci_low",
+    "time.ci_high",
+    "time.passes.name",
+    "time.passes.cpu_ms",
+    "time.passes.wall_ms",
+    "time.passes.device_ms",
+    "cache.*.modelled.frame.ms",
+    "cache.*.modelled.frame.low_ms",
+    "cache.*.modelled.frame.high_ms",
+    "cache.*.modelled.passes.name",
+    "cache.*.modelled.passes.ms",
+    "cache.*.modelled.passes.limit",
+    NULL,
+};
+
 static enum aob_exit budget(void *from, struct aob_error *error)
 {
     struct options *o = from;
     struct asking asking = {.options = o};
     const char *folder = o->common.words.items[0];
     enum aob_exit code = AOB_EXIT_USAGE;
-    if (!aob_rows_read(&asking.rows, &folder, 1, error))
+    if (!aob_rows_read_only(&asking.rows, folder, needed, error))
         return code;
     if (*aob_rows_damage(&asking.rows))
         aob_warn("%s", aob_rows_damage(&asking.rows));
