@@ -1,6 +1,7 @@
 # A technique is a folder in techniques/ and one of the same name in shaders/: nothing else names it. Each becomes a
 # part of the program and a module of its own in modules/. The words of techniques/NAME/steps.txt, where there is one,
-# are the steps that it uses.
+# are the steps that it uses. What stands in APART is no technique for ambient occlusion: a module only.
+set(APART deferred)
 file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true RELATIVE ${CMAKE_SOURCE_DIR}/techniques
      ${CMAKE_SOURCE_DIR}/techniques/*)
 list(SORT folders)
@@ -21,9 +22,11 @@ foreach(name ${folders})
   add_library(technique_${name} OBJECT ${sources})
   target_include_directories(technique_${name} PRIVATE include ${CMAKE_BINARY_DIR}/generated/${name})
   add_dependencies(technique_${name} shaders_${name})
-  list(APPEND BUILTIN_OBJECTS $<TARGET_OBJECTS:technique_${name}>)
-  string(APPEND declarations "extern const struct aob_technique aob_technique_${name};\n")
-  string(APPEND rows "    &aob_technique_${name},\n")
+  if(NOT name IN_LIST APART)
+    list(APPEND BUILTIN_OBJECTS $<TARGET_OBJECTS:technique_${name}>)
+    string(APPEND declarations "extern const struct aob_technique aob_technique_${name};\n")
+    string(APPEND rows "    &aob_technique_${name},\n")
+  endif()
 
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/${name}/module.c @ONLY CONTENT
 "#include <aobudget/technique.h>\nextern const struct aob_technique aob_technique_${name};\nAOB_MODULE(&aob_technique_${name});\n")

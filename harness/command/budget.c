@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "budget_table.h"
 #include "command.h"
+#include "reports/page/answer_text.h"
 
 struct options {
     struct aob_common common;
@@ -32,6 +33,7 @@ struct asking {
     struct aob_budget budget; /* zero without one */
     struct aob_rows rows;
     struct aob_ask ask;
+    struct aob_interval frame; /* G-buffer and composite */
 };
 
 static bool read_number(const char *flag, const char *text, double low, double high, double *value,
@@ -67,6 +69,9 @@ static bool read_ask(struct asking *asking, struct aob_error *error)
     ask->scene = o->scene;
     if (o->profile)
         ask->profile = o->profile;
+    asking->frame = aob_ask_frame(ask, &asking->rows);
+    if (asking->budget.name)
+        aob_ask_take_frame(ask, &asking->budget, &asking->frame);
     if (!read_number("ms", o->ms, 1e-6, 1e6, &ask->ms, error) ||
         !read_number("error", o->error, 0, 1, &ask->error, error) ||
         !read_number("target", o->target, 1e-6, INFINITY, &ask->radius, error))
@@ -143,20 +148,29 @@ static bool judge(const struct asking *asking, const struct aob_answer *answer, 
     return answer->view_count || fail_target(asking, folder, error);
 }
 
+static void print_budget(const struct asking *asking, struct aob_text *out)
+{
+    struct aob_text frame = {0};
+    aob_text_add_line(out, "%s: %s (%s)", asking->budget.name, asking->budget.title, asking->budget.source);
+    aob_answer_print_frame(&asking->ask, &asking->budget, &asking->frame, &frame);
+    aob_text_add_line(out, "%s", frame.data);
+    aob_text_finish(&frame);
+}
+
 static bool write_answer(struct asking *asking, const struct aob_answer *answer, struct aob_text *out,
                          struct aob_error *error)
 {
     const struct aob_common *common = &asking->options->common;
     if (aob_common_speaks(common)) {
         if (asking->budget.name)
-            aob_text_add_line(out, "%s: %s (%s)", asking->budget.name, asking->budget.title,
-                              asking->budget.source);
+            print_budget(asking, out);
         aob_budget_table_print(answer, out);
     }
     if (!common->json)
         return true;
     json_t *document = aob_budget_answer_to_json(answer);
     json_object_set_new(document, "run", aob_json_text(asking->rows.runs[0].folder));
+    json_object_set_new(document, "frame_ms", aob_interval_to_json(&asking->frame));
     json_object_set_new(document, "budget",
                         asking->budget.name ? aob_budget_to_json(&asking->budget) : json_null());
     bool ok = aob_json_write(document, common->json, error);
@@ -186,13 +200,57 @@ static enum aob_exit answer_all(struct asking *asking, struct aob_text *out, str
     return code;
 }
 
+/* What an answer needs, and rows to be one. Most of a record is something else, and parsing it would take most of the
+ * time. */
+static const char *const needed[] = {
+    "key",
+    "scene",
+    "view",
+    "technique",
+    "module",
+    "params",
+    "options",
+    "metre",
+    "backend",
+    "width",
+    "height",
+    "status",
+    "reference_radius",
+    "errors.target",
+    "errors.reference",
+    "errors.rmse",
+    "errors.band_rmse",
+    "error.target",
+    "error.reference",
+    "error.rmse",
+    "error.band_rmse",
+    "time.clock",
+    "time.cpu_ms",
+    "time.wall_ms",
+    "time.device_ms",
+    "time.ratio_to_ref",
+    "time.ci_low",
+    "time.ci_high",
+    "time.passes.name",
+    "time.passes.cpu_ms",
+    "time.passes.wall_ms",
+    "time.passes.device_ms",
+    "cache.*.modelled.frame.ms",
+    "cache.*.modelled.frame.low_ms",
+    "cache.*.modelled.frame.high_ms",
+    "cache.*.modelled.passes.name",
+    "cache.*.modelled.passes.ms",
+    "cache.*.modelled.passes.limit",
+    NULL,
+};
+
 static enum aob_exit budget(void *from, struct aob_error *error)
 {
     struct options *o = from;
     struct asking asking = {.options = o};
     const char *folder = o->common.words.items[0];
     enum aob_exit code = AOB_EXIT_USAGE;
-    if (!aob_rows_read(&asking.rows, &folder, 1, error))
+    if (!aob_rows_read_only(&asking.rows, folder, needed, error))
         return code;
     if (*aob_rows_damage(&asking.rows))
         aob_warn("%s", aob_rows_damage(&asking.rows));

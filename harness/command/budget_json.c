@@ -3,8 +3,7 @@
 #include "budget_table.h"
 #include "reports/page/answer_text.h"
 
-/* Null where nothing is known; both ends are null where there is no interval. */
-static json_t *interval_to_json(const struct aob_interval *interval)
+json_t *aob_interval_to_json(const struct aob_interval *interval)
 {
     bool bounded = isfinite(interval->low) && isfinite(interval->high);
     if (!isfinite(interval->at))
@@ -41,13 +40,13 @@ static json_t *candidate_to_json(const struct aob_answer *answer, const struct a
         "{s:s, s:s, s:s, s:s, s:O?, s:O?, s:f, s:s, s:o, s:o, s:o}", "key", row->key, "scene", row->scene,
         "view", row->view, "technique", row->technique, "params", json_object_get(row->json, "params"),
         "options", json_object_get(row->json, "options"), "error", candidate->error, "fit",
-        aob_fit_name(aob_candidate_fit(candidate, answer->ask.ms)), "judged_ms", interval_to_json(&cost),
-        "room_ms", interval_to_json(&room), "dearest_pass", pass_to_json(answer, row));
+        aob_fit_name(aob_candidate_fit(candidate, answer->ask.ms)), "judged_ms", aob_interval_to_json(&cost),
+        "room_ms", aob_interval_to_json(&room), "dearest_pass", pass_to_json(answer, row));
     if (!view)
         return object;
-    json_object_set_new(object, "measured_ms", interval_to_json(&measured));
-    json_object_set_new(object, "to_none", interval_to_json(&to_none));
-    json_object_set_new(object, "modelled_ms", interval_to_json(&modelled));
+    json_object_set_new(object, "measured_ms", aob_interval_to_json(&measured));
+    json_object_set_new(object, "to_none", aob_interval_to_json(&to_none));
+    json_object_set_new(object, "modelled_ms", aob_interval_to_json(&modelled));
     return object;
 }
 

@@ -13,6 +13,9 @@ void aob_budget_bar(char bar[AOB_BAR_CELLS + 2], double ms, double high, double 
  * settings over all views, where there are several. */
 void aob_budget_table_print(const struct aob_answer *answer, struct aob_text *out);
 
+/* {at, low, high}; null where nothing is known; both ends are null where there is no interval. */
+json_t *aob_interval_to_json(const struct aob_interval *interval);
+
 /* The document of --json: `questions[]` and `settings[]` (docs/budget.md). */
 json_t *aob_budget_answer_to_json(const struct aob_answer *answer);
 #endif

@@ -65,7 +65,7 @@ void aob_best_take(struct aob_best *best, const json_t *record, const char *what
     if (!best->ask || !aob_ask_has(best->ask, record))
         return;
     struct aob_interval cost = aob_ask_cost(best->ask, record);
-    bool counts = isfinite(cost.at) && !aob_ask_is_floor(record);
+    bool counts = isfinite(cost.at) && aob_ask_may_choose(record);
     json_t *error;
     size_t i, lines = 0;
     clear_lines(best);

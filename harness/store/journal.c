@@ -8,11 +8,13 @@
 #include <unistd.h>
 #include "base/file.h"
 #include "base/json.h"
+#include "base/json_keep.h"
 #include "base/memory.h"
 
 /* A journal while it is read. */
 struct reading {
     json_t *records, *by_key; /* by_key: the key's place in the records */
+    const char *const *paths; /* of the members that are kept; NULL: all are */
     size_t lines, damaged, first_damaged;
 };
 
@@ -29,8 +31,10 @@ static void keep_last(struct reading *reading, const char *key, json_t *record)
     json_array_append(reading->records, record);
 }
 
-static bool take_record(struct reading *reading, const char *text, size_t size)
+static bool take_record(struct reading *reading, char *text, size_t size)
 {
+    if (reading->paths)
+        size = aob_json_keep(text, size, reading->paths, text);
     json_t *record = json_loadb(text, size, JSON_REJECT_DUPLICATES, NULL);
     const char *key = json_string_value(json_object_get(record, "key"));
     if (key)
@@ -40,10 +44,10 @@ static bool take_record(struct reading *reading, const char *text, size_t size)
 }
 
 /* Zeros part records as a line break does, but they do not belong there. */
-static void take_line(struct reading *reading, const char *line, size_t size)
+static void take_line(struct reading *reading, char *line, size_t size)
 {
     bool whole = !memchr(line, '\0', size);
-    for (const char *part = line, *end = line + size; part < end;) {
+    for (char *part = line, *end = line + size; part < end;) {
         size_t length = strnlen(part, (size_t)(end - part));
         whole = (!length || take_record(reading, part, length)) && whole;
         part += length + 1;
@@ -65,13 +69,19 @@ static void tell(const struct reading *reading, const char *path, struct aob_err
 
 json_t *aob_journal_read(const char *path, struct aob_error *damage, struct aob_error *error)
 {
+    return aob_journal_read_only(path, NULL, damage, error);
+}
+
+json_t *aob_journal_read_only(const char *path, const char *const *paths, struct aob_error *damage,
+                              struct aob_error *error)
+{
     size_t size = 0;
     char *text = aob_file_exists(path) ? aob_file_read(path, (size_t)1 << 32, &size, error) : aob_strdup("");
     if (!text)
         return NULL;
-    struct reading reading = {.records = json_array(), .by_key = json_object()};
-    const char *end = text + size;
-    for (const char *line = text, *newline; (newline = memchr(line, '\n', (size_t)(end - line)));
+    struct reading reading = {.records = json_array(), .by_key = json_object(), .paths = paths};
+    char *end = text + size;
+    for (char *line = text, *newline; (newline = memchr(line, '\n', (size_t)(end - line)));
          line = newline + 1)
         take_line(&reading, line, (size_t)(newline - line));
     free(text);

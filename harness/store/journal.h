@@ -13,6 +13,11 @@
  * nothing is damaged). NULL after an error line; json_decref the array. */
 json_t *aob_journal_read(const char *path, struct aob_error *damage, struct aob_error *error);
 
+/* The same with no other members than those that `paths` name (base/json_keep.h; NULL: with all), which is faster by what the
+ * others take. One of them is "key". */
+json_t *aob_journal_read_only(const char *path, const char *const *paths, struct aob_error *damage,
+                              struct aob_error *error);
+
 struct aob_journal {
     int file; /* locked, so that one run has the folder */
     char *path;

@@ -24,9 +24,35 @@ bool aob_ask_has(const struct aob_ask *ask, const json_t *record)
     return scene && size && strcmp(aob_member_text(record, "status"), "ok") == 0;
 }
 
-bool aob_ask_is_floor(const json_t *record)
+static bool is_of(const json_t *record, const char *technique)
 {
-    return strcmp(aob_member_text(record, "technique"), "none") == 0;
+    return strcmp(aob_member_text(record, "technique"), technique) == 0;
+}
+
+bool aob_ask_may_choose(const json_t *record)
+{
+    return !is_of(record, "none") && !is_of(record, "deferred");
+}
+
+struct aob_interval aob_ask_frame(const struct aob_ask *ask, const struct aob_rows *rows)
+{
+    struct aob_interval frame = {NAN, 0, 0};
+    for (size_t i = 0; i < rows->count; i++) {
+        const json_t *record = rows->list[i].json;
+        struct aob_interval own = aob_ask_cost(ask, record);
+        if (!is_of(record, "deferred") || !aob_ask_has(ask, record) || !isfinite(own.at))
+            continue;
+        frame = (struct aob_interval){fmax(frame.at, own.at), fmax(frame.low, own.low),
+                                      fmax(frame.high, own.high)};
+    }
+    return frame;
+}
+
+void aob_ask_take_frame(struct aob_ask *ask, const struct aob_budget *budget,
+                        const struct aob_interval *frame)
+{
+    if (isfinite(frame->at))
+        ask->ms = aob_budget_left(budget, isfinite(frame->high) ? frame->high : frame->at);
 }
 
 struct aob_interval aob_ask_cost(const struct aob_ask *ask, const json_t *record)
@@ -109,9 +135,9 @@ static void take_row(struct making *making, size_t at)
         if (!isfinite(error) || (!isnan(ask->radius) && (float)radius != (float)ask->radius))
             continue;
         struct aob_answer_view *view = find_view(making, row, score->target);
-        if (aob_ask_is_floor(row->json))
+        if (is_of(row->json, "none"))
             *AOB_PUSH(view->nones, view->none_count, view->none_capacity) = at;
-        else
+        else if (aob_ask_may_choose(row->json))
             take_case(making, view, at, error);
     }
 }

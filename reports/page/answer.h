@@ -19,13 +19,21 @@ struct aob_ask {
 /* What a budget asks of all scenes and targets; its texts belong to the budget. */
 struct aob_ask aob_ask_of(const struct aob_budget *budget);
 
-/* Of a record: whether its case is good and of the scene and size that are asked for; whether it is `none`, which is the
- * floor of a cost and no candidate; and the cost that is judged. */
+/* The dearest G-buffer and composite that the rows have of what is asked: its point and ends are the largest of all cases of
+ * the module `deferred`. Not known: none was measured or modelled. */
+struct aob_interval aob_ask_frame(const struct aob_ask *ask, const struct aob_rows *rows);
+
+/* Takes that off what the budget's frame leaves: by the upper end, or the point where there is no interval. */
+void aob_ask_take_frame(struct aob_ask *ask, const struct aob_budget *budget,
+                        const struct aob_interval *frame);
+
+/* Of a record: whether its case is good and of the scene and size that are asked for; whether it may be chosen, which
+ * `none` (the floor of a cost) and `deferred` (G-buffer and composite) may not; and the cost that is judged. */
 bool aob_ask_has(const struct aob_ask *ask, const json_t *record);
-bool aob_ask_is_floor(const json_t *record);
+bool aob_ask_may_choose(const json_t *record);
 struct aob_interval aob_ask_cost(const struct aob_ask *ask, const json_t *record);
 
-/* One scene and view at one size on one backend, against one target. Candidates are the good cases but `none`. */
+/* One scene and view at one size on one backend, against one target. Candidates are the good cases that may be chosen. */
 struct aob_answer_view {
     const struct aob_row *first; /* of its rows: says scene, view, backend and size */
     size_t target;               /* its place among the rows' */

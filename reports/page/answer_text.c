@@ -89,6 +89,28 @@ void aob_answer_print_budget(const struct aob_answer *answer, const struct aob_r
         aob_text_add(text, " of %s, measured here", aob_costs_clock(json_object_get(row->json, "time")));
 }
 
+void aob_answer_print_frame(const struct aob_ask *ask, const struct aob_budget *budget,
+                            const struct aob_interval *frame, struct aob_text *text)
+{
+    aob_text_add(text, "Of a frame of ");
+    aob_three_digits(budget->frame_ms, text);
+    aob_text_add(text, " ms the rest takes ");
+    if (budget->rest_ms > 0) {
+        aob_three_digits(budget->rest_ms, text);
+        aob_text_add(text, " ms");
+    } else
+        aob_text_add(text, "what is not known");
+    aob_text_add(text, ", and G-buffer and composite ");
+    if (isfinite(frame->at)) {
+        aob_interval_print(frame, text);
+        aob_text_add(text, " ms");
+    } else
+        aob_text_add(text, "what was not measured");
+    aob_text_add(text, ": ambient occlusion has ");
+    aob_three_digits(ask->ms, text);
+    aob_text_add(text, " ms.");
+}
+
 static void print_target(const struct aob_answer *answer, const struct aob_row *row, size_t target,
                          struct aob_text *text)
 {

@@ -134,6 +134,28 @@ static void add_target(struct aob_text *page, const struct aob_answer *answer, s
     aob_text_add(page, "</div>\n");
 }
 
+static void add_opening(struct aob_text *page, const struct aob_budget *budget, const struct aob_ask *ask,
+                        const struct aob_interval *frame)
+{
+    struct aob_text said = {0};
+    aob_answer_print_frame(ask, budget, frame, &said);
+    aob_text_add(page, "<section id=budget><h2>Budget <small>");
+    aob_html_escape(page, budget->title);
+    aob_text_add(page, "</small></h2>\n<p class=soft>");
+    aob_html_escape(page, budget->source);
+    aob_text_add(page, ". %s A case fits if the upper end of its cost does, ", said.data);
+    if (budget->device) {
+        aob_text_add(page, "as it is modelled on ");
+        aob_html_escape(page, budget->device);
+    } else
+        aob_text_add(page, "as it was measured here");
+    aob_text_add(
+        page,
+        ". For each scene and view the most accurate case that fits is shown, or the cheapest where "
+        "none does. In a bar the line is the budget, and the pale part reaches to the upper end.</p>\n");
+    aob_text_finish(&said);
+}
+
 void aob_html_budget(struct aob_text *page, const struct aob_rows *rows)
 {
     struct aob_budget budget;
@@ -141,21 +163,10 @@ void aob_html_budget(struct aob_text *page, const struct aob_rows *rows)
     if (!find_budget(rows, &budget))
         return;
     struct aob_ask ask = aob_ask_of(&budget);
+    struct aob_interval frame = aob_ask_frame(&ask, rows);
+    aob_ask_take_frame(&ask, &budget, &frame);
     aob_answer_make(&answer, rows, &ask);
-    aob_text_add(page, "<section id=budget><h2>Budget <small>");
-    aob_html_escape(page, budget.title);
-    aob_text_add(page, "</small></h2>\n<p class=soft>");
-    aob_html_escape(page, budget.source);
-    aob_text_add(page, ". A case fits if the upper end of its cost does, ");
-    if (budget.device) {
-        aob_text_add(page, "as it is modelled on ");
-        aob_html_escape(page, budget.device);
-    } else
-        aob_text_add(page, "as it was measured here");
-    aob_text_add(
-        page,
-        ". For each scene and view the most accurate case that fits is shown, or the cheapest where "
-        "none does. In a bar the line is the budget, and the pale part reaches to the upper end.</p>\n");
+    add_opening(page, &budget, &ask, &frame);
     for (size_t t = 0; t < rows->target_count; t++)
         add_target(page, &answer, t);
     aob_text_add(page, "</section>\n");

@@ -111,7 +111,7 @@ static void take_lines(struct aob_rows *rows, size_t index)
     json_decref(planned);
 }
 
-static bool read_run(struct aob_rows *rows, size_t index, struct aob_error *error)
+static bool read_run(struct aob_rows *rows, size_t index, const char *const *paths, struct aob_error *error)
 {
     struct aob_run *run = &rows->runs[index];
     char *path = aob_path_join(run->folder, "journal.jsonl");
@@ -119,7 +119,7 @@ static bool read_run(struct aob_rows *rows, size_t index, struct aob_error *erro
     if (!aob_file_exists(path) && !run->info)
         aob_fail(error, "%s: is not the folder of a run: it has no journal.jsonl", run->folder);
     else
-        run->lines = aob_journal_read(path, &run->damage, error);
+        run->lines = aob_journal_read_only(path, paths, &run->damage, error);
     free(path);
     take_lines(rows, index);
     return run->lines != NULL;
@@ -195,15 +195,15 @@ static bool check_folders(const char *const *folders, size_t count, struct aob_e
     return ok;
 }
 
-bool aob_rows_read(struct aob_rows *rows, const char *const *folders, size_t folder_count,
-                   struct aob_error *error)
+static bool read_runs(struct aob_rows *rows, const char *const *folders, size_t folder_count,
+                      const char *const *paths, struct aob_error *error)
 {
     *rows = (struct aob_rows){.run_count = folder_count};
     rows->runs = AOB_NEW_ARRAY(struct aob_run, folder_count);
     bool ok = check_folders(folders, folder_count, error);
     for (size_t i = 0; i < folder_count && ok; i++) {
         rows->runs[i].folder = folders[i];
-        ok = read_run(rows, i, error);
+        ok = read_run(rows, i, paths, error);
     }
     if (ok) {
         name_builds(rows);
@@ -214,6 +214,18 @@ bool aob_rows_read(struct aob_rows *rows, const char *const *folders, size_t fol
     if (!ok)
         aob_rows_finish(rows);
     return ok;
+}
+
+bool aob_rows_read(struct aob_rows *rows, const char *const *folders, size_t folder_count,
+                   struct aob_error *error)
+{
+    return read_runs(rows, folders, folder_count, NULL, error);
+}
+
+bool aob_rows_read_only(struct aob_rows *rows, const char *folder, const char *const *paths,
+                        struct aob_error *error)
+{
+    return read_runs(rows, &folder, 1, paths, error);
 }
 
 void aob_rows_finish(struct aob_rows *rows)

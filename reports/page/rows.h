@@ -78,6 +78,10 @@ bool aob_rows_read(struct aob_rows *rows, const char *const *folders, size_t fol
                    struct aob_error *error);
 void aob_rows_finish(struct aob_rows *rows);
 
+/* The same of one folder, with no other members of its records than those that `paths` name (base/json_keep.h). */
+bool aob_rows_read_only(struct aob_rows *rows, const char *folder, const char *const *paths,
+                        struct aob_error *error);
+
 /* The line on the first journal with damaged lines; "" if there is none. */
 const char *aob_rows_damage(const struct aob_rows *rows);
 
