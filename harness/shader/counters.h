@@ -5,14 +5,13 @@
 #define AOB_SHADER_COUNTERS_H
 #include "spirv.h"
 
-/* Of the buffer, in words of 32 bits. The host sets all to 0 before a draw. */
+/* Of the buffer, in words of 32 bits. The host sets all to 0 before a draw. No word of a block has wrapped while invocations
+ * times most is below 2^32. (No invocation runs 2^32 blocks: drivers stop what takes so long.) */
 enum aob_counters_word {
-    AOB_COUNTERS_INVOCATIONS, /* the lower half of 64 bits, and the upper one: it does not wrap */
-    AOB_COUNTERS_INVOCATIONS_HIGH,
-    AOB_COUNTERS_MOST, /* blocks that any invocation ran */
-    AOB_COUNTERS_BLOCKS =
-        4, /* runs of each block, by its number (blocks.h): while invocations * most < 2^32, none has
-                                      wrapped */
+    AOB_COUNTERS_INVOCATIONS,      /* the lower half of 64 bits */
+    AOB_COUNTERS_INVOCATIONS_HIGH, /* the upper one */
+    AOB_COUNTERS_MOST,             /* blocks that any invocation ran */
+    AOB_COUNTERS_BLOCKS = 4,       /* and on: runs of each block, by its number (blocks.h) */
 };
 
 /* Allocated words (free()) and their count. `storage` is the number of the buffer in set 0, which the module must not use.

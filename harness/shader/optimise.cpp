@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <spirv-tools/optimizer.hpp>
 #include <string>
 #include <vector>
@@ -15,11 +16,11 @@ static bool optimise(const uint32_t *words, size_t count, std::vector<uint32_t> 
     spvtools::OptimizerOptions options;
     optimizer.SetMessageConsumer(
         [why](spv_message_level_t level, const char *, const spv_position_t &, const char *message) {
-            if (level <= SPV_MSG_ERROR && why->empty())
+            if (level <= SPV_MSG_ERROR)
                 *why = message;
         });
     optimizer.RegisterPerformancePasses();
-    options.set_run_validator(true); /* words of glslang, which others may have written in its place */
+    options.set_run_validator(true); /* the passes rely on it */
     options.set_preserve_bindings(true);
     return optimizer.Run(words, count, made, options);
 }
@@ -27,20 +28,25 @@ static bool optimise(const uint32_t *words, size_t count, std::vector<uint32_t> 
 static uint32_t *copy(const std::vector<uint32_t> &words)
 {
     auto *made = static_cast<uint32_t *>(std::malloc(words.size() * sizeof(uint32_t)));
-    if (made)
-        std::memcpy(made, words.data(), words.size() * sizeof(uint32_t));
+    if (!made)
+        throw std::bad_alloc();
+    std::memcpy(made, words.data(), words.size() * sizeof(uint32_t));
     return made;
 }
 
 uint32_t *aob_shader_optimise(const uint32_t *words, size_t count, size_t *new_count, char *why,
                               size_t why_size)
 {
-    std::vector<uint32_t> made;
-    std::string reason;
-    if (!optimise(words, count, &made, &reason) || made.empty()) {
-        std::snprintf(why, why_size, "%s", reason.empty() ? "SPIRV-Tools gives no reason" : reason.c_str());
-        return nullptr;
+    try {
+        std::vector<uint32_t> made;
+        std::string reason = "SPIRV-Tools gives no reason";
+        if (optimise(words, count, &made, &reason)) {
+            *new_count = made.size();
+            return copy(made);
+        }
+        std::snprintf(why, why_size, "%s", reason.c_str());
+    } catch (const std::bad_alloc &) {
+        std::snprintf(why, why_size, "it asks for more memory than there is");
     }
-    *new_count = made.size();
-    return copy(made);
+    return nullptr;
 }

@@ -22,7 +22,6 @@ enum aob_spirv_op {
     AOB_SPIRV_CONSTANT_TRUE = 41, /* the first of the constants */
     AOB_SPIRV_CONSTANT = 43,
     AOB_SPIRV_CONSTANT_COMPOSITE = 44,
-    AOB_SPIRV_CONSTANT_NULL = 46,
     AOB_SPIRV_SPEC_CONSTANT_OP = 52, /* the last of the constants */
     AOB_SPIRV_FUNCTION = 54,
     AOB_SPIRV_VARIABLE = 59,

@@ -1,11 +1,13 @@
 /* A trace of a frame that does not fit into memory: 3840 x 2160 pixels of Alchemy with 64 samples, in strips. What it was
- * said to take, what it took, and the memory that it added to that of the frame itself. Prints `name value unit` lines. */
+ * said to take, what it took, and the memory that it added to that of the frame itself; and what the count of its operations
+ * takes. Prints `name value unit` lines. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include "base/clock.h"
 #include "base/memory.h"
+#include "frame/count.h"
 #include "frame/trace.h"
 #include "rig.h"
 #include "technique/registry.h"
@@ -58,6 +60,19 @@ static bool measure(struct aob_trace *trace, struct aob_error *error)
     return true;
 }
 
+/* Of the operations of the same frame. */
+static bool count(const struct aob_count_desc *desc, struct aob_error *error)
+{
+    struct aob_count *count = AOB_NEW(struct aob_count);
+    int64_t start = aob_clock_wall_ns();
+    bool ok = aob_count_init(count, desc, error) && aob_count_run(count, error);
+    if (ok)
+        printf("counted %.2f s\n", (double)(aob_clock_wall_ns() - start) * 1e-9);
+    aob_count_finish(count);
+    free(count);
+    return ok;
+}
+
 static const struct aob_technique *find(const char *name)
 {
     const struct aob_technique *const *t = aob_builtin_techniques;
@@ -85,11 +100,13 @@ int main(void)
     double before = peak_mib();
     const struct aob_trace_desc desc = {.screen = &screen, .technique = alchemy, .values = values};
     bool ok = aob_trace_init(trace, &desc, &error) && measure(trace, &error);
+    const struct aob_count_desc counted = {.screen = &screen, .technique = alchemy, .values = values};
     if (ok)
         printf("added_peak %.0f MiB\n", peak_mib() - before);
-    else
-        aob_error_print(&error);
     aob_trace_finish(trace);
+    ok = ok && count(&counted, &error);
+    if (!ok)
+        aob_error_print(&error);
     aob_screen_finish(&screen);
     aob_gpu_close(gpu);
     aob_rig_finish(&rig);

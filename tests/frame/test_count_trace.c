@@ -15,9 +15,10 @@ struct setting {
     const char *technique, *params;
 };
 
-/* What changes which passes there are, or how loops and branches go. */
+/* What changes which passes there are, or how loops and branches go. The compiler behind the drivers is one, so they are
+ * tried on one of them. */
 static const struct setting settings[] = {
-    {"alchemy", "blur=33 divisor=2 composite=on"},
+    {"alchemy", "blur=5 divisor=2 composite=on"},
     {"alchemy", "samples_per_band=4 bands=3 blur=0"},
     {"alchemy", "depth_encoding=packed16 normal_encoding=packed8"},
     {"ao_volumes", "divisor=1 cull=off sides=16 falloff=1"},
@@ -26,7 +27,7 @@ static const struct setting settings[] = {
     {"gtao", "weighting=uniform divisor=2 depth_divisor=4 blur=5"},
     {"gtao", "normals=from_depth depth_divisor=2 divisor=2"},
     {"hbao", "weighting=cosine tangents=per_direction directions=16 steps=3 blur=0"},
-    {"hbao", "snapping=off depth_divisor=2 blur=33"},
+    {"hbao", "snapping=off depth_divisor=2 blur=5"},
     {"ray_march", "directions=4 rays=2 steps=4"},
     {"starcraft2_ssao", "radii=one blocker=table divisor=2 blur_passes=2"},
     {"volumetric_obscurance", "resolutions=two samples=12"},
@@ -253,7 +254,8 @@ static bool check(struct aob_gpu *gpu, const struct aob_rig *rig, const char *na
     return same;
 }
 
-static bool check_backend(const struct aob_rig *rig, const char *backend, const char *params)
+static bool check_backend(const struct aob_rig *rig, const char *backend, const char *params,
+                          size_t setting_count)
 {
     bool same = true;
     struct aob_gpu *gpu = aob_rig_gpu(backend);
@@ -264,7 +266,7 @@ static bool check_backend(const struct aob_rig *rig, const char *backend, const 
     validated = 0;
     for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
         same = check(gpu, rig, (*t)->name, params) && same;
-    for (size_t i = 0; i < AOB_COUNT(settings); i++)
+    for (size_t i = 0; i < setting_count; i++)
         same = check(gpu, rig, settings[i].technique, settings[i].params) && same;
     gpu->fns = original;
     aob_gpu_close(gpu);
@@ -277,8 +279,8 @@ static void test_counts_agree_with_traces(void **state)
     (void)state;
     struct aob_rig rig;
     aob_rig_scene(&rig, "cornell", "blocks", W, H, GUARD);
-    bool same = check_backend(&rig, "vulkan", "fetch=sampled");
-    same = check_backend(&rig, "gl-egl", "fetch=storage") && same;
+    bool same = check_backend(&rig, "vulkan", "fetch=sampled", AOB_COUNT(settings));
+    same = check_backend(&rig, "gl-egl", "fetch=storage", 0) && same;
     aob_rig_finish(&rig);
     assert_true(same);
 }

@@ -187,6 +187,17 @@ static void test_literals_are_no_values(void **state)
     spvContextDestroy(context);
 }
 
+static void test_words_that_are_not_valid(void **state)
+{
+    (void)state;
+    size_t count;
+    char why[64] = "";
+    const uint32_t words[] = {0x07230203, 0x00010500, 0,
+                              1,          0,          1}; /* a head, and an instruction of no words */
+    assert_null(aob_shader_optimise(words, AOB_COUNT(words), &count, why, sizeof why));
+    assert_contains(why, "Invalid instruction word count");
+}
+
 /* Words that are cut anywhere are no module, or one of fewer functions; none is read beyond its end. */
 static void test_cut_words(void **state)
 {
@@ -210,6 +221,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_expressions), cmocka_unit_test(test_what_is_not_in_the_table),
-        cmocka_unit_test(test_literals_are_no_values), cmocka_unit_test(test_cut_words)};
+        cmocka_unit_test(test_literals_are_no_values), cmocka_unit_test(test_words_that_are_not_valid),
+        cmocka_unit_test(test_cut_words)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
