@@ -87,6 +87,10 @@ measure: {time: false, error: false, images: false, cache: [./mine.yaml]}
 END
 check "a run" "$program" run config.yaml --out out --quiet
 check "has times" jq -e '.cache.mine.modelled.frame.ms > 0' out/journal.jsonl
+sed 's/, cache: .*/}/' config.yaml >plain.yaml
+estimate() { "$program" plan "$1" --json - | jq .estimated_s; }
+check "the plan foretells what counting takes" awk -v a="$(estimate config.yaml)" -v b="$(estimate plain.yaml)" \
+  'BEGIN { exit !((a - b - (0.9 + 576 * 3e-6)) ^ 2 < 1e-12) }'
 profile 10 >mine.yaml
 check "a slower memory" "$program" run config.yaml --out out --quiet
 check "takes twice as long" jq -se "$near (map(.cache.mine.modelled.frame.resources.memory) |
