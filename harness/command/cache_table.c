@@ -86,13 +86,11 @@ static void print_curve(const json_t *figures, struct aob_text *out)
     }
 }
 
-/* "1.90 ms (1.40 .. 3.00), limited by texture", the point and its band. */
-static void print_time(const char *what, const json_t *times, struct aob_text *out)
+/* "1.9 ms (1.4 .. 3), limited by texture": the point and its band. */
+static void print_time(const char *what, const char *name, const json_t *times, struct aob_text *out)
 {
-    char point[24], text[BAND];
-    show(point, number(times, "ms"));
-    band(text, number(times, "low_ms"), number(times, "high_ms"));
-    aob_text_add_line(out, "  %s: %s ms (%s), limited by %s", what, point, text,
+    aob_text_add_line(out, "  %s %s: %.3g ms (%.3g .. %.3g), limited by %s", what, name, number(times, "ms"),
+                      number(times, "low_ms"), number(times, "high_ms"),
                       json_string_value(json_object_get(times, "limit")));
 }
 
@@ -100,14 +98,10 @@ static void print_time(const char *what, const json_t *times, struct aob_text *o
 static void print_modelled(const char *profile, const json_t *modelled, struct aob_text *out)
 {
     const json_t *passes = json_object_get(modelled, "passes"), *pass;
-    size_t i;
-    struct aob_text what = {0};
-    aob_text_add(&what, "modelled on %s", profile);
-    print_time(what.data, json_object_get(modelled, "frame"), out);
-    aob_text_finish(&what);
-    if (json_array_size(passes) > 1)
-        json_array_foreach(passes, i, pass)
-            print_time(json_string_value(json_object_get(pass, "name")), pass, out);
+    size_t i, count = json_array_size(passes);
+    print_time("modelled on", profile, json_object_get(modelled, "frame"), out);
+    json_array_foreach(passes, i, pass) if (count > 1)
+        print_time("  pass", json_string_value(json_object_get(pass, "name")), pass, out);
 }
 
 void aob_cache_table_print(const char *profile, const json_t *figures, struct aob_text *out)

@@ -48,6 +48,7 @@ struct aob_plan_profile { /* whose caches are simulated for each case: a wish, i
     char *name;           /* of its file, without folder and ending; no two have one name */
     char *path;
     char digest[AOB_KEY_SIZE]; /* of what it says (profile/profile.h) */
+    bool rates;                /* times are modelled, so operations are counted */
 };
 struct aob_variation { /* what has more than one value in a plan */
     bool scene, backend, size, options[AOB_OPTION_COUNT];

@@ -34,8 +34,9 @@ static bool add_profile(struct aob_plan *plan, const struct aob_value *value, st
     bool ok = read_profile(plan->config, value->text, &profile, error) && judge_name(plan, &profile, error);
     if (ok) {
         struct aob_plan_profile *added = &plan->profiles[plan->profile_count++];
-        *added =
-            (struct aob_plan_profile){.name = aob_strdup(profile.name), .path = aob_strdup(profile.path)};
+        *added = (struct aob_plan_profile){.name = aob_strdup(profile.name),
+                                           .path = aob_strdup(profile.path),
+                                           .rates = profile.rates.clock > 0};
         aob_profile_digest(&profile, added->digest);
     }
     aob_profile_finish(&profile);
@@ -61,9 +62,19 @@ void aob_plan_profiles_finish(struct aob_plan *plan)
     free(plan->profiles);
 }
 
+static bool has_rates(const struct aob_plan *plan)
+{
+    bool rates = false;
+    for (size_t i = 0; i < plan->profile_count; i++)
+        rates |= plan->profiles[i].rates;
+    return rates;
+}
+
 double aob_plan_estimate_cache_s(const struct aob_plan *plan, const struct aob_case *c)
 {
-    const double case_s = 0.5, trace_pixel_s = 5e-7, profile_pixel_s = 2e-6;
+    const double case_s = 0.5, trace_pixel_s = 5e-7, profile_pixel_s = 2e-6, count_s = 0.4,
+                 count_pixel_s = 5e-7;
     double pixels = (double)c->width * c->height, profiles = (double)plan->profile_count;
-    return profiles > 0 ? case_s + (trace_pixel_s + profile_pixel_s * profiles) * pixels : 0;
+    double counting_s = has_rates(plan) ? count_s + count_pixel_s * pixels : 0;
+    return profiles > 0 ? case_s + (trace_pixel_s + profile_pixel_s * profiles) * pixels + counting_s : 0;
 }

@@ -62,8 +62,7 @@ check "image operations are the trace's" jq -e "$passes \$c.operations.image <= 
   \$c.operations.image >= \$c.distinct and \$c.operations.image > 0)" shot.json
 
 line=$(jq -r '.cache.mine.modelled.frame | "\(.ms) \(.low_ms) \(.high_ms) \(.limit)"' shot.json | awk '
-  function show(v) { return sprintf(v >= 99.95 ? "%.0f" : v >= 9.995 ? "%.1f" : "%.2f", v) }
-  { print "modelled on mine: " show($1) " ms (" show($2) " .. " show($3) "), limited by " $4 }')
+  { printf "modelled on mine: %.3g ms (%.3g .. %.3g), limited by %s", $1, $2, $3, $4 }')
 check "the table says so" grep -qF "  $line" table.txt
 check "of a pass as well" test "$(grep -c ', limited by ' table.txt)" -eq $((1 + $(jq '.cache.mine.passes | length' shot.json)))
 
@@ -88,6 +87,10 @@ measure: {time: false, error: false, images: false, cache: [./mine.yaml]}
 END
 check "a run" "$program" run config.yaml --out out --quiet
 check "has times" jq -e '.cache.mine.modelled.frame.ms > 0' out/journal.jsonl
+sed 's/, cache: .*/}/' config.yaml >plain.yaml
+estimate() { "$program" plan "$1" --json - | jq .estimated_s; }
+check "the plan foretells what counting takes" awk -v a="$(estimate config.yaml)" -v b="$(estimate plain.yaml)" \
+  'BEGIN { exit !((a - b - (0.9 + 576 * 3e-6)) ^ 2 < 1e-12) }'
 profile 10 >mine.yaml
 check "a slower memory" "$program" run config.yaml --out out --quiet
 check "takes twice as long" jq -se "$near (map(.cache.mine.modelled.frame.resources.memory) |
