@@ -20,6 +20,9 @@ struct keeping {
 /* Behind the string that begins at `at`. */
 static const char *end_of_string(const char *at, const char *end)
 {
+    const char *quote = at + 1 < end ? memchr(at + 1, '"', (size_t)(end - at - 1)) : NULL;
+    if (quote && quote[-1] != '\\')
+        return quote + 1;
     for (at++; at < end && *at != '"'; at++)
         at += *at == '\\';
     return at < end ? at + 1 : end;
@@ -55,12 +58,12 @@ static enum fate judge_by(const struct keeping *c, const char *path)
 {
     for (int i = 0; i < c->depth; i++) {
         const struct slice *name = &c->names[i];
-        if (*path != '*' && *path != *name->text)
-            return LEFT_OUT;
-        size_t size = strcspn(path, ".");
-        if (*path != '*' && (size != name->size || memcmp(path, name->text, size) != 0))
+        size_t size = *path == '*' ? 1 : name->size;
+        if (*path != '*' && (*path != *name->text || strncmp(path, name->text, size) != 0))
             return LEFT_OUT;
         path += size;
+        if (*path && *path != '.')
+            return LEFT_OUT;
         if (!*path)
             return i + 1 == c->depth ? KEPT : LEFT_OUT;
         path++;

@@ -152,6 +152,8 @@ static void print_budget(const struct asking *asking, struct aob_text *out)
 {
     struct aob_text frame = {0};
     aob_text_add_line(out, "%s: %s (%s)", asking->budget.name, asking->budget.title, asking->budget.source);
+    if (asking->options->ms) /* the slice itself, whatever the frame is */
+        return;
     aob_answer_print_frame(&asking->ask, &asking->budget, &asking->frame, &frame);
     aob_text_add_line(out, "%s", frame.data);
     aob_text_finish(&frame);

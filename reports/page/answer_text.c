@@ -89,23 +89,32 @@ void aob_answer_print_budget(const struct aob_answer *answer, const struct aob_r
         aob_text_add(text, " of %s, measured here", aob_costs_clock(json_object_get(row->json, "time")));
 }
 
+static void print_others(const struct aob_interval *frame, struct aob_text *text)
+{
+    aob_text_add(text, "G-buffer and composite ");
+    if (!isfinite(frame->at)) {
+        aob_text_add(text, "are not known");
+        return;
+    }
+    aob_text_add(text, "take ");
+    aob_interval_print(frame, text);
+    aob_text_add(text, " ms");
+}
+
 void aob_answer_print_frame(const struct aob_ask *ask, const struct aob_budget *budget,
                             const struct aob_interval *frame, struct aob_text *text)
 {
     aob_text_add(text, "Of a frame of ");
     aob_three_digits(budget->frame_ms, text);
-    aob_text_add(text, " ms the rest takes ");
+    aob_text_add(text, " ms ");
     if (budget->rest_ms > 0) {
+        aob_text_add(text, "the rest takes ");
         aob_three_digits(budget->rest_ms, text);
-        aob_text_add(text, " ms");
-    } else
-        aob_text_add(text, "what is not known");
-    aob_text_add(text, ", and G-buffer and composite ");
-    if (isfinite(frame->at)) {
-        aob_interval_print(frame, text);
-        aob_text_add(text, " ms");
-    } else
-        aob_text_add(text, "what was not measured");
+        aob_text_add(text, " ms, and ");
+    }
+    print_others(frame, text);
+    if (!(budget->rest_ms > 0))
+        aob_text_add(text, ", and what the rest takes is not said");
     aob_text_add(text, ": ambient occlusion has ");
     aob_three_digits(ask->ms, text);
     aob_text_add(text, " ms.");
@@ -232,7 +241,7 @@ void aob_answer_say_view(const struct aob_answer *answer, const struct aob_answe
     static const struct words words = {
         "The most accurate case that fits",
         "More accurate, with a point that fits and an upper end that does not,",
-        "The cheapest case within the error", "Nothing fits: what is nearest"};
+        "The cheapest case within the error", "Nothing fits with its upper end: what is nearest"};
     if (!view->count)
         say_text("No case has both this error and this cost.", sentences);
     say_choice(answer, view->list, &view->choice, &words, sentences);
@@ -246,7 +255,8 @@ void aob_answer_say_whole(const struct aob_answer *answer, const struct aob_answ
     static const struct words words = {
         "The most accurate setting whose worst view fits",
         "More accurate in its worst view, with a point that fits and an upper end that does not,",
-        "The cheapest setting within the error", "No setting fits everywhere: what is nearest"};
+        "The cheapest setting within the error",
+        "No setting fits everywhere with its upper end: what is nearest"};
     if (!whole->count)
         say_text("No setting was measured in all of these views.", sentences);
     say_choice(answer, whole->list, &whole->choice, &words, sentences);

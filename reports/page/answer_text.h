@@ -30,7 +30,7 @@ struct aob_answer_pass aob_answer_dearest_pass(const struct aob_row *row, const 
 void aob_answer_print_budget(const struct aob_answer *answer, const struct aob_row *row,
                              struct aob_text *text);
 
-/* "Of a frame of 16.7 ms the rest takes 13 ms, and G-buffer and composite 1.2 (1.1 .. 1.3) ms: ambient occlusion has 2 ms." What
+/* "Of a frame of 16.7 ms the rest takes 13 ms, and G-buffer and composite take 1.2 (1.1 .. 1.3) ms: ambient occlusion has 2 ms." What
  * is not known is said to be so. */
 void aob_answer_print_frame(const struct aob_ask *ask, const struct aob_budget *budget,
                             const struct aob_interval *frame, struct aob_text *text);

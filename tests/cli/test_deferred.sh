@@ -17,12 +17,11 @@ same() { # BACKEND FLAGS...
   echo "$plain $drawn"
   [ ${#plain} -eq 32 ] && [ "$plain" = "$drawn" ]
 }
-for backend in vulkan gl-egl; do
-  check "$backend: planes up to the horizon" same "$backend" --scene corner --view far
-  check "$backend: all about the eye" same "$backend" --scene room --view inside
-  check "$backend: off-centre" same "$backend" --scene cornell --eye 0.3,1.2,1 --target 0,1,0 --shift 0.2,0.1
-  check "$backend: orthographic" same "$backend" --scene corner --eye 0,2,4 --target 0,1,0 --ortho 3
-done
+check "planes up to the horizon" same vulkan --scene corner --view far
+check "all about the eye" same vulkan --scene room --view inside
+check "off-centre" same vulkan --scene cornell --eye 0.3,1.2,1 --target 0,1,0 --shift 0.2,0.1
+check "orthographic" same vulkan --scene corner --eye 0,2,4 --target 0,1,0 --ortho 3
+check "on OpenGL" same gl-egl --scene room --view inside
 "$program" list techniques --json list.json
 check "it is no technique of the list" jq -e '[.techniques[].name] | index("deferred") == null and index("none") != null' list.json
 
@@ -46,5 +45,5 @@ check "the dearest goes off the frame by its upper end" jq -e --slurpfile r run/
   ([$r[] | select(.technique == "deferred") | .time.cpu_ms] | max) as $at |
   (.frame_ms.at - $at | fabs) < 1e-6 and (.frame_ms.high - $high | fabs) < 1e-6 and (.ms - (10 - $high) | fabs) < 1e-6' answer.json
 check "it is never chosen" jq -e 'all(.questions[]; .cases == 1 and ([.front[].technique] == ["crytek_ssao"]))' answer.json
-check "the head says so" grep -qE '^Of a frame of 1000 ms the rest takes 990 ms, and G-buffer and composite [0-9.]+ \([0-9.]+ \.\. [0-9.]+\) ms: ambient occlusion has [0-9.]+ ms\.$' table
+check "the head says so" grep -qE '^Of a frame of 1000 ms the rest takes 990 ms, and G-buffer and composite take [0-9.]+ \([0-9.]+ \.\. [0-9.]+\) ms: ambient occlusion has [0-9.]+ ms\.$' table
 finish

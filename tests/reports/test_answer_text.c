@@ -42,18 +42,20 @@ static void test_overrun(void **state)
     (void)state;
     struct aob_ask ask = {.ms = 2, .error = INFINITY, .radius = NAN};
     char *text = one_sentence(CASE, &ask, 0), *pass = one_sentence(CASE, &ask, 1);
-    assert_string_equal(text,
-                        "Nothing fits: what is nearest is gtao: error 0.2500, 3 (2.5 .. 4) ms, 1 ms over "
-                        "(0.5 .. 2).");
+    assert_string_equal(
+        text,
+        "Nothing fits with its upper end: what is nearest is gtao: error 0.2500, 3 (2.5 .. 4) ms, 1 ms over "
+        "(0.5 .. 2).");
     assert_string_equal(pass, "Its pass 'ao' takes most, 2 ms; a measured time names no resource.");
     free(text);
     free(pass);
     ask.profile = "ps4";
     text = one_sentence(CASE, &ask, 0);
     pass = one_sentence(CASE, &ask, 1);
-    assert_string_equal(text,
-                        "Nothing fits: what is nearest is gtao: error 0.2500, 3 (2.25 .. 5) ms, 1 ms over "
-                        "(0.25 .. 3).");
+    assert_string_equal(
+        text,
+        "Nothing fits with its upper end: what is nearest is gtao: error 0.2500, 3 (2.25 .. 5) ms, 1 ms over "
+        "(0.25 .. 3).");
     assert_string_equal(pass, "Its pass 'blur' takes most, 2 ms, and is limited by texture.");
     free(text);
     free(pass);
@@ -118,6 +120,15 @@ static void test_frames_of_none(void **state)
     "\"band_rmse\":0}],\"time\":{\"clock\":\"cpu\",\"cpu_ms\":" ms ",\"ratio_to_ref\":1,\"ci_low\":" low     \
     ",\"ci_high\":" high "}}\n"
 
+static void assert_frame(const struct aob_ask *ask, const struct aob_budget *budget,
+                         const struct aob_interval *frame, const char *expected)
+{
+    struct aob_text said = {0};
+    aob_answer_print_frame(ask, budget, frame, &said);
+    assert_string_equal(said.data, expected);
+    aob_text_finish(&said);
+}
+
 /* G-buffer and composite of the dearest scene go off the frame by their upper end, and are never chosen. */
 static void test_frame(void **state)
 {
@@ -132,7 +143,6 @@ static void test_frame(void **state)
                                       .error = INFINITY};
     struct aob_rows rows;
     struct aob_answer answer;
-    struct aob_text said = {0};
     put("journal.jsonl",
         CASE DEFERRED("b", "s", "2", "0.75", "1.5") DEFERRED("c", "t", "4", "0.875", "1.25"));
     read_rows(&rows);
@@ -141,16 +151,22 @@ static void test_frame(void **state)
     struct aob_interval frame = aob_ask_frame(&ask, &rows);
     aob_ask_take_frame(&ask, &budget, &frame);
     assert_near(ask.ms, 4, 1e-12);
-    aob_answer_print_frame(&ask, &budget, &frame, &said);
-    assert_string_equal(
-        said.data, "Of a frame of 16 ms the rest takes 7 ms, and G-buffer and composite 4 (3.5 .. 5) ms: "
-                   "ambient occlusion has 4 ms.");
+    assert_frame(
+        &ask, &budget, &frame,
+        "Of a frame of 16 ms the rest takes 7 ms, and G-buffer and composite take 4 (3.5 .. 5) ms: ambient "
+        "occlusion has 4 ms.");
+    const struct aob_interval unknown = {NAN, NAN, NAN};
+    struct aob_budget bare = budget;
+    bare.rest_ms = 0;
+    assert_frame(&ask, &bare, &unknown,
+                 "Of a frame of 16 ms G-buffer and composite are not known, and what the rest takes is not "
+                 "said: ambient "
+                 "occlusion has 4 ms.");
     aob_answer_make(&answer, &rows, &ask);
     assert_int_equal(answer.views[0].count, 1);
     assert_int_equal(answer.views[0].choice.accurate, 0);
     aob_answer_finish(&answer);
     aob_rows_finish(&rows);
-    aob_text_finish(&said);
 }
 
 int main(void)
