@@ -20,14 +20,21 @@ static double number_of(const json_t *object, const char *name)
     return aob_json_to_number(json_object_get(object, name));
 }
 
+/* What a pass takes anew for each of `scale` times as many pixels; the time between passes it has once. */
+static double scaled(const json_t *pass, const char *name, double scale)
+{
+    const double launch = number_of(pass, "launch_ms");
+    return scale * (number_of(pass, name) - launch) + launch;
+}
+
 /* `sums`: resource -> milliseconds, of all passes so far. */
 static void add_pass(const json_t *pass, double scale, json_t *sums, struct aob_modelled *modelled)
 {
     const char *resource;
     json_t *ms;
-    modelled->ms += scale * number_of(pass, "ms");
-    modelled->low += scale * number_of(pass, "low_ms");
-    modelled->high += scale * number_of(pass, "high_ms");
+    modelled->ms += scaled(pass, "ms", scale);
+    modelled->low += scaled(pass, "low_ms", scale);
+    modelled->high += scaled(pass, "high_ms", scale);
     json_object_foreach(json_object_get(pass, "resources"), resource, ms)
     {
         double more = scale * json_number_value(ms);
@@ -57,13 +64,16 @@ static bool begins(const json_t *pass, const char *prefix)
     return !prefix || (name && strncmp(name, prefix, strlen(prefix)) == 0);
 }
 
-static bool fail_status(const struct aob_modelled_row *row, const json_t *figures, struct aob_error *error)
+/* Why the record has no modelled times of the profile. */
+static bool fail_without(const struct aob_modelled_row *row, const json_t *figures, struct aob_error *error)
 {
-    const char *reason = json_string_value(json_object_get(figures, "reason"));
+    const char *refused = json_string_value(json_object_get(figures, "reason")),
+               *uncounted = json_string_value(json_object_get(figures, "not_modelled"));
     return aob_fail(error, "%s: %s", row->profile,
-                    reason    ? reason
-                    : figures ? "the profile has no rates"
-                              : "the run has no figures of it");
+                    refused     ? refused
+                    : uncounted ? uncounted
+                    : figures   ? "the profile has no rates"
+                                : "the run has no figures of it");
 }
 
 bool aob_modelled_read(const struct aob_modelled_row *row, const struct aob_paper_run *run,
@@ -76,7 +86,7 @@ bool aob_modelled_read(const struct aob_modelled_row *row, const struct aob_pape
     const json_t *figures = json_object_get(json_object_get(record, "cache"), row->profile);
     const json_t *passes = json_object_get(json_object_get(figures, "modelled"), "passes");
     if (!passes)
-        return fail_status(row, figures, error);
+        return fail_without(row, figures, error);
     json_t *sums = json_object();
     const double scale = row->width / number_of(record, "width");
     size_t at;

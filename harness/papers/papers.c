@@ -261,7 +261,9 @@ static bool measure_all(struct papers *papers, struct aob_error *error)
     for (const struct aob_paper_row *row = aob_paper_rows; row->name; row++)
         if (is_wanted(papers, row->name))
             add_row(papers, row);
-    aob_modelled_table_init(&modelled, &papers->runs, papers->desc->filter);
+    aob_modelled_table_init(&modelled,
+                            &(struct aob_modelled_table_desc){aob_modelled_rows, aob_modelled_pairs,
+                                                              &papers->runs, papers->desc->filter});
     papers->failed += modelled.failed;
     bool ok = write_all(papers, &modelled, error);
     aob_modelled_table_finish(&modelled);

@@ -40,8 +40,8 @@ full "$program" run config.yaml --out out --quiet --json -
 full "${shot[@]}"
 full "${shot[@]}" --json -
 full "$program" report out --quiet --json -
-full "$program" papers --filter devices --out papers
-full "$program" papers --filter devices --out papers --quiet --json -
+full "$program" papers --filter words --out papers
+full "$program" papers --filter words --out papers --quiet --json -
 full "$program" doctor --json -
 VK_ICD_FILENAMES=/nonexistent.json VK_DRIVER_FILES=/nonexistent.json full "$program" doctor
 check "what says nothing there needs no standard output" bash -c "'$program' run config.yaml --out out >&-"

@@ -7,13 +7,17 @@ static const char record[] =
     "[{\"technique\": \"t\", \"params\": {\"a\": 1}, \"status\": \"ok\", \"width\": 1280, \"cache\": "
     "{\"dev\": {\"status\": \"ok\","
     " \"modelled\": {\"passes\": ["
-    "{\"name\": \"ao\", \"ms\": 2, \"low_ms\": 1.5, \"high_ms\": 3, \"limit\": \"texture\","
+    "{\"name\": \"ao\", \"ms\": 2, \"low_ms\": 1.5, \"high_ms\": 3, \"launch_ms\": 0.25, \"limit\": "
+    "\"texture\","
     " \"resources\": {\"alu\": 0.5, \"texture\": 1.5, \"L1\": 0.75, \"L2\": 0.25, \"memory\": 0.125, "
     "\"targets\": 0.0625}},"
-    "{\"name\": \"blur_x\", \"ms\": 1, \"low_ms\": 0.5, \"high_ms\": 2, \"limit\": \"L1\","
+    "{\"name\": \"blur_x\", \"ms\": 1, \"low_ms\": 0.5, \"high_ms\": 2, \"launch_ms\": 0.25, \"limit\": "
+    "\"L1\","
     " \"resources\": {\"alu\": 0.25, \"texture\": 0.25, \"L1\": 2.5, \"L2\": 0.5, \"memory\": 0.5, "
     "\"targets\": 0.25}}]}},"
-    " \"bare\": {\"status\": \"ok\", \"modelled\": null}, \"broken\": {\"status\": \"failed\", \"reason\": "
+    " \"bare\": {\"status\": \"ok\", \"modelled\": null}, \"uncounted\": {\"status\": \"ok\", \"modelled\": "
+    "null,"
+    " \"not_modelled\": \"no storage buffers\"}, \"broken\": {\"status\": \"failed\", \"reason\": "
     "\"no levels\"}}}]";
 
 static const struct aob_modelled_row row = {
@@ -45,7 +49,8 @@ static void test_passes_and_resources(void **state)
     assert_true(read_row(wanted, &m, &error) && m.ms == 2 && m.parts[AOB_MODELLED_FILLS] == 1);
     assert_string_equal(m.limit, "texture");
     wanted.width = 2560; /* half of its columns were run */
-    assert_true(read_row(wanted, &m, &error) && m.ms == 4 && m.parts[AOB_MODELLED_ALU] == 1);
+    assert_true(read_row(wanted, &m, &error) && m.parts[AOB_MODELLED_ALU] == 1);
+    assert_true(m.ms == 3.75 && m.low == 2.75 && m.high == 5.75); /* the time between passes is there once */
 }
 
 static void test_no_time(void **state)
@@ -54,6 +59,7 @@ static void test_no_time(void **state)
     static const struct {
         const char *profile, *passes, *values, *says;
     } cases[] = {{"bare", NULL, "a=1", "bare: the profile has no rates"},
+                 {"uncounted", NULL, "a=1", "uncounted: no storage buffers"},
                  {"broken", NULL, "a=1", "broken: no levels"},
                  {"gone", NULL, "a=1", "gone: the run has no figures of it"},
                  {"dev", "horizon", "a=1", "no pass 'horizon'"},
