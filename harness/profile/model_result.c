@@ -3,7 +3,7 @@
 
 bool aob_model_result_known(const struct aob_cache_result *result)
 {
-    return result->counted && result->profile->rates.clock > 0;
+    return result->frame.counted && result->profile->rates.clock > 0;
 }
 
 struct aob_model_time aob_model_result_pass(const struct aob_cache_result *result,
@@ -42,12 +42,12 @@ static json_t *times_to_json(const struct aob_profile *profile, const struct aob
                      aob_model_resource_name(profile, aob_model_limit(modelled)), "resources", resources);
 }
 
-/* The rates that no source confirms: what a reader has to doubt first. */
+/* The numbers that no source confirms: what a reader has to doubt first. Those of caches and warps decide the fills. */
 static json_t *unverified_to_json(const struct aob_profile *profile)
 {
     json_t *keys = json_array();
     for (size_t f = 0; f < profile->fact_count; f++)
-        if (!profile->facts[f].confirmed && aob_profile_fact_is_rate(&profile->facts[f]))
+        if (!profile->facts[f].confirmed)
             json_array_append_new(keys, json_string(profile->facts[f].key));
     return keys;
 }

@@ -84,8 +84,5 @@ bool aob_profile_find(struct aob_profile *profile, const char *name, struct aob_
  * of one device. */
 void aob_profile_digest(const struct aob_profile *profile, char digest[AOB_KEY_SIZE]);
 
-/* Whether it is one of what the device model takes, and the cache simulation does not: "rates.clock", "levels.L1.fill". */
-bool aob_profile_fact_is_rate(const struct aob_profile_fact *fact);
-
 const char *aob_layout_name(enum aob_layout layout); /* "linear", "morton", "block_linear" */
 #endif

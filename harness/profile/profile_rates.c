@@ -60,18 +60,6 @@ bool aob_profile_rates_read(struct aob_yaml *yaml, const yaml_node_t *node, stru
            judge_choice(yaml, reader.nodes[POINT_64], rates->point_64, point_64);
 }
 
-static bool ends_in(const char *text, const char *end)
-{
-    size_t size = strlen(text), tail = strlen(end);
-    return size >= tail && strcmp(text + size - tail, end) == 0;
-}
-
-bool aob_profile_fact_is_rate(const struct aob_profile_fact *fact)
-{
-    return strncmp(fact->key, "rates.", 6) == 0 || ends_in(fact->key, ".fill") ||
-           ends_in(fact->key, ".ports");
-}
-
 /* The times of levels stand beside those of the other resources, by their names. */
 static bool is_resource(const char *name)
 {
@@ -84,25 +72,57 @@ static bool is_resource(const char *name)
     return false;
 }
 
+/* A fault is shown where the level is written, at the value of `key` where it has that one. */
+static const yaml_node_t *level_node(struct aob_yaml *yaml, const yaml_node_t *levels, int number,
+                                     const char *key)
+{
+    const yaml_node_t *level = levels;
+    if (levels->type == YAML_SEQUENCE_NODE)
+        level = yaml_document_get_node(&yaml->document, levels->data.sequence.items.start[number]);
+    const yaml_node_t *value = aob_yaml_find(yaml, level, key);
+    return value ? value : level;
+}
+
+/* Beside rates. */
+static bool judge_fed(struct aob_yaml *yaml, const yaml_node_t *levels, const struct aob_profile *profile,
+                      int l)
+{
+    const struct aob_profile_level *level = &profile->levels[l];
+    bool last = l + 1 == profile->level_count;
+    if (is_resource(level->name))
+        return aob_yaml_fail(yaml, level_node(yaml, levels, l, "name"),
+                             "no level beside rates is called '%s', which is another resource", level->name);
+    if (!last && !(level->fill && level->ports))
+        return aob_yaml_fail(yaml, level_node(yaml, levels, l, ""),
+                             "level '%s' has no 'fill' and 'ports', which are needed beside rates",
+                             level->name);
+    if (last && (level->fill || level->ports))
+        return aob_yaml_fail(yaml, level_node(yaml, levels, l, level->fill ? "fill" : "ports"),
+                             "level '%s' is filled from memory: it has no 'fill' and no 'ports'",
+                             level->name);
+    return true;
+}
+
+static bool judge_unfed(struct aob_yaml *yaml, const yaml_node_t *levels, const struct aob_profile *profile,
+                        int l)
+{
+    const struct aob_profile_level *level = &profile->levels[l];
+    return (!level->fill && !level->ports) ||
+           aob_yaml_fail(yaml, level_node(yaml, levels, l, level->fill ? "fill" : "ports"),
+                         "level '%s' has a 'fill' or 'ports', and the profile has no 'rates'", level->name);
+}
+
 bool aob_profile_rates_judge(struct aob_yaml *yaml, const yaml_node_t *root,
                              const struct aob_profile *profile)
 {
-    const yaml_node_t *node = aob_yaml_find(yaml, root, "rates");
-    for (int l = 0; l < profile->level_count; l++) {
-        const struct aob_profile_level *level = &profile->levels[l];
-        bool fed = node && l + 1 < profile->level_count;
-        if (node && is_resource(level->name))
-            return aob_yaml_fail(
-                yaml, node, "no level beside rates is called '%s', which is another resource", level->name);
-        if (fed && !(level->fill && level->ports))
-            return aob_yaml_fail(yaml, node,
-                                 "level '%s' has no 'fill' and 'ports', which are needed beside rates",
-                                 level->name);
-        if (!fed && (level->fill || level->ports))
-            return aob_yaml_fail(yaml, root,
-                                 node ? "level '%s' is filled from memory: it has no 'fill' and no 'ports'"
-                                      : "level '%s' has a 'fill' or 'ports', and the profile has no 'rates'",
-                                 level->name);
-    }
+    const yaml_node_t *rates = aob_yaml_find(yaml, root, "rates"),
+                      *levels = aob_yaml_find(yaml, root, "levels");
+    if (rates && aob_yaml_find(yaml, levels, "value"))
+        return aob_yaml_fail(yaml, levels,
+                             "levels that the machine tells have no 'fill', which is needed beside rates: "
+                             "write the levels, or leave the rates out");
+    for (int l = 0; l < profile->level_count; l++)
+        if (rates ? !judge_fed(yaml, levels, profile, l) : !judge_unfed(yaml, levels, profile, l))
+            return false;
     return true;
 }

@@ -31,6 +31,7 @@ static void add_misses(struct aob_misses *sum, const struct aob_misses *misses)
 void aob_cache_result_add(struct aob_cache_result *result, const struct aob_cache_pass *pass)
 {
     struct aob_cache_pass *frame = &result->frame;
+    frame->counted = false;
     if (pass->pixels > frame->pixels) {
         frame->width = pass->width;
         frame->height = pass->height;
@@ -58,12 +59,17 @@ void aob_cache_result_add(struct aob_cache_result *result, const struct aob_cach
 void aob_cache_result_count(struct aob_cache_result *result, size_t pass,
                             const struct aob_operations *operations)
 {
-    struct aob_operations *sum = &result->frame.operations;
-    result->counted = true;
+    struct aob_cache_pass *frame = &result->frame;
     result->passes[pass].operations = *operations;
-    sum->alu += operations->alu;
-    sum->special += operations->special;
-    sum->image += operations->image;
+    result->passes[pass].counted = true;
+    frame->operations = (struct aob_operations){0};
+    frame->counted = true;
+    for (size_t p = 0; p < result->pass_count; p++) {
+        frame->operations.alu += result->passes[p].operations.alu;
+        frame->operations.special += result->passes[p].operations.special;
+        frame->operations.image += result->passes[p].operations.image;
+        frame->counted &= result->passes[p].counted;
+    }
 }
 
 uint64_t aob_cache_filled(const struct aob_cache_result *result, const struct aob_cache_pass *pass, int level,
@@ -131,7 +137,7 @@ static json_t *pass_to_json(const struct aob_cache_result *result, const struct 
         "bytes_written", whole(pass->bytes_written), "lanes_busy",
         share((double)pass->lanes_busy, (double)pass->lanes_issued), "levels", levels_to_json(result, pass));
     json_object_set_new(object, "operations",
-                        result->counted ? operations_to_json(&pass->operations) : json_null());
+                        pass->counted ? operations_to_json(&pass->operations) : json_null());
     if (pass->curves[AOB_FLIGHT_ONE].count)
         json_object_set_new(object, "curve",
                             json_pack("{s:o, s:o}", "one", curve_to_json(&pass->curves[AOB_FLIGHT_ONE]),

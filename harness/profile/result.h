@@ -39,7 +39,8 @@ struct aob_cache_pass {
     uint64_t lanes_busy, lanes_issued;   /* of warps, summed over the fetches that they issue */
     uint64_t target_pixels;              /* written, those of each target */
     struct aob_issue issue;              /* of texture units; 0 where the profile has no rates */
-    struct aob_operations operations;    /* where the result says that they are counted */
+    struct aob_operations operations;    /* where they are counted */
+    bool counted;                        /* of the frame: of each pass */
     struct aob_misses levels[AOB_PROFILE_MAX_LEVEL][AOB_FLIGHT_COUNT];
     struct aob_curve
         curves[AOB_FLIGHT_COUNT]; /* of the first level, of all units together; empty if not asked for */
@@ -51,14 +52,13 @@ struct aob_cache_pass {
 struct aob_cache_result {
     const struct aob_profile *profile; /* borrowed */
     bool split;                        /* capacity and conflict are known */
-    bool counted;                      /* operations are known */
     struct aob_cache_pass *passes;     /* in the order that they ran in */
     size_t pass_count, pass_capacity;
     struct aob_cache_pass frame; /* all passes together; its area is the largest of theirs */
 };
 void aob_cache_result_add(struct aob_cache_result *result,
                           const struct aob_cache_pass *pass); /* to the frame */
-/* What pass number `pass` executed. Once it is known of each, the result is counted. */
+/* What pass number `pass` executed, in place of what was said of it before. Once it is known of each, so it is of the frame. */
 void aob_cache_result_count(struct aob_cache_result *result, size_t pass,
                             const struct aob_operations *operations);
 void aob_cache_result_finish(struct aob_cache_result *result);

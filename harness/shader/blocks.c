@@ -1,7 +1,9 @@
 #include "blocks.h"
 #include <stdlib.h>
+#include <string.h>
 #include "base/memory.h"
 #include "operation.h"
+#include "uniform.h"
 
 /* Who uses a value, by its id. */
 struct uses {
@@ -12,7 +14,8 @@ struct uses {
 struct counting {
     const struct aob_spirv *spirv;
     struct uses *uses;
-    bool *joined; /* by the id of a sum: a product is part of it already */
+    bool *joined;  /* by the id of a sum: a product is part of it already */
+    bool *uniform; /* by the id of a value: it is not computed in each invocation */
 };
 
 /* The rows of an instruction; its slots are those of the extended one where it is of GLSL.std.450. */
@@ -31,6 +34,33 @@ static uint32_t leading_ids(const struct aob_operation *form)
     return form->ids == AOB_NO_IDS ? 0 : form->ids;
 }
 
+/* The other sets of instructions have the same numbers for other things. */
+static bool check_set(const struct aob_spirv *spirv, const uint32_t *instruction, struct aob_error *error)
+{
+    static const char known[] = "GLSL.std.450";
+    size_t place = instruction[3] < spirv->bound ? spirv->place[instruction[3]] : 0;
+    bool import = place && aob_spirv_op(spirv, place) == AOB_SPIRV_EXT_INST_IMPORT;
+    size_t size = import ? 4 * (aob_spirv_length(spirv, place) - 2) : 0;
+    const char *name = (const char *)(spirv->words + place + 2);
+    return (size >= sizeof known && memcmp(name, known, sizeof known) == 0) ||
+           aob_fail(error,
+                    "instruction %u of %.*s cannot be counted: of the sets of instructions only %s has a "
+                    "table",
+                    instruction[4], import ? (int)size : 15, import ? name : "an unknown set", known);
+}
+
+static bool find_extended(const struct aob_spirv *spirv, const uint32_t *instruction, struct rows *rows,
+                          struct aob_error *error)
+{
+    if (!check_set(spirv, instruction, error))
+        return false;
+    rows->slots = aob_operation_find_extended(instruction[4]);
+    return rows->slots || aob_fail(error,
+                                   "instruction %u of GLSL.std.450 cannot be counted: it has no row in "
+                                   "shader/operation.c",
+                                   instruction[4]);
+}
+
 static bool find_rows(const struct aob_spirv *spirv, size_t place, struct rows *rows, struct aob_error *error)
 {
     uint32_t op = aob_spirv_op(spirv, place), length = aob_spirv_length(spirv, place);
@@ -42,12 +72,9 @@ static bool find_rows(const struct aob_spirv *spirv, size_t place, struct rows *
         return aob_fail(error, "SPIR-V: %s at word %zu has %u words", rows->form->name, place, length);
     if (op != AOB_SPIRV_EXT_INST)
         return true;
-    uint32_t number = length > 4 ? spirv->words[place + 4] : 0;
-    rows->slots = aob_operation_find_extended(number);
-    return rows->slots || aob_fail(error,
-                                   "instruction %u of GLSL.std.450 cannot be counted: it has no row in "
-                                   "shader/operation.c",
-                                   number);
+    if (length < 5)
+        return aob_fail(error, "SPIR-V: OpExtInst at word %zu has %u words", place, length);
+    return find_extended(spirv, spirv->words + place, rows, error);
 }
 
 static void add_use(struct counting *counting, size_t place, uint32_t id)
@@ -58,15 +85,11 @@ static void add_use(struct counting *counting, size_t place, uint32_t id)
     counting->uses[id].place = place;
 }
 
-/* Literals are passed over: a component's number is no id. */
 static void add_uses(struct counting *counting, size_t place, const struct aob_operation *form)
 {
-    uint32_t length = aob_spirv_length(counting->spirv, place), at = operands_at(form);
-    uint32_t last = form->ids ? at + leading_ids(form) : length;
-    for (; at < last; at++)
-        add_use(counting, place, counting->spirv->words[place + at]);
-    for (at++; form->more && at < length; at++)
-        add_use(counting, place, counting->spirv->words[place + at]);
+    uint32_t length = aob_spirv_length(counting->spirv, place), word;
+    for (uint32_t i = 0; (word = aob_operation_value(form, length, i)); i++)
+        add_use(counting, place, counting->spirv->words[place + word]);
 }
 
 static bool read_body(struct counting *counting, struct aob_blocks *blocks, struct aob_error *error)
@@ -113,13 +136,16 @@ static bool is_zero_to_one(const struct aob_spirv *spirv, size_t place)
            aob_spirv_constant_bits(spirv, operands[2], &high) && !low && high == one;
 }
 
-/* Whether a constant operand decides what the instruction takes. */
-static bool is_decided(const struct aob_spirv *spirv, size_t place, const struct aob_operation *slots)
+/* Whether a constant operand decides what the instruction takes. The reciprocal of a uniform divisor is uniform as well. */
+static bool is_decided(const struct counting *counting, size_t place, const struct aob_operation *slots)
 {
+    const struct aob_spirv *spirv = counting->spirv;
+    uint32_t second = aob_spirv_length(spirv, place) > 4 ? spirv->words[place + 4] : 0;
     switch (slots->constant) {
     case AOB_CONSTANT_WHOLE:
+        return aob_spirv_is_constant(spirv, second);
     case AOB_CONSTANT_FLOAT:
-        return aob_spirv_length(spirv, place) > 4 && aob_spirv_is_constant(spirv, spirv->words[place + 4]);
+        return second < spirv->bound && counting->uniform[second];
     case AOB_CONSTANT_RANGE:
         return is_zero_to_one(spirv, place);
     default:
@@ -176,10 +202,12 @@ static void add_slots(struct counting *counting, size_t place, struct aob_operat
     const struct aob_operation *slots = rows.slots;
     if (!slots->alu && !slots->special && !slots->image)
         return;
+    if (counting->uniform[spirv->words[place + 2]])
+        return;
     if (is_product(op) && joins_a_sum(counting, spirv->words[place + 2]))
         return;
     double count = times(spirv, place, slots);
-    if (is_decided(spirv, place, slots)) {
+    if (is_decided(counting, place, slots)) {
         sum->alu += count * decided_slots(spirv, place, slots);
         return;
     }
@@ -203,7 +231,8 @@ bool aob_blocks_init(struct aob_blocks *blocks, const struct aob_spirv *spirv, s
 {
     struct counting counting = {.spirv = spirv,
                                 .uses = AOB_NEW_ARRAY(struct uses, spirv->bound),
-                                .joined = AOB_NEW_ARRAY(bool, spirv->bound)};
+                                .joined = AOB_NEW_ARRAY(bool, spirv->bound),
+                                .uniform = aob_uniform_values(spirv)};
     *blocks = (struct aob_blocks){0};
     bool ok = read_body(&counting, blocks, error);
     if (ok) {
@@ -213,6 +242,7 @@ bool aob_blocks_init(struct aob_blocks *blocks, const struct aob_spirv *spirv, s
         *blocks = (struct aob_blocks){0};
     free(counting.uses);
     free(counting.joined);
+    free(counting.uniform);
     return ok;
 }
 

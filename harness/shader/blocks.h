@@ -11,7 +11,8 @@ struct aob_blocks {
     size_t first; /* number of the block that an invocation begins with: it is run once an invocation */
 };
 
-/* A product that nothing but one sum or difference uses is free, as both are one instruction. False after one line, which
+/* A product that nothing but one sum or difference uses is free, as both are one instruction, and so is what is the same for
+ * all invocations (uniform.h). False after one line, which
  * names the instruction that operation.h does not know; leaves nothing behind then. */
 bool aob_blocks_init(struct aob_blocks *blocks, const struct aob_spirv *spirv, struct aob_error *error);
 void aob_blocks_finish(struct aob_blocks *blocks);

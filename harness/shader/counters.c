@@ -189,7 +189,8 @@ static void put_end(struct writer *writer)
 /* Behind what must come first in a block. */
 static bool is_first_in_block(uint32_t op)
 {
-    return op == AOB_SPIRV_LABEL || op == AOB_SPIRV_PHI || op == AOB_SPIRV_VARIABLE || op == AOB_SPIRV_LINE;
+    return op == AOB_SPIRV_LABEL || op == AOB_SPIRV_PHI || op == AOB_SPIRV_VARIABLE || op == AOB_SPIRV_LINE ||
+           op == AOB_SPIRV_NO_LINE;
 }
 
 static bool ends_invocation(uint32_t op, bool entry)

@@ -217,3 +217,12 @@ const struct aob_operation *aob_operation_find_extended(uint32_t number)
 {
     return find(aob_operations_extended, aob_operations_extended_count, number);
 }
+
+uint32_t aob_operation_value(const struct aob_operation *operation, uint32_t length, uint32_t index)
+{
+    uint32_t ids = operation->ids == AOB_NO_IDS ? 0 : operation->ids, word = operation->no_result ? 1 : 3;
+    word += index;
+    if (operation->ids && index >= ids)
+        word = operation->more ? word + 1 : length; /* behind the literal */
+    return word < length ? word : 0;
+}

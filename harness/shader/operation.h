@@ -39,4 +39,8 @@ extern const size_t aob_operations_count, aob_operations_extended_count;
 /* NULL: it is not in the table. */
 const struct aob_operation *aob_operation_find(uint32_t op);
 const struct aob_operation *aob_operation_find_extended(uint32_t number);
+
+/* The word, within an instruction of `length` words, of its operand number `index` of those that are values; 0: it has no
+ * more of them. Literals are passed over: a component's number is no id. */
+uint32_t aob_operation_value(const struct aob_operation *operation, uint32_t length, uint32_t index);
 #endif

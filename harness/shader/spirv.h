@@ -45,6 +45,7 @@ enum aob_spirv_op {
     AOB_SPIRV_LABEL = 248,
     AOB_SPIRV_KILL = 252,
     AOB_SPIRV_RETURN = 253,
+    AOB_SPIRV_NO_LINE = 317,
     AOB_SPIRV_TERMINATE_INVOCATION = 4416,
 };
 enum {

@@ -92,9 +92,10 @@ static void check_words(const json_t *modelled)
     assert_string_equal(json_string_value(at(blur, "limit", NULL)), "alu");
     assert_string_equal(json_string_value(at(modelled, "frame", "limit")), "alu");
     assert_int_equal(json_object_size(at(ao, "resources", NULL)), 5);
-    assert_int_equal(json_array_size(unverified), 2);
+    assert_int_equal(json_array_size(unverified), 3);
     assert_string_equal(json_string_value(json_array_get(unverified, 0)), "rates.special");
     assert_string_equal(json_string_value(json_array_get(unverified, 1)), "levels.L1.fill");
+    assert_string_equal(json_string_value(json_array_get(unverified, 2)), "levels.L1.size");
 }
 
 static void test_document(void **state)
@@ -104,6 +105,8 @@ static void test_document(void **state)
     struct aob_cache_result result = {.profile = &profile};
     add_pass(&result, "ao");
     add_pass(&result, "blur");
+    aob_cache_result_count(&result, 0, &(struct aob_operations){.alu = 1, .special = 1, .image = 1});
+    assert_false(aob_model_result_known(&result)); /* of one pass of two, and not for good */
     aob_cache_result_count(&result, 0, &(struct aob_operations){.alu = 40000, .special = 10000, .image = 7});
     aob_cache_result_count(&result, 1, &(struct aob_operations){.alu = 300000, .special = 1000, .image = 5});
     json_t *document = aob_cache_result_to_json(&result);

@@ -10,10 +10,19 @@
 #include "shader/blocks.h"
 #include "shader/optimise.h"
 
-static const char head[] = "layout(std140, BIND(0)) uniform B { vec4 a, b; ivec4 i, j; uvec4 u; mat3 m; };\n"
-                           "layout(location = 0) out vec4 o;\n"
-                           "layout(BIND(1)) uniform sampler2D s;\n"
-                           "layout(r32f, BIND(2)) uniform readonly image2D t;\n";
+/* a, b, i, j, u and m are an invocation's own; c, d, k, w and n are the same for all. */
+static const char head[] =
+    "layout(location = 0) flat in vec4 a;\n"
+    "layout(location = 1) flat in vec4 b;\n"
+    "layout(location = 2) flat in ivec4 i;\n"
+    "layout(location = 3) flat in ivec4 j;\n"
+    "layout(location = 4) flat in uvec4 u;\n"
+    "layout(location = 5) flat in mat3 m;\n"
+    "layout(std140, BIND(0)) uniform B { vec4 c, d; ivec4 k; uvec4 w; mat3 n; vec4 l[8]; };\n"
+    "layout(std430, BIND(3)) buffer S { vec4 x[]; };\n"
+    "layout(location = 0) out vec4 o;\n"
+    "layout(BIND(1)) uniform sampler2D s;\n"
+    "layout(r32f, BIND(2)) uniform readonly image2D t;\n";
 
 static struct aob_operations sum_of(const struct aob_blocks *blocks)
 {
@@ -110,7 +119,25 @@ static const struct {
     {"", "textureGather(s, a.xy)", 0, 0, 1},
     {"", "texelFetch(s, i.xy, 0) + texelFetch(s, j.xy, 0)", 4, 0, 2},
     {"", "imageLoad(t, i.xy)", 0, 0, 1},
-    {".xy", "vec2(textureSize(s, 0))", 2, 0, 0},
+    /* The same for all invocations: no one computes it. */
+    {"", "c + d", 0, 0, 0},
+    {".x", "a.x + (c.x * d.x + sqrt(c.y))", 1, 0, 0},
+    {".xy", "a.xy + vec2((k.xy + 1) / 2 - 1)", 2, 0, 0},
+    {".x", "a.x + float(k.x / k.y) + 1.0 / c.x", 2, 0, 0},
+    {".x", "a.x * (n * d.xyz).y", 1, 0, 0},
+    {".x", "a.x + l[k.x].y * 2.0", 1, 0, 0},
+    {".x", "a.x + max(l[i.x & 7].y, c.x)", 3, 0, 0}, /* which one is an invocation's own */
+    {".x", "a.x + max(x[0].y, c.x)", 2, 0, 0},       /* another invocation may have written it */
+    {".x", "a.x * c.x + c.y * d.y", 1, 0, 0},        /* the sum takes the product in that counts */
+    {".x", "a.x * b.x + c.y * d.y", 1, 0, 0},
+    {".x", "a.x / c.x", 1, 0, 0}, /* times its reciprocal */
+    {".x", "c.x / a.x", 1, 1, 0},
+    {".x", "float(i.x / k.x)", 38, 1, 0},
+    {".xy", "vec2(textureSize(s, 0))", 0, 0, 0},
+    {".xy", "a.xy * vec2(textureSize(s, 0) - 1)", 2, 0, 0},
+    {".x", "a.x + textureLod(s, c.xy, 0.0).x * 2.0", 1, 0, 1}, /* an operation on an image always counts */
+    {".x", "mix(c.y, c.z, a.x < c.x) + 1.0", 3, 0, 0},         /* which one is an invocation's own */
+    {".x", "(a.x < c.x ? c.y : c.z) + 1.0", 2, 0, 0}, /* so it is of two branches: a comparison and a sum */
 };
 
 static void test_expressions(void **state)
@@ -143,10 +170,19 @@ static void test_what_is_not_in_the_table(void **state)
                         "instruction 146 of SPIR-V cannot be counted: it has no row in shader/operation.c");
 }
 
+static void assemble(const char *text, spv_binary *binary)
+{
+    spv_context context = spvContextCreate(SPV_ENV_UNIVERSAL_1_5);
+    assert_int_equal(spvTextToBinaryWithOptions(context, text, strlen(text),
+                                                SPV_TEXT_TO_BINARY_OPTION_PRESERVE_NUMERIC_IDS, binary, NULL),
+                     SPV_SUCCESS);
+    spvContextDestroy(context);
+}
+
 /* %1 is a product, and 1 is the number of a component that another instruction takes. */
 static const char literal[] = "OpCapability Shader\n"
                               "OpMemoryModel Logical GLSL450\n"
-                              "OpEntryPoint Fragment %10 \"main\" %11\n"
+                              "OpEntryPoint Fragment %10 \"main\" %11 %24\n"
                               "OpExecutionMode %10 OriginUpperLeft\n"
                               "%12 = OpTypeVoid\n"
                               "%13 = OpTypeFunction %12\n"
@@ -154,11 +190,14 @@ static const char literal[] = "OpCapability Shader\n"
                               "%15 = OpTypeVector %14 2\n"
                               "%16 = OpTypePointer Output %14\n"
                               "%11 = OpVariable %16 Output\n"
+                              "%23 = OpTypePointer Input %15\n"
+                              "%24 = OpVariable %23 Input\n"
                               "%17 = OpConstant %14 3\n"
-                              "%18 = OpConstantComposite %15 %17 %17\n"
                               "%10 = OpFunction %12 None %13\n"
                               "%19 = OpLabel\n"
-                              "%1 = OpFMul %14 %17 %17\n"
+                              "%18 = OpLoad %15 %24\n"
+                              "%25 = OpCompositeExtract %14 %18 0\n"
+                              "%1 = OpFMul %14 %25 %17\n"
                               "%20 = OpFAdd %14 %1 %17\n"
                               "%21 = OpCompositeExtract %14 %18 1\n"
                               "%22 = OpFAdd %14 %20 %21\n"
@@ -173,18 +212,49 @@ static void test_literals_are_no_values(void **state)
     struct aob_spirv spirv;
     struct aob_blocks blocks;
     spv_binary binary = NULL;
-    spv_context context = spvContextCreate(SPV_ENV_UNIVERSAL_1_5);
-    assert_int_equal(spvTextToBinaryWithOptions(context, literal, strlen(literal),
-                                                SPV_TEXT_TO_BINARY_OPTION_PRESERVE_NUMERIC_IDS, &binary,
-                                                NULL),
-                     SPV_SUCCESS);
+    assemble(literal, &binary);
     assert_true(aob_spirv_init(&spirv, binary->code, binary->wordCount, &error));
     assert_true(aob_blocks_init(&blocks, &spirv, &error));
     assert_true(sum_of(&blocks).alu == 2); /* the product is part of the sum that alone uses it */
     aob_blocks_finish(&blocks);
     aob_spirv_finish(&spirv);
     spvBinaryDestroy(binary);
-    spvContextDestroy(context);
+}
+
+/* Instruction 4 of GLSL.std.450 is an absolute value, and free. */
+static const char other_set[] = "OpCapability Shader\n"
+                                "%2 = OpExtInstImport \"OpenCL.std\"\n"
+                                "OpMemoryModel Logical GLSL450\n"
+                                "OpEntryPoint Fragment %10 \"main\" %11\n"
+                                "OpExecutionMode %10 OriginUpperLeft\n"
+                                "%12 = OpTypeVoid\n"
+                                "%13 = OpTypeFunction %12\n"
+                                "%14 = OpTypeFloat 32\n"
+                                "%16 = OpTypePointer Output %14\n"
+                                "%11 = OpVariable %16 Output\n"
+                                "%17 = OpConstant %14 3\n"
+                                "%10 = OpFunction %12 None %13\n"
+                                "%19 = OpLabel\n"
+                                "%20 = OpExtInst %14 %2 asinh %17\n"
+                                "OpStore %11 %20\n"
+                                "OpReturn\n"
+                                "OpFunctionEnd\n";
+
+static void test_another_set(void **state)
+{
+    (void)state;
+    struct aob_error error = {""};
+    struct aob_spirv spirv;
+    struct aob_blocks blocks;
+    spv_binary binary = NULL;
+    assemble(other_set, &binary);
+    assert_true(aob_spirv_init(&spirv, binary->code, binary->wordCount, &error));
+    assert_false(aob_blocks_init(&blocks, &spirv, &error));
+    assert_string_equal(error.text,
+                        "instruction 4 of OpenCL.std cannot be counted: of the sets of instructions "
+                        "only GLSL.std.450 has a table");
+    aob_spirv_finish(&spirv);
+    spvBinaryDestroy(binary);
 }
 
 static void test_words_that_are_not_valid(void **state)
@@ -219,9 +289,11 @@ static void test_cut_words(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_expressions), cmocka_unit_test(test_what_is_not_in_the_table),
-        cmocka_unit_test(test_literals_are_no_values), cmocka_unit_test(test_words_that_are_not_valid),
-        cmocka_unit_test(test_cut_words)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_expressions),
+                                       cmocka_unit_test(test_what_is_not_in_the_table),
+                                       cmocka_unit_test(test_literals_are_no_values),
+                                       cmocka_unit_test(test_another_set),
+                                       cmocka_unit_test(test_words_that_are_not_valid),
+                                       cmocka_unit_test(test_cut_words)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
