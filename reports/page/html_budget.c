@@ -49,6 +49,17 @@ static void add_where(struct aob_text *page, const struct aob_answer_view *view)
     aob_text_add(page, "</td>");
 }
 
+static void add_chip(struct aob_text *page, enum aob_fit fit)
+{
+    static const struct {
+        const char *class_name, *text;
+    } chips[AOB_FIT_COUNT] = {[AOB_FIT_OVER] = {"failed", "over"},
+                              [AOB_FIT_POINT] = {"invalid", "its point only"},
+                              [AOB_FIT_WHOLE] = {"ok", "fits"}};
+    aob_text_add(page, "<td class=room><span class=\"chip %s\">%s</span> ", chips[fit].class_name,
+                 chips[fit].text);
+}
+
 /* What is chosen, else what is nearest. */
 static void add_row(struct aob_text *page, const struct aob_answer *answer,
                     const struct aob_answer_view *view)
@@ -76,8 +87,7 @@ static void add_row(struct aob_text *page, const struct aob_answer *answer,
     if (answer->ask.profile)
         add_interval(page, &modelled);
     add_bar(page, candidate, answer->ask.ms);
-    aob_text_add(page, "<td><span class=\"chip %s\">%s</span> ", fits ? "ok" : "failed",
-                 fits ? "fits" : "over");
+    add_chip(page, aob_candidate_fit(candidate, answer->ask.ms));
     add_text(page, &room);
     aob_text_add(page, "</td></tr>\n");
     aob_text_finish(&room);
@@ -141,7 +151,7 @@ static void add_opening(struct aob_text *page, const struct aob_budget *budget, 
     aob_answer_print_frame(ask, budget, frame, &said);
     aob_text_add(page, "<section id=budget><h2>Budget <small>");
     aob_html_escape(page, budget->title);
-    aob_text_add(page, "</small></h2>\n<p class=soft>");
+    aob_text_add(page, "</small></h2>\n<p class=soft>Source: ");
     aob_html_escape(page, budget->source);
     aob_text_add(page, ". %s A case fits if the upper end of its cost does, ", said.data);
     if (budget->device) {
