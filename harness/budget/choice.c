@@ -27,6 +27,12 @@ static bool is_cheaper(const struct aob_candidate *a, const struct aob_candidate
     return a->ms != b->ms ? a->ms < b->ms : a->error < b->error;
 }
 
+/* By the end that decides whether a case fits. */
+static bool is_nearer(const struct aob_candidate *a, const struct aob_candidate *b)
+{
+    return a->high != b->high ? a->high < b->high : is_cheaper(a, b);
+}
+
 /* The place of the better one of the best so far and the next of the list. */
 static size_t better(const struct aob_candidate *list, size_t best, size_t next,
                      bool (*is_better)(const struct aob_candidate *, const struct aob_candidate *))
@@ -46,7 +52,7 @@ void aob_choice_make(struct aob_choice *choice, const struct aob_candidate *list
             choice->hopeful = better(list, choice->hopeful, i, is_more_accurate);
         if (list[i].error <= error)
             choice->cheap = better(list, choice->cheap, i, is_cheaper);
-        choice->least = better(list, choice->least, i, is_cheaper);
+        choice->least = better(list, choice->least, i, is_nearer);
     }
     bool settled = choice->hopeful != AOB_NO_CANDIDATE && choice->accurate != AOB_NO_CANDIDATE &&
                    list[choice->accurate].error <= list[choice->hopeful].error;

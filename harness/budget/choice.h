@@ -31,7 +31,8 @@ struct aob_choice {
     size_t accurate; /* the most accurate of those that fit */
     size_t hopeful;  /* the most accurate of those whose point alone fits, if it is more accurate than that */
     size_t cheap;    /* the cheapest of those whose error is at most `error`, whether or not it fits */
-    size_t least;    /* the cheapest of all: what is nearest to the budget where nothing fits */
+    size_t
+        least; /* the one of the lowest upper end, and of equal ones the cheapest: what is nearest to fitting */
 };
 
 /* `error` INFINITY: any error will do. */

@@ -1,8 +1,11 @@
 #include "budget/budget.h"
 #include <math.h>
-#include <string.h>
+#include <stdlib.h>
 #include "base/json.h"
+#include "base/memory.h"
+#include "base/shelf.h"
 #include "base/text.h"
+#include "budget_reason.h"
 #include "budget_table.h"
 #include "command.h"
 #include "reports/page/answer_text.h"
@@ -33,7 +36,7 @@ struct asking {
     struct aob_budget budget; /* zero without one */
     struct aob_rows rows;
     struct aob_ask ask;
-    struct aob_interval frame; /* G-buffer and composite */
+    char *profile; /* of --profile, as records call it; NULL without */
 };
 
 static bool read_number(const char *flag, const char *text, double low, double high, double *value,
@@ -57,6 +60,34 @@ static bool read_budget(struct asking *asking, struct aob_error *error)
     return true;
 }
 
+static bool refuse_empty(const char *flag, const char *text, struct aob_error *error)
+{
+    return !text || *text || aob_fail(error, "--%s: is empty", flag);
+}
+
+static bool read_texts(struct asking *asking, struct aob_error *error)
+{
+    const struct options *o = asking->options;
+    if (!refuse_empty("scene", o->scene, error) || !refuse_empty("profile", o->profile, error))
+        return false;
+    asking->ask.scene = o->scene;
+    if (o->profile)
+        asking->ask.profile = asking->profile =
+            aob_shelf_is_path(o->profile) ? aob_shelf_name(o->profile) : aob_strdup(o->profile);
+    return true;
+}
+
+/* The slice itself, whatever the frame is. */
+static bool read_slice(struct asking *asking, struct aob_error *error)
+{
+    struct aob_ask *ask = &asking->ask;
+    if (!asking->options->ms)
+        return ask->budget ||
+               aob_fail(error, "budget: say how much time there is, as --ms 2 or --budget NAME");
+    ask->budget = NULL;
+    return read_number("ms", asking->options->ms, 1e-6, 1e6, &ask->ms, error);
+}
+
 /* The budget first, then the flags, which stand in place of its words. */
 static bool read_ask(struct asking *asking, struct aob_error *error)
 {
@@ -66,97 +97,20 @@ static bool read_ask(struct asking *asking, struct aob_error *error)
         return false;
     *ask = asking->budget.name ? aob_ask_of(&asking->budget)
                                : (struct aob_ask){.ms = NAN, .error = INFINITY, .radius = NAN};
-    ask->scene = o->scene;
-    if (o->profile)
-        ask->profile = o->profile;
-    asking->frame = aob_ask_frame(ask, &asking->rows);
-    if (asking->budget.name)
-        aob_ask_take_frame(ask, &asking->budget, &asking->frame);
-    if (!read_number("ms", o->ms, 1e-6, 1e6, &ask->ms, error) ||
-        !read_number("error", o->error, 0, 1, &ask->error, error) ||
-        !read_number("target", o->target, 1e-6, INFINITY, &ask->radius, error))
-        return false;
-    return isfinite(ask->ms) ||
-           aob_fail(error, "budget: say how much time there is, as --ms 2 or --budget NAME");
+    return read_texts(asking, error) && read_slice(asking, error) &&
+           read_number("error", o->error, 0, 1, &ask->error, error) &&
+           read_number("target", o->target, 1e-6, INFINITY, &ask->radius, error);
 }
 
-/* Whether some good row has what is asked for. */
-static bool any_row(const struct asking *asking, bool (*has)(const struct aob_ask *, const struct aob_row *))
+static void print_budget(const struct asking *asking, const struct aob_answer *answer, struct aob_text *out)
 {
-    bool any = false;
-    for (size_t i = 0; i < asking->rows.count && !any; i++)
-        any = aob_row_is_ok(&asking->rows.list[i]) && has(&asking->ask, &asking->rows.list[i]);
-    return any;
-}
-
-static bool has_scene(const struct aob_ask *ask, const struct aob_row *row)
-{
-    return !ask->scene || strcmp(ask->scene, row->scene) == 0;
-}
-
-static bool has_size(const struct aob_ask *ask, const struct aob_row *row)
-{
-    return !ask->width || (ask->width == row->width && ask->height == row->height);
-}
-
-static bool has_cost(const struct aob_ask *ask, const struct aob_row *row)
-{
-    struct aob_interval cost =
-        ask->profile ? aob_costs_modelled(row->json, ask->profile) : aob_costs_measured(row->json);
-    return isfinite(cost.at);
-}
-
-static bool fail_cost(const struct asking *asking, const char *folder, struct aob_error *error)
-{
-    const char *profile = asking->ask.profile;
-    if (!profile)
-        return aob_fail(error, "%s: no case was timed: run it with measure: {time: true}, or give --profile",
-                        folder);
-    return aob_fail(
-        error,
-        "%s: no case has a time modelled on '%s': put measure: {cache: [%s]} into its config and run "
-        "it again; the profile needs rates",
-        folder, profile, profile);
-}
-
-static bool fail_target(const struct asking *asking, const char *folder, struct aob_error *error)
-{
-    struct aob_text known = {0};
-    for (size_t i = 0; i < asking->rows.target_count; i++)
-        aob_text_add(&known, "%s%g", i ? ", " : "", asking->rows.targets[i].radius);
-    aob_fail(error, "%s: no case of these has an error against the target %g; the radii are %s", folder,
-             asking->ask.radius, known.data ? known.data : "none");
-    aob_text_finish(&known);
-    return false;
-}
-
-/* Why nothing can be answered, of the flag that is to blame. */
-static bool judge(const struct asking *asking, const struct aob_answer *answer, struct aob_error *error)
-{
-    const char *folder = asking->rows.runs[0].folder;
-    const struct aob_ask *ask = &asking->ask;
-    if (!any_row(asking, has_scene))
-        return aob_fail(error, "%s: no good case of %s%s", folder, ask->scene ? "the scene " : "any scene",
-                        ask->scene ? ask->scene : "");
-    if (!any_row(asking, has_size))
-        return aob_fail(error, "%s: no good case of %dx%d, which the budget '%s' is about", folder,
-                        ask->width, ask->height, asking->budget.name);
-    if (!any_row(asking, has_cost))
-        return fail_cost(asking, folder, error);
-    if (!asking->rows.target_count)
-        return aob_fail(error, "%s: no case has an error: run it with measure: {error: true}", folder);
-    return answer->view_count || fail_target(asking, folder, error);
-}
-
-static void print_budget(const struct asking *asking, struct aob_text *out)
-{
-    struct aob_text frame = {0};
     aob_text_add_line(out, "%s: %s (%s)", asking->budget.name, asking->budget.title, asking->budget.source);
-    if (asking->options->ms) /* the slice itself, whatever the frame is */
-        return;
-    aob_answer_print_frame(&asking->ask, &asking->budget, &asking->frame, &frame);
-    aob_text_add_line(out, "%s", frame.data);
-    aob_text_finish(&frame);
+    for (size_t i = 0; i < answer->frame_count && asking->ask.budget; i++) {
+        struct aob_text frame = {0};
+        aob_answer_print_frame(answer, &answer->frames[i], &frame);
+        aob_text_add_line(out, "%s", frame.data);
+        aob_text_finish(&frame);
+    }
 }
 
 static bool write_answer(struct asking *asking, const struct aob_answer *answer, struct aob_text *out,
@@ -165,14 +119,13 @@ static bool write_answer(struct asking *asking, const struct aob_answer *answer,
     const struct aob_common *common = &asking->options->common;
     if (aob_common_speaks(common)) {
         if (asking->budget.name)
-            print_budget(asking, out);
+            print_budget(asking, answer, out);
         aob_budget_table_print(answer, out);
     }
     if (!common->json)
         return true;
     json_t *document = aob_budget_answer_to_json(answer);
     json_object_set_new(document, "run", aob_json_text(asking->rows.runs[0].folder));
-    json_object_set_new(document, "frame_ms", aob_interval_to_json(&asking->frame));
     json_object_set_new(document, "budget",
                         asking->budget.name ? aob_budget_to_json(&asking->budget) : json_null());
     bool ok = aob_json_write(document, common->json, error);
@@ -180,24 +133,16 @@ static bool write_answer(struct asking *asking, const struct aob_answer *answer,
     return ok;
 }
 
-/* A plan that is not known may be incomplete. */
-static bool is_whole(const struct aob_rows *rows)
-{
-    size_t ok = 0;
-    for (size_t i = 0; i < rows->count; i++)
-        ok += aob_row_is_ok(&rows->list[i]);
-    return rows->runs[0].planned && ok >= rows->runs[0].planned;
-}
-
 static enum aob_exit answer_all(struct asking *asking, struct aob_text *out, struct aob_error *error)
 {
     struct aob_answer answer;
     aob_answer_make(&answer, &asking->rows, &asking->ask);
-    bool ok = judge(asking, &answer, error) && write_answer(asking, &answer, out, error);
-    enum aob_exit code = !ok                         ? AOB_EXIT_USAGE
-                         : !aob_answer_fits(&answer) ? AOB_EXIT_BAD
-                         : !is_whole(&asking->rows)  ? AOB_EXIT_PART
-                                                     : AOB_EXIT_OK;
+    bool ok =
+        aob_budget_judge(&asking->rows, &asking->ask, error) && write_answer(asking, &answer, out, error);
+    enum aob_exit code = !ok                             ? AOB_EXIT_USAGE
+                         : !aob_answer_fits(&answer)     ? AOB_EXIT_BAD
+                         : !aob_answer_is_whole(&answer) ? AOB_EXIT_PART
+                                                         : AOB_EXIT_OK;
     aob_answer_finish(&answer);
     return code;
 }
@@ -260,6 +205,7 @@ static enum aob_exit budget(void *from, struct aob_error *error)
         code = answer_all(&asking, &o->common.out, error);
     aob_rows_finish(&asking.rows);
     aob_budget_finish(&asking.budget);
+    free(asking.profile);
     return code;
 }
 

@@ -1,5 +1,5 @@
 /* The best cases against a budget while a run goes on: of each scene, view, size, backend and target the most accurate one
- * so far that fits. */
+ * so far that fits, beside the G-buffer and composite that are known so far. */
 #ifndef AOB_RUN_BEST_H
 #define AOB_RUN_BEST_H
 #include <jansson.h>
@@ -10,10 +10,13 @@
 enum { AOB_BEST_SHOWN = 3 };
 
 struct aob_best {
-    struct aob_ask *ask;            /* NULL: there is no budget, and nothing is kept */
-    struct aob_table places;        /* of the entries */
-    struct aob_best_entry *entries; /* private, like the two above */
-    size_t count, capacity;
+    struct aob_ask *ask;                /* NULL: there is no budget, and nothing is kept */
+    struct aob_table frames_by, places; /* of the frames and the entries */
+    struct aob_best_frame *frames;
+    struct aob_best_entry *entries; /* private, like the others above */
+    size_t frame_count, frame_capacity, count, capacity;
+    char **cases; /* what they are called, whose numbers candidates have */
+    size_t case_count, case_capacity;
     /* What fits the last case's scene and view best so far, a line for each of its first targets; the others are empty. */
     struct aob_text lines[AOB_BEST_SHOWN];
 };

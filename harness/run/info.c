@@ -75,3 +75,25 @@ void aob_run_info_ask(json_t *info, const struct aob_plan *plan)
 {
     json_object_set_new(info, "asked", keys_to_json(plan));
 }
+
+/* With as many digits as run.json has; free() it. NULL: there is no budget. */
+static char *budget_text(const json_t *info)
+{
+    const json_t *budget = json_object_get(info, "budget");
+    return budget ? json_dumps(budget, JSON_SORT_KEYS | JSON_REAL_PRECISION(6)) : NULL;
+}
+
+/* Only a run that has come to its end says its seconds. */
+bool aob_run_info_has_page(const json_t *info, const char *folder)
+{
+    char *path = aob_path_join(folder, "run.json");
+    json_t *earlier = json_load_file(path, 0, NULL);
+    char *then = budget_text(earlier), *now = budget_text(info);
+    bool same = then && now ? strcmp(then, now) == 0 : then == now;
+    bool has = json_object_get(earlier, "seconds") && same;
+    json_decref(earlier);
+    free(then);
+    free(now);
+    free(path);
+    return has;
+}

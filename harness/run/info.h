@@ -13,4 +13,8 @@ json_t *aob_run_info_create(const struct aob_sweep *sweep, const struct aob_disp
 
 /* Adds `asked`: the keys of a plan that a filter has cut. Without it, all keys are asked for. */
 void aob_run_info_ask(json_t *info, const struct aob_plan *plan);
+
+/* Whether the run in a folder, by its run.json there, has ended with what its page shows of `info`: the page has the same
+ * budget. A run that was stopped, or drew no page, has not. */
+bool aob_run_info_has_page(const json_t *info, const char *folder);
 #endif

@@ -27,6 +27,7 @@ struct run {
     struct aob_run_folder folder;
     struct aob_progress progress;
     struct aob_best best;  /* against the budget */
+    bool has_page;         /* the run before in this folder has drawn it, with this budget */
     json_t *info;          /* what run.json says (info.h); at the end with the seconds */
     size_t stored;         /* records of this time */
     size_t counts[4];      /* by status, in status_names' order, of the cases in this run's plan */
@@ -83,6 +84,7 @@ static bool open_folder(struct run *run, struct aob_error *error)
         run->desc->out ? aob_strdup(run->desc->out) : aob_path_join("results", run->sweep.config.name);
     /* The document may go there too; an earlier run is discarded only when it can be written. */
     const struct aob_config *config = &run->sweep.config;
+    run->has_page = aob_run_info_has_page(run->info, path);
     bool ok = aob_folder_create(path, error) && aob_json_check(run->desc->json, error) &&
               aob_run_folder_open(&run->folder, path, run->info, run->desc->fresh, error) &&
               aob_run_folder_keep_config(&run->folder, config->text, config->size, error);
@@ -288,12 +290,13 @@ static json_t *shares_to_json(const struct run *run, double report_s)
                      s->warmup, "reference", s->reference, "images", s->images, "report", report_s);
 }
 
-/* A run that measured nothing has the page of the one that did, unless that was stopped before it drew one. */
+/* A run that measured nothing has the page of the one that did, unless that was stopped before it drew one or had another
+ * budget. */
 static bool page_stands(const struct run *run, const char *report)
 {
     struct stat page_stat, journal_stat;
     char *page = aob_path_join(report, "index.html");
-    bool stands = !run->stored && stat(page, &page_stat) == 0 &&
+    bool stands = !run->stored && run->has_page && stat(page, &page_stat) == 0 &&
                   stat(run->folder.journal_path, &journal_stat) == 0 &&
                   page_stat.st_mtime >= journal_stat.st_mtime;
     free(page);

@@ -115,13 +115,53 @@ static bool read_budget(struct aob_sweep *sweep, struct aob_error *error)
     return ok;
 }
 
+static bool has_rates(const struct aob_plan *plan, const char *device)
+{
+    bool rates = false;
+    for (size_t i = 0; i < plan->profile_count; i++)
+        rates = rates || (plan->profiles[i].rates && strcmp(plan->profiles[i].name, device) == 0);
+    return rates;
+}
+
+static bool has_size(const struct aob_plan *plan, int width, int height)
+{
+    bool size = false;
+    for (size_t i = 0; i < plan->case_count && !size; i++)
+        size = plan->cases[i].width == width && plan->cases[i].height == height;
+    return size;
+}
+
+/* What no case of the plan can have is known before the first one is measured. It is no error: the cases are worth as much
+ * without the budget. */
+static void warn_of_budget(const struct aob_sweep *sweep)
+{
+    const struct aob_budget *budget = &sweep->budget;
+    const struct aob_value *value = &sweep->config.budget;
+    struct aob_error line = {{0}};
+    if (budget->device && !has_rates(&sweep->plan, budget->device))
+        aob_fail(
+            &line,
+            "the budget is of '%s', and no time will be modelled on that: name a profile of it with rates, "
+            "as measure: {cache: [%s]}, or give the budget another device",
+            budget->device, budget->device);
+    else if (budget->width && !has_size(&sweep->plan, budget->width, budget->height))
+        aob_fail(&line, "the budget is of %dx%d, and no case has that size: add it to the resolutions",
+                 budget->width, budget->height);
+    else
+        return;
+    aob_config_fail_at(&sweep->config, value->line, value->column, &line);
+    aob_warn("%s", line.text);
+}
+
 bool aob_sweep_expand(struct aob_sweep *sweep, const struct aob_dispatch *dispatch, struct aob_error *error)
 {
     bool ok = read_budget(sweep, error) && describe(sweep, dispatch, error) &&
               aob_captures_load(&sweep->config, dispatch, error) &&
               aob_plan_create(&sweep->plan, &sweep->config, &sweep->techniques, error);
-    if (ok)
+    if (ok) {
         warn_of_units(sweep);
+        warn_of_budget(sweep);
+    }
     return ok;
 }
 

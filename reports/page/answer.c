@@ -6,66 +6,62 @@
 #include "base/table.h"
 #include "base/text.h"
 
-struct aob_ask aob_ask_of(const struct aob_budget *budget)
-{
-    return (struct aob_ask){.ms = aob_budget_left(budget, 0),
-                            .error = budget->error,
-                            .profile = budget->device,
-                            .radius = NAN,
-                            .width = budget->width,
-                            .height = budget->height};
-}
-
-bool aob_ask_has(const struct aob_ask *ask, const json_t *record)
-{
-    bool scene = !ask->scene || strcmp(ask->scene, aob_member_text(record, "scene")) == 0;
-    bool size = !ask->width || (aob_member_number(record, "width") == ask->width &&
-                                aob_member_number(record, "height") == ask->height);
-    return scene && size && strcmp(aob_member_text(record, "status"), "ok") == 0;
-}
-
-static bool is_of(const json_t *record, const char *technique)
-{
-    return strcmp(aob_member_text(record, "technique"), technique) == 0;
-}
-
-bool aob_ask_may_choose(const json_t *record)
-{
-    return !is_of(record, "none") && !is_of(record, "deferred");
-}
-
-struct aob_interval aob_ask_frame(const struct aob_ask *ask, const struct aob_rows *rows)
-{
-    struct aob_interval frame = {NAN, 0, 0};
-    for (size_t i = 0; i < rows->count; i++) {
-        const json_t *record = rows->list[i].json;
-        struct aob_interval own = aob_ask_cost(ask, record);
-        if (!is_of(record, "deferred") || !aob_ask_has(ask, record) || !isfinite(own.at))
-            continue;
-        frame = (struct aob_interval){fmax(frame.at, own.at), fmax(frame.low, own.low),
-                                      fmax(frame.high, own.high)};
-    }
-    return frame;
-}
-
-void aob_ask_take_frame(struct aob_ask *ask, const struct aob_budget *budget,
-                        const struct aob_interval *frame)
-{
-    if (isfinite(frame->at))
-        ask->ms = aob_budget_left(budget, isfinite(frame->high) ? frame->high : frame->at);
-}
-
-struct aob_interval aob_ask_cost(const struct aob_ask *ask, const json_t *record)
-{
-    return ask->profile ? aob_costs_modelled(record, ask->profile) : aob_costs_measured(record);
-}
-
 /* While an answer is made: numbers of texts. */
 struct making {
     struct aob_answer *answer;
-    struct aob_table views, wholes, settings;
-    size_t setting; /* of the row that is taken */
+    struct aob_table frames, places, views, wholes, settings;
+    size_t *place_of; /* of each row that is asked for */
+    size_t setting;   /* of the row that is taken */
 };
+
+static size_t find_frame(struct making *making, const struct aob_row *row)
+{
+    struct aob_answer *answer = making->answer;
+    struct aob_text text = {0};
+    aob_text_add(&text, "%zu %dx%d %s", row->run, row->width, row->height, row->backend);
+    size_t frame = aob_table_put(&making->frames, text.data, answer->frame_count);
+    if (frame == answer->frame_count)
+        *AOB_PUSH(answer->frames, answer->frame_count, answer->frame_capacity) =
+            (struct aob_answer_frame){.first = row, .cost = AOB_NO_FRAME};
+    aob_text_finish(&text);
+    return frame;
+}
+
+static size_t find_place(struct making *making, const struct aob_row *row)
+{
+    struct aob_answer *answer = making->answer;
+    struct aob_text text = {0};
+    aob_text_add(&text, "%zu %dx%d %s", row->section, row->width, row->height, row->backend);
+    size_t place = aob_table_put(&making->places, text.data, answer->place_count);
+    if (place == answer->place_count) {
+        size_t frame = find_frame(making, row);
+        answer->frames[frame].places++;
+        *AOB_PUSH(answer->places, answer->place_count, answer->place_capacity) =
+            (struct aob_answer_place){.first = row, .frame = frame};
+    }
+    aob_text_finish(&text);
+    return place;
+}
+
+static void count_case(struct aob_answer_cases *cases, const char *status)
+{
+    cases->ok += strcmp(status, "ok") == 0;
+    cases->unsupported += strcmp(status, "unsupported") == 0;
+    cases->invalid += strcmp(status, "invalid") == 0;
+    cases->failed += strcmp(status, "failed") == 0;
+}
+
+/* The time that there is must be known before anything is judged. */
+static void take_place(struct making *making, size_t at)
+{
+    struct aob_answer *answer = making->answer;
+    const struct aob_row *row = &answer->rows->list[at];
+    making->place_of[at] = find_place(making, row);
+    struct aob_answer_place *place = &answer->places[making->place_of[at]];
+    count_case(&place->cases, row->status);
+    count_case(&answer->cases, row->status);
+    aob_ask_take_frame(&answer->ask, row->json, &answer->frames[place->frame].cost);
+}
 
 /* What two cases of one setting have in common: the build of the technique, and every value. */
 static size_t number_setting(struct making *making, const struct aob_row *row)
@@ -82,30 +78,40 @@ static size_t number_setting(struct making *making, const struct aob_row *row)
     return number;
 }
 
-static size_t find_whole(struct making *making, const struct aob_row *row, size_t target)
+static size_t find_whole(struct making *making, size_t frame, size_t target)
 {
     struct aob_answer *answer = making->answer;
     struct aob_text text = {0};
-    aob_text_add(&text, "%zu %zu %dx%d %s", row->run, target, row->width, row->height, row->backend);
+    aob_text_add(&text, "%zu %zu", frame, target);
     size_t place = aob_table_put(&making->wholes, text.data, answer->whole_count);
     if (place == answer->whole_count)
         *AOB_PUSH(answer->wholes, answer->whole_count, answer->whole_capacity) =
-            (struct aob_answer_whole){.first = row, .target = target};
+            (struct aob_answer_whole){.first = answer->frames[frame].first,
+                                      .target = target,
+                                      .frame = frame,
+                                      .ms = answer->frames[frame].ms};
     aob_text_finish(&text);
     return place;
 }
 
-static struct aob_answer_view *find_view(struct making *making, const struct aob_row *row, size_t target)
+static struct aob_answer_view *find_view(struct making *making, size_t at, size_t target)
 {
     struct aob_answer *answer = making->answer;
+    size_t place = making->place_of[at], frame = answer->places[place].frame;
     struct aob_text text = {0};
-    aob_text_add(&text, "%zu %zu %dx%d %s", row->section, target, row->width, row->height, row->backend);
-    size_t place = aob_table_put(&making->views, text.data, answer->view_count);
-    if (place == answer->view_count)
-        *AOB_PUSH(answer->views, answer->view_count, answer->view_capacity) = (struct aob_answer_view){
-            .first = row, .target = target, .whole = find_whole(making, row, target)};
+    aob_text_add(&text, "%zu %zu", place, target);
+    size_t view = aob_table_put(&making->views, text.data, answer->view_count);
+    if (view == answer->view_count) {
+        answer->places[place].questions++;
+        *AOB_PUSH(answer->views, answer->view_count, answer->view_capacity) =
+            (struct aob_answer_view){.first = &answer->rows->list[at],
+                                     .target = target,
+                                     .place = place,
+                                     .whole = find_whole(making, frame, target),
+                                     .ms = answer->frames[frame].ms};
+    }
     aob_text_finish(&text);
-    return &answer->views[place];
+    return &answer->views[view];
 }
 
 static void take_case(struct making *making, struct aob_answer_view *view, size_t at, double error)
@@ -134,17 +140,17 @@ static void take_row(struct making *making, size_t at)
                error = aob_costs_error(score->json);
         if (!isfinite(error) || (!isnan(ask->radius) && (float)radius != (float)ask->radius))
             continue;
-        struct aob_answer_view *view = find_view(making, row, score->target);
-        if (is_of(row->json, "none"))
+        struct aob_answer_view *view = find_view(making, at, score->target);
+        if (strcmp(row->name, "none") == 0)
             *AOB_PUSH(view->nones, view->none_count, view->none_capacity) = at;
         else if (aob_ask_may_choose(row->json))
             take_case(making, view, at, error);
     }
 }
 
-static void choose(struct aob_answer_view *view, const struct aob_ask *ask)
+static void choose(struct aob_answer_view *view, double error)
 {
-    aob_choice_make(&view->choice, view->list, view->count, ask->ms, ask->error);
+    aob_choice_make(&view->choice, view->list, view->count, view->ms, error);
     view->front = AOB_NEW_ARRAY(size_t, view->count + 1);
     view->front_count = aob_front_find(view->list, view->count, view->front);
 }
@@ -176,24 +182,42 @@ static void choose_setting(struct aob_answer *answer, size_t place)
     struct aob_candidate *all = gather(answer, place, &count);
     whole->list = AOB_NEW_ARRAY(struct aob_candidate, count + 1);
     whole->count = aob_worst_find(all, count, whole->views, whole->list);
-    aob_choice_make(&whole->choice, whole->list, whole->count, answer->ask.ms, answer->ask.error);
+    aob_choice_make(&whole->choice, whole->list, whole->count, whole->ms, answer->ask.error);
     free(all);
+}
+
+/* Which cases are missing is known by their keys alone, so a scene that is asked for may have any of them. */
+static void take_places(struct making *making)
+{
+    struct aob_answer *answer = making->answer;
+    const struct aob_rows *rows = answer->rows;
+    for (size_t i = 0; i < rows->count; i++)
+        if (aob_ask_is_about(&answer->ask, rows->list[i].json))
+            take_place(making, i);
+    for (size_t i = 0; i < rows->run_count; i++)
+        answer->cases.missing += rows->runs[i].missing;
+    for (size_t i = 0; i < answer->frame_count; i++)
+        answer->frames[i].ms = aob_ask_ms(&answer->ask, &answer->frames[i].cost);
 }
 
 void aob_answer_make(struct aob_answer *answer, const struct aob_rows *rows, const struct aob_ask *ask)
 {
     *answer = (struct aob_answer){.rows = rows, .ask = *ask};
-    struct making making = {.answer = answer};
+    struct making making = {.answer = answer, .place_of = AOB_NEW_ARRAY(size_t, rows->count + 1)};
+    take_places(&making);
     for (size_t i = 0; i < rows->count; i++)
         if (aob_ask_has(ask, rows->list[i].json))
             take_row(&making, i);
     for (size_t i = 0; i < answer->view_count; i++)
-        choose(&answer->views[i], ask);
+        choose(&answer->views[i], ask->error);
     for (size_t i = 0; i < answer->whole_count; i++)
         choose_setting(answer, i);
+    aob_table_finish(&making.frames);
+    aob_table_finish(&making.places);
     aob_table_finish(&making.views);
     aob_table_finish(&making.wholes);
     aob_table_finish(&making.settings);
+    free(making.place_of);
 }
 
 void aob_answer_finish(struct aob_answer *answer)
@@ -205,6 +229,8 @@ void aob_answer_finish(struct aob_answer *answer)
     }
     for (size_t i = 0; i < answer->whole_count; i++)
         free(answer->wholes[i].list);
+    free(answer->frames);
+    free(answer->places);
     free(answer->views);
     free(answer->wholes);
     *answer = (struct aob_answer){0};
@@ -219,7 +245,7 @@ const struct aob_row *aob_answer_none(const struct aob_answer *answer, const str
         if (json_equal(options, json_object_get(none->json, "options")))
             return none;
     }
-    return view->none_count ? &answer->rows->list[view->nones[0]] : NULL;
+    return NULL;
 }
 
 bool aob_answer_fits(const struct aob_answer *answer)
@@ -230,4 +256,13 @@ bool aob_answer_fits(const struct aob_answer *answer)
     for (size_t i = 0; i < answer->whole_count; i++)
         all = all && answer->wholes[i].choice.accurate != AOB_NO_CANDIDATE;
     return all;
+}
+
+bool aob_answer_is_whole(const struct aob_answer *answer)
+{
+    const struct aob_answer_cases *c = &answer->cases;
+    bool planned = true;
+    for (size_t i = 0; i < answer->rows->run_count; i++)
+        planned = planned && answer->rows->runs[i].planned;
+    return planned && !(c->unsupported + c->invalid + c->failed + c->missing);
 }

@@ -2,42 +2,38 @@
  * all scenes and views of one target which setting. Errors against two targets never stand beside each other. */
 #ifndef AOB_REPORTS_PAGE_ANSWER_H
 #define AOB_REPORTS_PAGE_ANSWER_H
-#include "budget/budget.h"
+#include "ask.h"
 #include "budget/choice.h"
-#include "costs.h"
 #include "rows.h"
 
-struct aob_ask {
-    double ms;           /* for ambient occlusion */
-    double error;        /* that will do; INFINITY: any */
-    const char *profile; /* that modelled times are judged on; NULL: times measured here are judged */
-    const char *scene;   /* NULL: all */
-    double radius;       /* of the targets, scene units; NAN: all */
-    int width, height;   /* 0: all */
+/* Cases by what came of them. */
+struct aob_answer_cases {
+    size_t ok, unsupported, invalid, failed;
+    size_t missing; /* planned, and not in the journal */
 };
 
-/* What a budget asks of all scenes and targets; its texts belong to the budget. */
-struct aob_ask aob_ask_of(const struct aob_budget *budget);
+/* What all questions of one run, backend and size share: the time that there is. */
+struct aob_answer_frame {
+    const struct aob_row *first;
+    struct aob_interval cost; /* of G-buffer and composite; at NAN: not known (aob_ask_take_frame) */
+    double ms;                /* for ambient occlusion; 0 or less: nothing is left */
+    size_t places;            /* scenes and views that have cases there, good or not */
+};
 
-/* The dearest G-buffer and composite that the rows have of what is asked: its point and ends are the largest of all cases of
- * the module `deferred`. Not known: none was measured or modelled. */
-struct aob_interval aob_ask_frame(const struct aob_ask *ask, const struct aob_rows *rows);
-
-/* Takes that off what the budget's frame leaves: by the upper end, or the point where there is no interval. */
-void aob_ask_take_frame(struct aob_ask *ask, const struct aob_budget *budget,
-                        const struct aob_interval *frame);
-
-/* Of a record: whether its case is good and of the scene and size that are asked for; whether it may be chosen, which
- * `none` (the floor of a cost) and `deferred` (G-buffer and composite) may not; and the cost that is judged. */
-bool aob_ask_has(const struct aob_ask *ask, const json_t *record);
-bool aob_ask_may_choose(const json_t *record);
-struct aob_interval aob_ask_cost(const struct aob_ask *ask, const json_t *record);
+/* One scene and view there. */
+struct aob_answer_place {
+    const struct aob_row *first;
+    size_t frame; /* its place among the answer's */
+    struct aob_answer_cases cases;
+    size_t questions; /* answered, one a target; 0: no good case has an error that is asked for */
+};
 
 /* One scene and view at one size on one backend, against one target. Candidates are the good cases that may be chosen. */
 struct aob_answer_view {
     const struct aob_row *first; /* of its rows: says scene, view, backend and size */
     size_t target;               /* its place among the rows' */
-    size_t whole;                /* its place among the answer's wholes */
+    size_t place, whole;         /* their places among the answer's */
+    double ms;                   /* of its frame */
     struct aob_candidate
         *list; /* costs are those that are judged; `of` is the row's place, `view` a number in its whole */
     size_t count, capacity;
@@ -53,7 +49,9 @@ struct aob_answer_view {
 struct aob_answer_whole {
     const struct aob_row *first;
     size_t target;
-    size_t views; /* that it has */
+    size_t frame; /* its place among the answer's */
+    double ms;    /* of that */
+    size_t views; /* that have the target, of the frame's places */
     struct aob_candidate
         *list; /* one a setting that all of them have; `of` is the row of the view that costs it most */
     size_t count;
@@ -63,6 +61,11 @@ struct aob_answer_whole {
 struct aob_answer { /* zero it first */
     const struct aob_rows *rows;
     struct aob_ask ask;
+    struct aob_answer_cases cases; /* of what is asked; the missing ones are those of the whole run */
+    struct aob_answer_frame *frames;
+    size_t frame_count, frame_capacity;
+    struct aob_answer_place *places;
+    size_t place_count, place_capacity;
     struct aob_answer_view *views;
     size_t view_count, view_capacity;
     struct aob_answer_whole *wholes;
@@ -73,11 +76,14 @@ struct aob_answer { /* zero it first */
 void aob_answer_make(struct aob_answer *answer, const struct aob_rows *rows, const struct aob_ask *ask);
 void aob_answer_finish(struct aob_answer *answer);
 
-/* The row of `none` that a row of the view is set beside: with the same run options if there is one, else the first. NULL:
- * the view has none. */
+/* The row of `none` that a row of the view is set beside: with the same run options. NULL: the view has
+ * none. */
 const struct aob_row *aob_answer_none(const struct aob_answer *answer, const struct aob_answer_view *view,
                                       const struct aob_row *row);
 
 /* Whether every view has a case that fits, and every whole a setting that does. */
 bool aob_answer_fits(const struct aob_answer *answer);
+
+/* Whether all cases that are asked for are there and good. A run that does not say how many were planned may lack some. */
+bool aob_answer_is_whole(const struct aob_answer *answer);
 #endif

@@ -78,46 +78,89 @@ struct aob_answer_pass aob_answer_dearest_pass(const struct aob_row *row, const 
     return best;
 }
 
-void aob_answer_print_budget(const struct aob_answer *answer, const struct aob_row *row,
+void aob_answer_print_budget(const struct aob_answer *answer, const struct aob_answer_view *view,
                              struct aob_text *text)
 {
-    aob_three_digits(answer->ask.ms, text);
+    aob_three_digits(fmax(view->ms, 0), text);
     aob_text_add(text, " ms");
     if (answer->ask.profile)
         aob_text_add(text, ", modelled on %s", answer->ask.profile);
     else
-        aob_text_add(text, " of %s, measured here", aob_costs_clock(json_object_get(row->json, "time")));
+        aob_text_add(text, " of %s, measured here",
+                     aob_costs_clock(json_object_get(view->first->json, "time")));
 }
 
-static void print_others(const struct aob_interval *frame, struct aob_text *text)
+static void print_where(const struct aob_answer *answer, const struct aob_row *row, struct aob_text *text)
 {
+    if (answer->rows->run_count > 1)
+        aob_text_add(text, "%s: ", answer->rows->runs[row->run].name);
+}
+
+/* As the file has them: rounding could make the rest the whole frame. */
+static void print_others(const struct aob_budget *budget, const struct aob_interval *cost,
+                         struct aob_text *text)
+{
+    if (budget->rest_ms > 0)
+        aob_text_add(text, "the rest takes %g ms, ", budget->rest_ms);
+    else
+        aob_text_add(text, "what the rest takes is not said, ");
     aob_text_add(text, "G-buffer and composite ");
-    if (!isfinite(frame->at)) {
+    if (!isfinite(cost->at)) {
         aob_text_add(text, "are not known");
         return;
     }
     aob_text_add(text, "take ");
-    aob_interval_print(frame, text);
+    aob_interval_print(cost, text);
     aob_text_add(text, " ms");
 }
 
-void aob_answer_print_frame(const struct aob_ask *ask, const struct aob_budget *budget,
-                            const struct aob_interval *frame, struct aob_text *text)
+void aob_answer_print_frame(const struct aob_answer *answer, const struct aob_answer_frame *frame,
+                            struct aob_text *text)
 {
-    aob_text_add(text, "Of a frame of ");
-    aob_three_digits(budget->frame_ms, text);
-    aob_text_add(text, " ms ");
-    if (budget->rest_ms > 0) {
-        aob_text_add(text, "the rest takes ");
-        aob_three_digits(budget->rest_ms, text);
-        aob_text_add(text, " ms, and ");
+    const struct aob_row *first = frame->first;
+    print_where(answer, first, text);
+    aob_text_add(text, "The frame has %g ms", answer->ask.budget->frame_ms);
+    if (answer->frame_count > 1)
+        aob_text_add(text, " on %s %dx%d", first->backend, first->width, first->height);
+    aob_text_add(text, ": ");
+    print_others(answer->ask.budget, &frame->cost, text);
+    aob_text_add(text, frame->ms > 0 ? ", and ambient occlusion has "
+                                     : ", and nothing is left for ambient occlusion: the frame is ");
+    aob_three_digits(fabs(frame->ms), text);
+    aob_text_add(text, frame->ms > 0 ? " ms." : " ms over.");
+}
+
+void aob_answer_print_lost(const struct aob_answer_cases *cases, struct aob_text *text)
+{
+    const struct {
+        size_t count;
+        const char *word;
+    } parts[] = {{cases->failed, "failed"},
+                 {cases->invalid, "invalid"},
+                 {cases->unsupported, "unsupported"},
+                 {cases->missing, "missing"}};
+    const char *comma = "";
+    for (size_t i = 0; i < AOB_COUNT(parts); i++) {
+        if (!parts[i].count)
+            continue;
+        aob_text_add(text, "%s%zu %s", comma, parts[i].count, parts[i].word);
+        comma = ", ";
     }
-    print_others(frame, text);
-    if (!(budget->rest_ms > 0))
-        aob_text_add(text, ", and what the rest takes is not said");
-    aob_text_add(text, ": ambient occlusion has ");
-    aob_three_digits(ask->ms, text);
-    aob_text_add(text, " ms.");
+}
+
+void aob_answer_print_place(const struct aob_answer *answer, const struct aob_answer_place *place,
+                            struct aob_text *text)
+{
+    const struct aob_row *row = place->first;
+    const struct aob_answer_cases *c = &place->cases;
+    print_where(answer, row, text);
+    aob_text_add(text, "%s/%s %s %dx%d: ", row->scene, row->view, row->backend, row->width, row->height);
+    if (c->ok) {
+        aob_text_add(text, "no good case has an error against a target that is asked for");
+        return;
+    }
+    aob_text_add(text, "none of its %zu cases is good: ", c->failed + c->invalid + c->unsupported);
+    aob_answer_print_lost(c, text);
 }
 
 static void print_target(const struct aob_answer *answer, const struct aob_row *row, size_t target,
@@ -131,6 +174,7 @@ static void print_target(const struct aob_answer *answer, const struct aob_row *
 void aob_answer_print_view(const struct aob_answer *answer, const struct aob_answer_view *view,
                            struct aob_text *text)
 {
+    print_where(answer, view->first, text);
     aob_text_add(text, "%s/%s ", view->first->scene, view->first->view);
     print_target(answer, view->first, view->target, text);
 }
@@ -138,7 +182,12 @@ void aob_answer_print_view(const struct aob_answer *answer, const struct aob_ans
 void aob_answer_print_whole(const struct aob_answer *answer, const struct aob_answer_whole *whole,
                             struct aob_text *text)
 {
-    aob_text_add(text, "all %zu scenes and views, ", whole->views);
+    size_t places = answer->frames[whole->frame].places;
+    print_where(answer, whole->first, text);
+    if (whole->views == places)
+        aob_text_add(text, "all %zu scenes and views, ", places);
+    else
+        aob_text_add(text, "%zu of %zu scenes and views, ", whole->views, places);
     print_target(answer, whole->first, whole->target, text);
     aob_text_add(text, ": %zu setting%s in all of them", whole->count, whole->count == 1 ? " is" : "s are");
 }
@@ -165,7 +214,7 @@ void aob_sentences_finish(struct aob_sentences *sentences)
 
 /* "The most accurate case that fits is gtao slices=1: error 0.0123, 1.31 ms (0.9 .. 1.8), 0.69 ms to spare." */
 static void say_case(const struct aob_answer *answer, const char *what, const struct aob_candidate *candidate,
-                     struct aob_sentences *sentences)
+                     double ms, struct aob_sentences *sentences)
 {
     struct aob_text text = {0};
     struct aob_interval cost = {candidate->ms, candidate->low, candidate->high};
@@ -174,7 +223,7 @@ static void say_case(const struct aob_answer *answer, const char *what, const st
     aob_text_add(&text, ": error %.4f, ", candidate->error);
     aob_interval_print(&cost, &text);
     aob_text_add(&text, " ms, ");
-    aob_answer_print_room(candidate, answer->ask.ms, &text);
+    aob_answer_print_room(candidate, ms, &text);
     aob_text_add(&text, ".");
     push(sentences, &text);
 }
@@ -202,18 +251,26 @@ struct words {
     const char *accurate, *hopeful, *cheap, *least;
 };
 
-static void say_choice(const struct aob_answer *answer, const struct aob_candidate *list,
-                       const struct aob_choice *choice, const struct words *words,
+/* What the sentences are of: a view or a whole. */
+struct said {
+    const struct aob_candidate *list;
+    const struct aob_choice *choice;
+    double ms;
+};
+
+static void say_choice(const struct aob_answer *answer, const struct said *said, const struct words *words,
                        struct aob_sentences *sentences)
 {
+    const struct aob_candidate *list = said->list;
+    const struct aob_choice *choice = said->choice;
     if (choice->accurate != AOB_NO_CANDIDATE)
-        say_case(answer, words->accurate, &list[choice->accurate], sentences);
+        say_case(answer, words->accurate, &list[choice->accurate], said->ms, sentences);
     if (choice->hopeful != AOB_NO_CANDIDATE)
-        say_case(answer, words->hopeful, &list[choice->hopeful], sentences);
+        say_case(answer, words->hopeful, &list[choice->hopeful], said->ms, sentences);
     if (isfinite(answer->ask.error) && choice->cheap != AOB_NO_CANDIDATE)
-        say_case(answer, words->cheap, &list[choice->cheap], sentences);
+        say_case(answer, words->cheap, &list[choice->cheap], said->ms, sentences);
     if (choice->accurate == AOB_NO_CANDIDATE && choice->least != AOB_NO_CANDIDATE) {
-        say_case(answer, words->least, &list[choice->least], sentences);
+        say_case(answer, words->least, &list[choice->least], said->ms, sentences);
         say_pass(answer, &list[choice->least], sentences);
     }
 }
@@ -244,7 +301,7 @@ void aob_answer_say_view(const struct aob_answer *answer, const struct aob_answe
         "The cheapest case within the error", "Nothing fits with its upper end: what is nearest"};
     if (!view->count)
         say_text("No case has both this error and this cost.", sentences);
-    say_choice(answer, view->list, &view->choice, &words, sentences);
+    say_choice(answer, &(struct said){view->list, &view->choice, view->ms}, &words, sentences);
     if (view->count)
         say_error(answer, &view->choice, sentences);
 }
@@ -259,7 +316,7 @@ void aob_answer_say_whole(const struct aob_answer *answer, const struct aob_answ
         "No setting fits everywhere with its upper end: what is nearest"};
     if (!whole->count)
         say_text("No setting was measured in all of these views.", sentences);
-    say_choice(answer, whole->list, &whole->choice, &words, sentences);
+    say_choice(answer, &(struct said){whole->list, &whole->choice, whole->ms}, &words, sentences);
     if (whole->count)
         say_error(answer, &whole->choice, sentences);
 }

@@ -26,20 +26,29 @@ struct aob_answer_pass {
 };
 struct aob_answer_pass aob_answer_dearest_pass(const struct aob_row *row, const char *profile);
 
-/* "2 ms, modelled on ps4"; "2 ms of processor time, measured here", by the clock of the row. */
-void aob_answer_print_budget(const struct aob_answer *answer, const struct aob_row *row,
+/* "2 ms, modelled on ps4"; "2 ms of processor time, measured here", by the clock of the view's first row. */
+void aob_answer_print_budget(const struct aob_answer *answer, const struct aob_answer_view *view,
                              struct aob_text *text);
 
-/* "Of a frame of 16.7 ms the rest takes 13 ms, and G-buffer and composite take 1.2 (1.1 .. 1.3) ms: ambient occlusion has 2 ms." What
- * is not known is said to be so. */
-void aob_answer_print_frame(const struct aob_ask *ask, const struct aob_budget *budget,
-                            const struct aob_interval *frame, struct aob_text *text);
+/* "The frame has 16.67 ms: the rest takes 13 ms, G-buffer and composite take 1.2 (1.1 .. 1.3) ms, and ambient occlusion has
+ * 2 ms." What is not known is said to be so, where nothing is left how much is over, and of which run, backend and size that is
+ * where there are several. The answer's ask must have a budget. */
+void aob_answer_print_frame(const struct aob_answer *answer, const struct aob_answer_frame *frame,
+                            struct aob_text *text);
 
-/* "corner/front vulkan 480x270 against the truth within 0.5 scene units". */
+/* "2 failed, 1 unsupported"; nothing where all are good. */
+void aob_answer_print_lost(const struct aob_answer_cases *cases, struct aob_text *text);
+
+/* "spheres/front vulkan 480x270: none of its 2 cases is good: 2 failed", of a place without a question. */
+void aob_answer_print_place(const struct aob_answer *answer, const struct aob_answer_place *place,
+                            struct aob_text *text);
+
+/* "corner/front vulkan 480x270 against the truth within 0.5 scene units"; where there are several runs, the run before it. */
 void aob_answer_print_view(const struct aob_answer *answer, const struct aob_answer_view *view,
                            struct aob_text *text);
 
-/* "all 7 scenes and views, vulkan 480x270 against the truth within 0.5 scene units: 12 settings are in all of them". */
+/* "all 7 scenes and views, vulkan 480x270 against the truth within 0.5 scene units: 12 settings are in all of them"; "2 of 7
+ * scenes and views" where the others have no case to be chosen against that target. */
 void aob_answer_print_whole(const struct aob_answer *answer, const struct aob_answer_whole *whole,
                             struct aob_text *text);
 

@@ -25,10 +25,10 @@ static void add_interval(struct aob_text *page, const struct aob_interval *inter
     aob_text_finish(&shown);
 }
 
-/* Two thirds of the bar are the budget. */
+/* Two thirds of the bar are the budget. Where nothing is left, every bar goes over. */
 static double share(double ms, double budget_ms)
 {
-    return fmin(100, 200 * ms / (3 * budget_ms));
+    return budget_ms > 0 ? fmin(100, 200 * ms / (3 * budget_ms)) : 100;
 }
 
 static void add_bar(struct aob_text *page, const struct aob_candidate *candidate, double budget_ms)
@@ -39,14 +39,27 @@ static void add_bar(struct aob_text *page, const struct aob_candidate *candidate
         share(candidate->high, budget_ms), share(candidate->ms, budget_ms));
 }
 
-static void add_where(struct aob_text *page, const struct aob_answer_view *view)
+static void add_where(struct aob_text *page, const struct aob_rows *rows, const struct aob_answer_view *view)
 {
     const struct aob_row *first = view->first;
+    if (rows->run_count > 1)
+        aob_html_text_cell(page, "", rows->runs[first->run].name);
     aob_html_text_cell(page, "", first->scene);
     aob_html_text_cell(page, "", first->view);
     aob_text_add(page, "<td>%d\u00d7%d ", first->width, first->height);
     aob_html_escape(page, first->backend);
     aob_text_add(page, "</td>");
+}
+
+static void add_chip(struct aob_text *page, enum aob_fit fit)
+{
+    static const struct {
+        const char *class_name, *text;
+    } chips[AOB_FIT_COUNT] = {[AOB_FIT_OVER] = {"failed", "over"},
+                              [AOB_FIT_POINT] = {"invalid", "its point only"},
+                              [AOB_FIT_WHOLE] = {"ok", "fits"}};
+    aob_text_add(page, "<td class=room><span class=\"chip %s\">%s</span> ", chips[fit].class_name,
+                 chips[fit].text);
 }
 
 /* What is chosen, else what is nearest. */
@@ -62,10 +75,10 @@ static void add_row(struct aob_text *page, const struct aob_answer *answer,
                         modelled = aob_costs_modelled(row->json, answer->ask.profile);
     struct aob_text room = {0};
     char error[32];
-    aob_answer_print_room(candidate, answer->ask.ms, &room);
+    aob_answer_print_room(candidate, view->ms, &room);
     aob_html_decimal(error, candidate->error);
     aob_text_add(page, "<tr>");
-    add_where(page, view);
+    add_where(page, answer->rows, view);
     aob_html_text_cell(page, "strong", row->technique);
     aob_text_add(page, "<td class=params>");
     aob_html_label(page, row);
@@ -75,9 +88,8 @@ static void add_row(struct aob_text *page, const struct aob_answer *answer,
     add_interval(page, &to_none);
     if (answer->ask.profile)
         add_interval(page, &modelled);
-    add_bar(page, candidate, answer->ask.ms);
-    aob_text_add(page, "<td><span class=\"chip %s\">%s</span> ", fits ? "ok" : "failed",
-                 fits ? "fits" : "over");
+    add_bar(page, candidate, view->ms);
+    add_chip(page, aob_candidate_fit(candidate, view->ms));
     add_text(page, &room);
     aob_text_add(page, "</td></tr>\n");
     aob_text_finish(&room);
@@ -86,14 +98,13 @@ static void add_row(struct aob_text *page, const struct aob_answer *answer,
 static void add_head(struct aob_text *page, const struct aob_answer *answer)
 {
     aob_text_add(page,
-                 "<div class=\"scroll plain\"><table><thead><tr><th>scene</th><th>view</th><th>size</th>"
+                 "<div class=\"scroll plain\"><table><thead><tr>%s<th>scene</th><th>view</th><th>size</th>"
                  "<th>technique</th><th>case</th><th>error</th><th>measured <small>(ms)</small></th>"
-                 "<th>in frames of none</th>");
+                 "<th>in frames of none</th>",
+                 answer->rows->run_count > 1 ? "<th>run</th>" : "");
     if (answer->ask.profile)
         aob_text_add(page, "<th>modelled <small>(ms)</small></th>");
-    aob_text_add(page, "<th>of ");
-    aob_three_digits(answer->ask.ms, page);
-    aob_text_add(page, " ms</th><th>room</th></tr></thead><tbody>\n");
+    aob_text_add(page, "<th>of the budget</th><th>room</th></tr></thead><tbody>\n");
 }
 
 static void add_sentences(struct aob_text *page, const struct aob_answer *answer,
@@ -134,16 +145,47 @@ static void add_target(struct aob_text *page, const struct aob_answer *answer, s
     aob_text_add(page, "</div>\n");
 }
 
-static void add_opening(struct aob_text *page, const struct aob_budget *budget, const struct aob_ask *ask,
-                        const struct aob_interval *frame)
+static void add_frames(struct aob_text *page, const struct aob_answer *answer)
 {
-    struct aob_text said = {0};
-    aob_answer_print_frame(ask, budget, frame, &said);
+    for (size_t i = 0; i < answer->frame_count; i++) {
+        struct aob_text said = {0};
+        aob_answer_print_frame(answer, &answer->frames[i], &said);
+        aob_text_add(page, " ");
+        add_text(page, &said);
+        aob_text_finish(&said);
+    }
+}
+
+/* What has no row: scenes and views of which no case answers, and cases that are not there. */
+static void add_lost(struct aob_text *page, const struct aob_answer *answer)
+{
+    struct aob_text lost = {0};
+    for (size_t i = 0; i < answer->place_count; i++) {
+        struct aob_text place = {0};
+        if (answer->places[i].questions)
+            continue;
+        aob_answer_print_place(answer, &answer->places[i], &place);
+        aob_text_add(page, "<p class=soft>");
+        add_text(page, &place);
+        aob_text_add(page, ".</p>\n");
+        aob_text_finish(&place);
+    }
+    aob_answer_print_lost(&answer->cases, &lost);
+    if (lost.size)
+        aob_text_add(page, "<p class=soft>Not all cases are there: %s.</p>\n", lost.data);
+    aob_text_finish(&lost);
+}
+
+static void add_opening(struct aob_text *page, const struct aob_answer *answer)
+{
+    const struct aob_budget *budget = answer->ask.budget;
     aob_text_add(page, "<section id=budget><h2>Budget <small>");
     aob_html_escape(page, budget->title);
-    aob_text_add(page, "</small></h2>\n<p class=soft>");
+    aob_text_add(page, "</small></h2>\n<p class=soft>Source: ");
     aob_html_escape(page, budget->source);
-    aob_text_add(page, ". %s A case fits if the upper end of its cost does, ", said.data);
+    aob_text_add(page, ".");
+    add_frames(page, answer);
+    aob_text_add(page, " A case fits if the upper end of its cost does, ");
     if (budget->device) {
         aob_text_add(page, "as it is modelled on ");
         aob_html_escape(page, budget->device);
@@ -151,9 +193,8 @@ static void add_opening(struct aob_text *page, const struct aob_budget *budget, 
         aob_text_add(page, "as it was measured here");
     aob_text_add(
         page,
-        ". For each scene and view the most accurate case that fits is shown, or the cheapest where "
+        ". For each scene and view the most accurate case that fits is shown, or the nearest where "
         "none does. In a bar the line is the budget, and the pale part reaches to the upper end.</p>\n");
-    aob_text_finish(&said);
 }
 
 void aob_html_budget(struct aob_text *page, const struct aob_rows *rows)
@@ -163,10 +204,9 @@ void aob_html_budget(struct aob_text *page, const struct aob_rows *rows)
     if (!find_budget(rows, &budget))
         return;
     struct aob_ask ask = aob_ask_of(&budget);
-    struct aob_interval frame = aob_ask_frame(&ask, rows);
-    aob_ask_take_frame(&ask, &budget, &frame);
     aob_answer_make(&answer, rows, &ask);
-    add_opening(page, &budget, &ask, &frame);
+    add_opening(page, &answer);
+    add_lost(page, &answer);
     for (size_t t = 0; t < rows->target_count; t++)
         add_target(page, &answer, t);
     aob_text_add(page, "</section>\n");

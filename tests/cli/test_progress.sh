@@ -46,6 +46,22 @@ check "no line below is wider either" test "$(grep '^1000 ms' slim | sed $'s/\e.
 check "what stood there last is what the finished run answers" test "$(grep -oE 'error [0-9.]+, .* ms: plane/front gtao radius=0.25, against the truth within 0.5' under | tail -1 | grep -oE 'error [0-9.]+')" = \
   "error $("$program" budget results/progress --scene plane --target 0.5 --json - | jq -r '.questions[0].accurate.error' | xargs printf '%.4f')"
 check "the page has it" grep -q '<section id=budget><h2>Budget <small>a frame</small>' results/progress/report/index.html
+# The page is of the budget that the run has now, also where nothing is measured anew.
+sed -i 's/a frame/another frame/' frame.yaml
+"$program" run budget.yaml --quiet
+check "a new budget is drawn" grep -q '<section id=budget><h2>Budget <small>another frame</small>' results/progress/report/index.html
+touch -d '2001-01-01' results/progress/journal.jsonl
+cp -p results/progress/report/index.html before.html
+"$program" run budget.yaml --quiet
+check "the same one is not" test results/progress/report/index.html -ot before.html -o ! results/progress/report/index.html -nt before.html
+# What no case can have is said before the first one is measured.
+printf 'device: nosuch\n' | cat frame.yaml - >device.yaml
+sed 's/frame.yaml/device.yaml/' budget.yaml >ask.yaml
+expect 0 "ask.yaml:2:9: the budget is of 'nosuch', and no time will be modelled on that" "$program" plan ask.yaml --quiet
+printf 'resolution: 9x9\n' | cat frame.yaml - >size.yaml
+sed 's/frame.yaml/size.yaml/' budget.yaml >ask.yaml
+expect 0 "ask.yaml:2:9: the budget is of 9x9, and no case has that size" "$program" plan ask.yaml --quiet
+check "nor is anything where all can be had" test -z "$("$program" plan budget.yaml --quiet 2>&1 >/dev/null)"
 sed 's/frame.yaml/nosuch.yaml/' budget.yaml >lost.yaml
 expect 2 "lost.yaml:2:9: ./nosuch.yaml: cannot open" "$program" plan lost.yaml
 finish

@@ -1,163 +1,10 @@
 /* What a run answers to a budget, against brute force over what its journal was made from. */
-#include <math.h>
-#include "random.h"
-#include "reports/page/answer.h"
-#include "run_text.h"
-
-enum { JOURNALS = 10000, MOST = 16, SCENES = 2, VIEWS = 2, SIZES = 2, TARGETS = 3, SETTINGS = 4 };
-static const double radii[TARGETS] = {0.25, 1, 1}; /* the third is weighted evenly */
-static const double budget_ms = 2;
-
-/* A case as the test knows it. Shares of an interval and of a band are exact in binary. */
-struct made {
-    size_t scene, view, size, setting;
-    bool ok, none, timed, bounded, modelled;
-    double ms, low, high, model, model_low, model_high; /* low and high: shares of ms */
-    double error[TARGETS];                              /* NAN: it has none */
-};
-
-static double pick(uint32_t *random, const double *values, size_t count)
-{
-    return values[random_below(random, count)];
-}
-
-static struct made draw(uint32_t *random)
-{
-    static const double lows[] = {1, 0.75, 0.5}, highs[] = {1, 1.25, 1.5};
-    struct made m = {random_below(random, SCENES),
-                     random_below(random, VIEWS),
-                     random_below(random, SIZES),
-                     random_below(random, SETTINGS),
-                     random_below(random, 8) > 0,
-                     random_below(random, 6) == 0,
-                     random_below(random, 8) > 0,
-                     random_below(random, 5) > 0,
-                     random_below(random, 3) > 0,
-                     0.5 * (double)(1 + random_below(random, 7)),
-                     pick(random, lows, 3),
-                     pick(random, highs, 3),
-                     0.5 * (double)(1 + random_below(random, 7)),
-                     0,
-                     0,
-                     {0}};
-    m.model_low = m.model * pick(random, lows, 3);
-    m.model_high = m.model * pick(random, highs, 3);
-    for (size_t t = 0; t < TARGETS; t++)
-        m.error[t] = random_below(random, 4) ? 0.03125 * (double)(1 + random_below(random, 6)) : NAN;
-    return m;
-}
-
-static void add_errors(struct aob_text *line, const struct made *m)
-{
-    const char *comma = "";
-    aob_text_add(line, ",\"errors\":[");
-    for (size_t t = 0; t < TARGETS; t++) {
-        if (isnan(m->error[t]))
-            continue;
-        aob_text_add(line, "%s{\"target\":{\"radius\":%g,\"weighting\":\"%s\"},\"rmse\":%g,\"band_rmse\":%g}",
-                     comma, radii[t], t == 2 ? "uniform" : "cosine", m->error[t] / 2, m->error[t]);
-        comma = ",";
-    }
-    aob_text_add(line, "]");
-}
-
-static void add_time(struct aob_text *line, const struct made *m)
-{
-    if (!m->timed)
-        return;
-    aob_text_add(line, ",\"time\":{\"clock\":\"cpu\",\"cpu_ms\":%g,\"wall_ms\":99,\"ratio_to_ref\":4", m->ms);
-    if (m->bounded)
-        aob_text_add(line, ",\"ci_low\":%g,\"ci_high\":%g}", 4 * m->low, 4 * m->high);
-    else
-        aob_text_add(line, ",\"ci_low\":null,\"ci_high\":null}");
-}
-
-static void add_line(struct aob_text *line, const struct made *m, size_t key)
-{
-    aob_text_add(
-        line,
-        "{\"key\":\"%zu\",\"scene\":\"s%zu\",\"view\":\"v%zu\",\"technique\":\"%s\",\"params\":{\"n\":%zu},"
-        "\"options\":{},\"backend\":\"null\",\"width\":%zu,\"height\":32,\"status\":\"%s\"",
-        key, m->scene, m->view, m->none ? "none" : "gtao", m->setting, 64 * (1 + m->size),
-        m->ok ? "ok" : "failed");
-    add_errors(line, m);
-    add_time(line, m);
-    if (m->modelled)
-        aob_text_add(
-            line,
-            ",\"cache\":{\"ps4\":{\"status\":\"ok\",\"modelled\":{\"frame\":{\"ms\":%g,\"low_ms\":%g,"
-            "\"high_ms\":%g,\"limit\":\"texture\"}}}}",
-            m->model, m->model_low, m->model_high);
-    aob_text_add(line, "}\n");
-}
-
-static void write_plainly(const char *name, const char *text)
-{
-    char *path = aob_path_join(folder, name);
-    FILE *file = fopen(path, "w"); /* without the flush to disk, ten thousand times */
-    assert_non_null(file);
-    assert_true(fputs(text, file) >= 0);
-    assert_int_equal(fclose(file), 0);
-    free(path);
-}
-
-/* What is asked of a journal. */
-struct question {
-    const struct made *list;
-    size_t count;
-    size_t scene, view, size, target; /* one of them */
-    bool model;
-    double error;
-};
+#include "answer_made.h"
 
 static bool is_in(const struct question *q, const struct made *m)
 {
     return m->ok && m->scene == q->scene && m->view == q->view && m->size == q->size &&
-           !isnan(m->error[q->target]);
-}
-
-static bool is_known(const struct question *q, const struct made *m)
-{
-    return is_in(q, m) && !m->none && (q->model ? m->modelled : m->timed);
-}
-
-static double cost(const struct question *q, const struct made *m)
-{
-    return q->model ? m->model : m->ms;
-}
-
-static double upper(const struct question *q, const struct made *m)
-{
-    return q->model ? m->model_high : m->bounded ? m->ms * m->high : INFINITY;
-}
-
-/* The most accurate whose upper end is within the budget; of those, the cheapest; of those, the first. */
-static size_t brute_accurate(const struct question *q)
-{
-    size_t best = AOB_NO_CANDIDATE;
-    for (size_t i = 0; i < q->count; i++) {
-        const struct made *m = &q->list[i], *b = best == AOB_NO_CANDIDATE ? NULL : &q->list[best];
-        if (!is_known(q, m) || upper(q, m) > budget_ms)
-            continue;
-        if (!b || m->error[q->target] < b->error[q->target] ||
-            (m->error[q->target] == b->error[q->target] && cost(q, m) < cost(q, b)))
-            best = i;
-    }
-    return best;
-}
-
-static size_t brute_cheap(const struct question *q)
-{
-    size_t best = AOB_NO_CANDIDATE;
-    for (size_t i = 0; i < q->count; i++) {
-        const struct made *m = &q->list[i], *b = best == AOB_NO_CANDIDATE ? NULL : &q->list[best];
-        if (!is_known(q, m) || m->error[q->target] > q->error)
-            continue;
-        if (!b || cost(q, m) < cost(q, b) ||
-            (cost(q, m) == cost(q, b) && m->error[q->target] < b->error[q->target]))
-            best = i;
-    }
-    return best;
+           m->backend == q->backend && !isnan(m->error[q->target]);
 }
 
 static bool exists(const struct question *q)
@@ -166,6 +13,95 @@ static bool exists(const struct question *q)
     for (size_t i = 0; i < q->count; i++)
         any = any || is_in(q, &q->list[i]);
     return any;
+}
+
+static bool has_cost(const struct question *q, const struct made *m)
+{
+    return q->model ? m->modelled : m->timed;
+}
+
+/* A case, or a setting in its worst view, as the rules see it. */
+struct seen {
+    double ms, low, high, error;
+    size_t of;
+};
+
+static struct seen see(const struct question *q, size_t at)
+{
+    const struct made *m = &q->list[at];
+    double error = m->error[q->target];
+    if (q->model)
+        return (struct seen){m->model, m->model_low, m->model_high, error, at};
+    return m->bounded ? (struct seen){m->ms, m->ms * m->low, m->ms * m->high, error, at}
+                      : (struct seen){m->ms, 0, INFINITY, error, at};
+}
+
+/* What is left of a size and backend, beside the dearest G-buffer and composite that is known there. */
+static double brute_ms(const struct question *q)
+{
+    double other = 0;
+    if (!q->budget)
+        return budget_ms;
+    for (size_t i = 0; i < q->count; i++) {
+        const struct made *m = &q->list[i];
+        if (!m->ok || m->kind != DEFERRED || m->size != q->size || m->backend != q->backend ||
+            !has_cost(q, m))
+            continue;
+        struct seen cost = see(q, i);
+        other = fmax(other, isinf(cost.high) ? cost.ms : cost.high);
+    }
+    double left = q->budget->frame_ms - q->budget->rest_ms - other;
+    return left < q->budget->ao_ms ? left : q->budget->ao_ms;
+}
+
+/* What may be chosen there. */
+static size_t see_all(const struct question *q, struct seen list[MOST])
+{
+    size_t count = 0;
+    for (size_t i = 0; i < q->count; i++)
+        if (is_in(q, &q->list[i]) && q->list[i].kind == OCCLUSION && has_cost(q, &q->list[i]))
+            list[count++] = see(q, i);
+    return count;
+}
+
+enum rule { ACCURATE, HOPEFUL, CHEAP, LEAST, RULES };
+
+static bool may(enum rule rule, const struct question *q, const struct seen *s)
+{
+    const bool allowed[RULES] = {s->high <= q->ms, s->ms <= q->ms && s->high > q->ms, s->error <= q->error,
+                                 true};
+    return allowed[rule];
+}
+
+/* Whether a is taken before b, which lies behind it in the list. */
+static bool is_before(enum rule rule, const struct seen *a, const struct seen *b)
+{
+    double by[RULES][3] = {{a->error - b->error, a->ms - b->ms, 0},
+                           {a->error - b->error, a->ms - b->ms, 0},
+                           {a->ms - b->ms, a->error - b->error, 0},
+                           {a->high < b->high ? -1 : a->high > b->high, a->ms - b->ms, a->error - b->error}};
+    const double *d = by[rule];
+    return d[0] < 0 || (d[0] == 0 && (d[1] < 0 || (d[1] == 0 && d[2] <= 0)));
+}
+
+/* The one that the rule takes; NULL: none. */
+static const struct seen *brute(enum rule rule, const struct question *q, const struct seen *list,
+                                size_t count)
+{
+    const struct seen *best = NULL;
+    for (size_t i = 0; i < count; i++)
+        if (may(rule, q, &list[i]) && (!best || !is_before(rule, best, &list[i])))
+            best = &list[i];
+    if (rule != HOPEFUL || !best)
+        return best;
+    const struct seen *accurate = brute(ACCURATE, q, list, count);
+    return accurate && accurate->error <= best->error ? NULL : best;
+}
+
+static size_t chosen(const struct aob_choice *choice, enum rule rule)
+{
+    const size_t places[RULES] = {choice->accurate, choice->hopeful, choice->cheap, choice->least};
+    return places[rule];
 }
 
 static const struct aob_answer_view *find_view(const struct aob_answer *answer, const struct question *q)
@@ -177,62 +113,146 @@ static const struct aob_answer_view *find_view(const struct aob_answer *answer, 
         const struct aob_answer_view *v = &answer->views[i];
         const struct aob_target *target = &answer->rows->targets[v->target];
         if (!strcmp(v->first->scene, scene) && !strcmp(v->first->view, view) &&
-            v->first->width == 64 * (1 + (int)q->size) && target->radius == radii[q->target] &&
-            target->uniform == (q->target == 2))
+            v->first->width == 64 * (1 + (int)q->size) && !strcmp(v->first->backend, backends[q->backend]) &&
+            target->radius == radii[q->target] && target->uniform == (q->target == 2))
             return v;
     }
     return NULL;
 }
 
-static void assert_choice(const struct aob_answer_view *view, size_t choice, size_t expected)
+static void assert_same(const struct aob_candidate *candidate, const struct seen *expected)
 {
-    assert_int_equal(choice == AOB_NO_CANDIDATE ? choice : view->list[choice].of, expected);
+    assert_true(candidate->ms == expected->ms && candidate->low == expected->low &&
+                candidate->high == expected->high && candidate->error == expected->error);
 }
 
-/* Every view by itself; how many there are. */
+/* The Pareto set: of equal ones the first. */
+static void check_front(const struct aob_answer_view *view, const struct seen *list, size_t count)
+{
+    size_t used = 0;
+    for (size_t i = 0; i < count; i++) {
+        bool beaten = false;
+        for (size_t k = 0; k < count; k++) {
+            bool equal = list[k].ms == list[i].ms && list[k].error == list[i].error;
+            beaten = beaten || (equal ? k < i : list[k].ms <= list[i].ms && list[k].error <= list[i].error);
+        }
+        bool found = false;
+        for (size_t f = 0; f < view->front_count; f++)
+            found = found || view->list[view->front[f]].of == list[i].of;
+        assert_int_equal(found, !beaten);
+        used += !beaten;
+    }
+    assert_int_equal(view->front_count, used);
+    for (size_t f = 1; f < view->front_count; f++)
+        assert_true(view->list[view->front[f - 1]].ms < view->list[view->front[f]].ms);
+}
+
+/* The first `none` with the same options there. */
+static void check_none(const struct aob_answer *answer, const struct aob_answer_view *view,
+                       const struct question *q, size_t of)
+{
+    const struct aob_row *expected = NULL;
+    for (size_t i = 0; i < q->count && !expected; i++)
+        if (is_in(q, &q->list[i]) && q->list[i].kind == NONE && q->list[i].options == q->list[of].options)
+            expected = &answer->rows->list[i];
+    assert_ptr_equal(aob_answer_none(answer, view, &answer->rows->list[of]), expected);
+}
+
+static void check_view(const struct aob_answer *answer, const struct aob_answer_view *view,
+                       const struct question *q)
+{
+    struct seen list[MOST];
+    size_t count = see_all(q, list);
+    assert_true(view->ms == q->ms);
+    assert_int_equal(view->count, count);
+    for (size_t i = 0; i < count; i++) {
+        assert_int_equal(view->list[i].of, list[i].of);
+        assert_same(&view->list[i], &list[i]);
+        check_none(answer, view, q, list[i].of);
+    }
+    for (enum rule rule = 0; rule < RULES; rule++) {
+        const struct seen *best = brute(rule, q, list, count);
+        size_t place = chosen(&view->choice, rule);
+        assert_int_equal(place == AOB_NO_CANDIDATE ? place : view->list[place].of,
+                         best ? best->of : AOB_NO_CANDIDATE);
+    }
+    check_front(view, list, count);
+}
+
 static size_t check_views(const struct aob_answer *answer, struct question q)
 {
     size_t count = 0;
-    for (size_t n = 0; n < SCENES * VIEWS * SIZES * TARGETS; n++) {
+    for (size_t n = 0; n < SCENES * VIEWS * SIZES * BACKENDS * TARGETS; n++) {
         q.scene = n % SCENES;
         q.view = n / SCENES % VIEWS;
         q.size = n / SCENES / VIEWS % SIZES;
-        q.target = n / SCENES / VIEWS / SIZES;
+        q.backend = n / SCENES / VIEWS / SIZES % BACKENDS;
+        q.target = n / SCENES / VIEWS / SIZES / BACKENDS;
+        q.ms = brute_ms(&q);
         const struct aob_answer_view *view = find_view(answer, &q);
         assert_int_equal(view != NULL, exists(&q));
         if (!view)
             continue;
         count++;
-        size_t known = 0;
-        for (size_t i = 0; i < q.count; i++)
-            known += is_known(&q, &q.list[i]);
-        assert_int_equal(view->count, known);
-        for (size_t i = 0; i < view->count; i++)
-            assert_true(view->list[i].error == q.list[view->list[i].of].error[q.target]);
-        assert_choice(view, view->choice.accurate, brute_accurate(&q));
-        assert_choice(view, view->choice.cheap, brute_cheap(&q));
+        check_view(answer, view, &q);
     }
     return count;
 }
 
-/* The largest error and upper end of a setting over the scenes and views of a size and target; false if it lacks one. */
-static bool brute_setting(struct question q, size_t setting, double *error, double *high)
+/* Of a setting the largest of each figure over the scenes and views of a size, backend and target; false if it lacks one.
+ * `of` is the case that costs most. */
+static bool brute_setting(struct question q, size_t setting, struct seen *worst)
 {
-    *error = *high = 0;
+    *worst = (struct seen){0};
     for (size_t n = 0; n < SCENES * VIEWS; n++) {
+        struct seen list[MOST];
+        bool has = false;
         q.scene = n % SCENES;
         q.view = n / SCENES;
-        bool has = false;
-        for (size_t i = 0; i < q.count; i++)
-            if (is_known(&q, &q.list[i]) && q.list[i].setting == setting) {
-                has = true;
-                *error = fmax(*error, q.list[i].error[q.target]);
-                *high = fmax(*high, upper(&q, &q.list[i]));
-            }
+        size_t count = see_all(&q, list);
+        for (size_t i = 0; i < count; i++) {
+            if (setting_of(&q.list[list[i].of]) != setting)
+                continue;
+            has = true;
+            *worst = (struct seen){fmax(worst->ms, list[i].ms), fmax(worst->low, list[i].low),
+                                   fmax(worst->high, list[i].high), fmax(worst->error, list[i].error),
+                                   list[i].ms > worst->ms ? list[i].of : worst->of};
+        }
         if (exists(&q) && !has)
             return false;
     }
     return true;
+}
+
+/* Whether the rule has no preference between them. */
+static void assert_equal(enum rule rule, const struct aob_candidate *candidate, const struct seen *best)
+{
+    const struct seen own = {candidate->ms, candidate->low, candidate->high, candidate->error, 0};
+    assert_true(is_before(rule, &own, best) && is_before(rule, best, &own));
+}
+
+/* By figures: settings of equal ones are taken in the order of their numbers, which is the answer's own. */
+static void check_whole(const struct aob_answer_whole *whole, const struct question *q)
+{
+    struct seen list[ALL_SETTINGS];
+    size_t count = 0;
+    for (size_t s = 0; s < ALL_SETTINGS; s++)
+        count += brute_setting(*q, s, &list[count]);
+    assert_true(whole->ms == q->ms);
+    assert_int_equal(whole->count, count);
+    for (size_t i = 0; i < whole->count; i++) {
+        struct seen worst, most = see(q, whole->list[i].of);
+        assert_true(brute_setting(*q, setting_of(&q->list[whole->list[i].of]), &worst));
+        assert_same(&whole->list[i], &worst);
+        assert_true(most.ms == worst.ms);
+    }
+    for (enum rule rule = 0; rule < RULES; rule++) {
+        const struct seen *best = brute(rule, q, list, count);
+        size_t place = chosen(&whole->choice, rule);
+        assert_int_equal(place != AOB_NO_CANDIDATE, best != NULL);
+        if (best)
+            assert_equal(rule, &whole->list[place], best);
+    }
 }
 
 static size_t check_wholes(const struct aob_answer *answer, struct question q)
@@ -241,19 +261,54 @@ static size_t check_wholes(const struct aob_answer *answer, struct question q)
     for (size_t w = 0; w < answer->whole_count; w++) {
         const struct aob_answer_whole *whole = &answer->wholes[w];
         const struct aob_target *target = &answer->rows->targets[whole->target];
-        double best = INFINITY, error, high;
         q.size = (size_t)whole->first->width / 64 - 1;
+        q.backend = strcmp(whole->first->backend, backends[0]) != 0;
         q.target = target->uniform ? 2 : target->radius == 1;
-        for (size_t s = 0; s < SETTINGS; s++)
-            if (brute_setting(q, s, &error, &high) && high <= budget_ms)
-                best = fmin(best, error);
-        size_t choice = whole->choice.accurate;
-        assert_int_equal(choice != AOB_NO_CANDIDATE, isfinite(best));
-        if (choice == AOB_NO_CANDIDATE)
-            continue;
-        assert_true(whole->list[choice].error == best);
-        fitting++;
+        q.ms = brute_ms(&q);
+        check_whole(whole, &q);
+        fitting += whole->choice.accurate != AOB_NO_CANDIDATE;
     }
+    return fitting;
+}
+
+/* Good cases and others of a scene and view. */
+static void check_places(const struct aob_answer *answer, const struct question *q)
+{
+    size_t ok = 0, failed = 0, good = 0;
+    for (size_t i = 0; i < answer->place_count; i++) {
+        ok += answer->places[i].cases.ok;
+        failed += answer->places[i].cases.failed;
+    }
+    for (size_t i = 0; i < q->count; i++)
+        good += q->list[i].ok;
+    assert_int_equal(ok, good);
+    assert_int_equal(failed, q->count - good);
+    assert_int_equal(answer->cases.failed, failed);
+}
+
+static size_t check_journal(uint32_t *random)
+{
+    struct made list[MOST];
+    struct aob_rows rows;
+    struct aob_answer answer;
+    struct aob_budget budget = {.frame_ms = 8, .rest_ms = 4, .ao_ms = random_below(random, 2) ? 2 : INFINITY};
+    struct question q = {.list = list, .count = 1 + random_below(random, MOST)};
+    q.model = random_below(random, 2);
+    q.budget = random_below(random, 2) ? &budget : NULL;
+    q.error = 0.03125 * (double)(1 + random_below(random, 6));
+    write_journal(random, list, q.count);
+    read_rows(&rows);
+    aob_answer_make(&answer, &rows,
+                    &(struct aob_ask){.ms = budget_ms,
+                                      .budget = q.budget,
+                                      .error = q.error,
+                                      .profile = q.model ? "ps4" : NULL,
+                                      .radius = NAN});
+    assert_int_equal(check_views(&answer, q), answer.view_count);
+    size_t fitting = check_wholes(&answer, q);
+    check_places(&answer, &q);
+    aob_answer_finish(&answer);
+    aob_rows_finish(&rows);
     return fitting;
 }
 
@@ -262,30 +317,8 @@ static void test_random_journals(void **state)
     (void)state;
     uint32_t random = 15;
     size_t fitting = 0;
-    for (int n = 0; n < JOURNALS; n++) {
-        struct made list[MOST];
-        struct aob_text journal = {0};
-        struct aob_rows rows;
-        struct aob_answer answer;
-        struct question q = {.list = list, .count = 1 + random_below(&random, MOST)};
-        q.model = random_below(&random, 2);
-        q.error = 0.03125 * (double)(1 + random_below(&random, 6));
-        for (size_t i = 0; i < q.count; i++) {
-            list[i] = draw(&random);
-            add_line(&journal, &list[i], i);
-        }
-        write_plainly("journal.jsonl", journal.data);
-        aob_text_finish(&journal);
-        read_rows(&rows);
-        aob_answer_make(
-            &answer, &rows,
-            &(struct aob_ask){
-                .ms = budget_ms, .error = q.error, .profile = q.model ? "ps4" : NULL, .radius = NAN});
-        assert_int_equal(check_views(&answer, q), answer.view_count);
-        fitting += check_wholes(&answer, q);
-        aob_answer_finish(&answer);
-        aob_rows_finish(&rows);
-    }
+    for (int n = 0; n < JOURNALS; n++)
+        fitting += check_journal(&random);
     assert_true(fitting > JOURNALS / 10);
 }
 

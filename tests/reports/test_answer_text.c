@@ -112,67 +112,152 @@ static void test_frames_of_none(void **state)
     json_decref(none);
 }
 
-#define DEFERRED(key, scene, ms, low, high)                                                                  \
+#define DEFERRED(key, scene, width, ms, interval)                                                            \
     "{\"key\":\"" key "\",\"scene\":\"" scene                                                                \
     "\",\"view\":\"v\",\"technique\":\"deferred\",\"params\":{},\"options\":{},"                             \
-    "\"backend\":\"null\",\"width\":64,\"height\":32,\"status\":\"ok\",\"errors\":[{\"target\":{\"radius\":" \
+    "\"backend\":\"null\",\"width\":" width                                                                  \
+    ",\"height\":32,\"status\":\"ok\",\"errors\":[{\"target\":{\"radius\":"                                  \
     "1},\"rmse\":0,"                                                                                         \
-    "\"band_rmse\":0}],\"time\":{\"clock\":\"cpu\",\"cpu_ms\":" ms ",\"ratio_to_ref\":1,\"ci_low\":" low     \
-    ",\"ci_high\":" high "}}\n"
+    "\"band_rmse\":0}],\"time\":{\"clock\":\"cpu\",\"cpu_ms\":" ms ",\"ratio_to_ref\":1," interval "}}\n"
+#define ENDS(low, high) "\"ci_low\":" low ",\"ci_high\":" high
 
-static void assert_frame(const struct aob_ask *ask, const struct aob_budget *budget,
-                         const struct aob_interval *frame, const char *expected)
+static char text[] = "t";
+static const struct aob_budget budget = {.name = text,
+                                         .title = text,
+                                         .source = text,
+                                         .frame_ms = 16,
+                                         .rest_ms = 7,
+                                         .ao_ms = INFINITY,
+                                         .error = INFINITY};
+
+/* What a run says of its frames, one line a frame. */
+static void assert_frames(const struct aob_rows *rows, const struct aob_budget *asked, const char *expected)
 {
+    struct aob_answer answer;
     struct aob_text said = {0};
-    aob_answer_print_frame(ask, budget, frame, &said);
+    struct aob_ask ask = aob_ask_of(asked);
+    aob_answer_make(&answer, rows, &ask);
+    for (size_t i = 0; i < answer.frame_count; i++) {
+        aob_text_add(&said, "%s", i ? "\n" : "");
+        aob_answer_print_frame(&answer, &answer.frames[i], &said);
+    }
     assert_string_equal(said.data, expected);
     aob_text_finish(&said);
+    aob_answer_finish(&answer);
 }
 
-/* G-buffer and composite of the dearest scene go off the frame by their upper end, and are never chosen. */
+static void assert_journal(const char *journal, const struct aob_budget *asked, const char *expected)
+{
+    struct aob_rows rows;
+    put("journal.jsonl", journal);
+    read_rows(&rows);
+    assert_frames(&rows, asked, expected);
+    aob_rows_finish(&rows);
+}
+
+/* G-buffer and composite of the dearest scene go off the frame by their upper end. */
 static void test_frame(void **state)
 {
     (void)state;
-    char text[] = "t";
-    const struct aob_budget budget = {.name = text,
-                                      .title = text,
-                                      .source = text,
-                                      .frame_ms = 16,
-                                      .rest_ms = 7,
-                                      .ao_ms = INFINITY,
-                                      .error = INFINITY};
+    struct aob_budget bare = budget, narrow = budget, late = budget;
+    bare.rest_ms = 0;
+    narrow.frame_ms = 15.99;
+    narrow.rest_ms = 15.984;
+    late.rest_ms = 12;
+    const char *two = CASE DEFERRED("b", "s", "64", "2", ENDS("0.75", "1.5"))
+        DEFERRED("c", "t", "64", "4", ENDS("0.875", "1.25"));
+    assert_journal(
+        two, &budget,
+        "The frame has 16 ms: the rest takes 7 ms, G-buffer and composite take 4 (3.5 .. 5) ms, and "
+        "ambient occlusion has 4 ms.");
+    assert_journal(
+        two, &late,
+        "The frame has 16 ms: the rest takes 12 ms, G-buffer and composite take 4 (3.5 .. 5) ms, and "
+        "nothing is left for ambient occlusion: the frame is 1 ms over.");
+    assert_journal(
+        CASE, &bare,
+        "The frame has 16 ms: what the rest takes is not said, G-buffer and composite are not known, "
+        "and ambient occlusion has 16 ms.");
+    assert_journal(
+        CASE, &narrow,
+        "The frame has 15.99 ms: the rest takes 15.984 ms, G-buffer and composite are not known, and "
+        "ambient occlusion has 0.006 ms.");
+}
+
+/* A case without an interval counts by its point, and takes none from the others. */
+static void test_frame_without_interval(void **state)
+{
+    (void)state;
+    assert_journal(
+        CASE DEFERRED("b", "s", "64", "2", ENDS("0.75", "1.5"))
+            DEFERRED("c", "t", "64", "1", ENDS("null", "null")),
+        &budget,
+        "The frame has 16 ms: the rest takes 7 ms, G-buffer and composite take 2 (1.5 .. 3) ms, and "
+        "ambient occlusion has 6 ms.");
+    assert_journal(
+        CASE DEFERRED("c", "t", "64", "1", ENDS("null", "null")), &budget,
+        "The frame has 16 ms: the rest takes 7 ms, G-buffer and composite take 1 (no interval) ms, "
+        "and ambient occlusion has 8 ms.");
+}
+
+/* The budget of a size is what the frame of that size leaves. */
+static void test_frame_of_each_size(void **state)
+{
+    (void)state;
     struct aob_rows rows;
     struct aob_answer answer;
-    put("journal.jsonl",
-        CASE DEFERRED("b", "s", "2", "0.75", "1.5") DEFERRED("c", "t", "4", "0.875", "1.25"));
+    const struct aob_ask ask = aob_ask_of(&budget);
+    assert_journal(
+        CASE DEFERRED("b", "s", "64", "2", ENDS("1", "1")) DEFERRED("c", "s", "128", "8", ENDS("1", "1")),
+        &budget,
+        "The frame has 16 ms on null 64x32: the rest takes 7 ms, G-buffer and composite take 2 (2 .. "
+        "2) ms, and ambient occlusion has 7 ms.\n"
+        "The frame has 16 ms on null 128x32: the rest takes 7 ms, G-buffer and composite take 8 (8 .. "
+        "8) ms, and ambient occlusion has 1 ms.");
     read_rows(&rows);
-    struct aob_ask ask = aob_ask_of(&budget);
-    assert_near(ask.ms, 9, 1e-12);
-    struct aob_interval frame = aob_ask_frame(&ask, &rows);
-    aob_ask_take_frame(&ask, &budget, &frame);
-    assert_near(ask.ms, 4, 1e-12);
-    assert_frame(
-        &ask, &budget, &frame,
-        "Of a frame of 16 ms the rest takes 7 ms, and G-buffer and composite take 4 (3.5 .. 5) ms: ambient "
-        "occlusion has 4 ms.");
-    const struct aob_interval unknown = {NAN, NAN, NAN};
-    struct aob_budget bare = budget;
-    bare.rest_ms = 0;
-    assert_frame(&ask, &bare, &unknown,
-                 "Of a frame of 16 ms G-buffer and composite are not known, and what the rest takes is not "
-                 "said: ambient "
-                 "occlusion has 4 ms.");
     aob_answer_make(&answer, &rows, &ask);
-    assert_int_equal(answer.views[0].count, 1);
+    assert_int_equal(answer.views[0].count, 1); /* without `deferred`, which is never chosen */
     assert_int_equal(answer.views[0].choice.accurate, 0);
+    assert_near(answer.views[0].ms, 7, 0);
+    assert_near(answer.wholes[1].ms, 1, 0);
     aob_answer_finish(&answer);
     aob_rows_finish(&rows);
 }
 
+/* Of several runs each is judged by its own, and named. */
+static void test_frame_of_each_run(void **state)
+{
+    (void)state;
+    struct aob_rows rows;
+    struct aob_error error;
+    char *first = aob_path_join(folder, "first"), *second = aob_path_join(folder, "second");
+    const char *const folders[] = {first, second};
+    assert_true(aob_folder_create(first, NULL) && aob_folder_create(second, NULL));
+    put("first/run.json", "{\"name\":\"A\",\"cases\":2}");
+    put("second/run.json", "{\"name\":\"B\",\"cases\":1}");
+    put("first/journal.jsonl", CASE);
+    put("second/journal.jsonl", CASE DEFERRED("b", "s", "64", "2", ENDS("1", "1")));
+    assert_true(aob_rows_read(&rows, folders, 2, &error));
+    assert_frames(
+        &rows, &budget,
+        "A: The frame has 16 ms on null 64x32: the rest takes 7 ms, G-buffer and composite are not "
+        "known, and ambient occlusion has 9 ms.\n"
+        "B: The frame has 16 ms on null 64x32: the rest takes 7 ms, G-buffer and composite take 2 (2 .. "
+        "2) ms, and ambient occlusion has 7 ms.");
+    aob_rows_finish(&rows);
+    free(first);
+    free(second);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_overrun), cmocka_unit_test(test_room),
-                                       cmocka_unit_test(test_digits), cmocka_unit_test(test_frames_of_none),
-                                       cmocka_unit_test(test_frame)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_overrun),
+                                       cmocka_unit_test(test_room),
+                                       cmocka_unit_test(test_digits),
+                                       cmocka_unit_test(test_frames_of_none),
+                                       cmocka_unit_test(test_frame),
+                                       cmocka_unit_test(test_frame_without_interval),
+                                       cmocka_unit_test(test_frame_of_each_size),
+                                       cmocka_unit_test(test_frame_of_each_run)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

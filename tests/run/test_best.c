@@ -65,6 +65,34 @@ static void test_best_so_far(void **state)
     aob_best_finish(&best);
 }
 
+/* G-buffer and composite go off the frame as soon as they are known, and what was chosen before is judged anew; those of
+ * another size do not. */
+static void test_frame_goes_off(void **state)
+{
+    (void)state;
+    struct aob_best best;
+    struct aob_budget frame = budget;
+    frame.rest_ms = 10;
+    frame.ao_ms = INFINITY;
+    frame.width = frame.height = 0;
+    aob_best_init(&best, &frame);
+    take(&best, "a", "cheap", 64, 2, 0.3, 0.3);
+    take(&best, "a", "dear", 64, 5, 0.1, 0.1);
+    assert_line(&best, 0,
+                "6 ms: error 0.1000, 5 (4.5 .. 5.5) ms: dear, against the truth within 1 scene unit");
+    take(&best, "a", "deferred", 128, 5, 0.5, 0.5);
+    take(&best, "a", "none", 64, 0.5, 0.5, 0.5);
+    assert_line(&best, 0,
+                "6 ms: error 0.1000, 5 (4.5 .. 5.5) ms: dear, against the truth within 1 scene unit");
+    take(&best, "a", "deferred", 64, 2, 0.5, 0.5);
+    assert_line(&best, 0,
+                "3.8 ms: error 0.3000, 2 (1.8 .. 2.2) ms: cheap, against the truth within 1 scene unit");
+    take(&best, "b", "deferred", 64, 10, 0.5, 0.5); /* dearer in another scene */
+    take(&best, "a", "none", 64, 0.5, 0.5, 0.5);
+    assert_line(&best, 0, "0 ms: nothing fits, against the truth within 1 scene unit");
+    aob_best_finish(&best);
+}
+
 static void test_no_budget(void **state)
 {
     (void)state;
@@ -77,6 +105,8 @@ static void test_no_budget(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_best_so_far), cmocka_unit_test(test_no_budget)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_best_so_far),
+                                       cmocka_unit_test(test_frame_goes_off),
+                                       cmocka_unit_test(test_no_budget)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
