@@ -108,25 +108,37 @@ json_t *aob_cache_case(struct aob_measurement *m, size_t index, const struct aob
     return asked.figures;
 }
 
+static bool is_of_now(const json_t *figures, const struct aob_plan_profile *profile)
+{
+    const char *status = json_string_value(json_object_get(figures, "status"));
+    const char *digest = json_string_value(json_object_get(figures, "digest"));
+    return status && digest && strcmp(status, "failed") != 0 && strcmp(digest, profile->digest) == 0;
+}
+
 bool aob_cache_case_is_done(const struct aob_plan *plan, const json_t *record)
 {
     const json_t *cache = json_object_get(record, "cache");
-    for (size_t i = 0; i < plan->profile_count; i++) {
-        const json_t *figures = json_object_get(cache, plan->profiles[i].name);
-        const char *status = json_string_value(json_object_get(figures, "status"));
-        const char *digest = json_string_value(json_object_get(figures, "digest"));
-        if (!status || !digest || strcmp(status, "failed") == 0 ||
-            strcmp(digest, plan->profiles[i].digest) != 0)
+    for (size_t i = 0; i < plan->profile_count; i++)
+        if (!is_of_now(json_object_get(cache, plan->profiles[i].name), &plan->profiles[i]))
             return false;
-    }
     return true;
+}
+
+/* Nothing is traced of a case that could not be laid out this time. */
+static bool prepare(struct aob_measurement *m, size_t index, struct aob_view_files *files,
+                    struct aob_error *error)
+{
+    const struct aob_state *state = &m->states[index];
+    if (state->stage == AOB_REFUSED)
+        return aob_fail(error, "%s", state->reason);
+    return aob_view_prepare(m, &index, 1, files, error);
 }
 
 static json_t *trace_again(struct aob_measurement *m, size_t index)
 {
     struct aob_view_files files = {0};
     struct aob_error error = {{0}};
-    if (aob_view_prepare(m, &index, 1, &files, &error)) {
+    if (prepare(m, index, &files, &error)) {
         json_t *figures = aob_cache_case(m, index, &files);
         aob_view_files_finish(&files);
         return figures;
@@ -136,11 +148,24 @@ static json_t *trace_again(struct aob_measurement *m, size_t index)
     return asked.figures;
 }
 
+/* What is stored of a profile that has not changed stays where its figures failed this time. */
+static void keep_stored(const struct aob_plan *plan, const json_t *record, json_t *figures)
+{
+    json_t *stored = json_object_get(record, "cache");
+    for (size_t i = 0; i < plan->profile_count; i++) {
+        const struct aob_plan_profile *profile = &plan->profiles[i];
+        json_t *old = json_object_get(stored, profile->name);
+        if (is_of_now(old, profile) && !is_of_now(json_object_get(figures, profile->name), profile))
+            json_object_set(figures, profile->name, old);
+    }
+}
+
 void aob_cache_case_again(struct aob_measurement *m, size_t index)
 {
     struct aob_state *state = &m->states[index];
-    json_t *record = json_deep_copy(state->stored);
-    json_object_set_new(record, "cache", trace_again(m, index));
+    json_t *record = json_deep_copy(state->stored), *figures = trace_again(m, index);
+    keep_stored(m->plan, record, figures);
+    json_object_set_new(record, "cache", figures);
     state->stage = AOB_DONE;
     m->on_record(m->user, index, record);
     json_decref(record);

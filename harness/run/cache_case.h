@@ -13,6 +13,7 @@ json_t *aob_cache_case(struct aob_measurement *m, size_t index, const struct aob
  * be none. What failed is tried again. */
 bool aob_cache_case_is_done(const struct aob_plan *plan, const json_t *record);
 
-/* Ends a case of which a record is stored (state.h): the record with cache figures of now and all else as it was. */
+/* Ends a case of which a record is stored (state.h): the record with cache figures of now and all else as it was. A case that
+ * was refused has the reason in their place, but for those that are stored and still wanted. */
 void aob_cache_case_again(struct aob_measurement *m, size_t index);
 #endif

@@ -185,11 +185,12 @@ static void say_work(void *user, size_t index, const char *work)
     aob_text_finish(&text);
 }
 
+/* One with a record loses nothing of it but the figures that it lacks (measure_caches). */
 static void store_refused(struct run *run)
 {
     for (size_t i = 0; i < run->sweep.plan.case_count; i++) {
         struct aob_state *state = &run->measurement.states[i];
-        if (state->stage != AOB_REFUSED)
+        if (state->stage != AOB_REFUSED || state->stored)
             continue;
         json_t *record = aob_record_create(&(struct aob_record_desc){.config = &run->sweep.config,
                                                                      .c = &run->sweep.plan.cases[i],
@@ -233,7 +234,7 @@ static size_t next_block(const struct run *run, size_t *at, size_t indices[AOB_B
 static void measure_caches(struct run *run)
 {
     for (size_t i = 0; i < run->sweep.plan.case_count && !*run->store_error.text; i++)
-        if (run->measurement.states[i].stage == AOB_PENDING && run->measurement.states[i].stored)
+        if (run->measurement.states[i].stage != AOB_DONE && run->measurement.states[i].stored)
             aob_cache_case_again(&run->measurement, i);
 }
 

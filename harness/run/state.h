@@ -13,7 +13,7 @@ struct aob_state {
     bool triangles;               /* a pass of it draws the scene's */
     json_t *definition;           /* what it claims to compute, a term (job/term.h); NULL: nothing */
     bool mapped;                  /* the definition's value is mapped */
-    json_t *stored; /* while it is pending: its record, of which only the cache figures are not those that
+    json_t *stored; /* while it is not done: its record, of which only the cache figures are not those that
                                    * are wanted; NULL: there is none */
 };
 #endif

@@ -10,6 +10,7 @@
 #include <unistd.h>
 #include "base/file.h"
 #include "base/text.h"
+#include "measure_turn.h"
 
 static const char *const places[] = {"/run/lock/aobudget-measure.lock", "/tmp/aobudget-measure.lock", NULL};
 
@@ -45,14 +46,20 @@ static int open_file(const char *path)
     return file;
 }
 
+static bool refuse(const char *path, const char *why, struct aob_error *error)
+{
+    return aob_fail(error,
+                    "%s: cannot be used as the lock of measuring: %s; AOBUDGET_LOCK may name another file",
+                    path, why);
+}
+
 static int open_regular(const char *path, struct aob_error *error)
 {
     struct stat info;
     int file = open_file(path);
     if (file >= 0 && fstat(file, &info) == 0 && S_ISREG(info.st_mode))
         return file;
-    aob_fail(error, "%s: cannot be used as the lock of measuring: %s; AOBUDGET_LOCK may name another file",
-             path, file >= 0 ? "it is no regular file" : strerror(errno));
+    refuse(path, file >= 0 ? "it is no regular file" : strerror(errno), error);
     if (file >= 0)
         close(file);
     return -1;
@@ -78,13 +85,24 @@ static int open_lock(const char **path, struct aob_error *error)
     return aob_measure_lock_open(own[0] ? own : places, path, error);
 }
 
+/* 0 if nobody has it, EWOULDBLOCK if somebody has, else why it cannot be locked. It is locked for a moment. */
+static int probe(int file)
+{
+    if (flock(file, LOCK_SH | LOCK_NB) != 0)
+        return errno;
+    flock(file, LOCK_UN);
+    return 0;
+}
+
 bool aob_measure_lock_check(struct aob_error *error)
 {
     const char *path;
     int file = open_lock(&path, error);
-    if (file >= 0)
-        close(file);
-    return file >= 0;
+    if (file < 0)
+        return false;
+    int cause = probe(file);
+    close(file);
+    return cause == 0 || cause == EWOULDBLOCK || refuse(path, strerror(cause), error);
 }
 
 /* What the holder wrote is shown if it is another process' number; anybody may write there. */
@@ -115,7 +133,6 @@ static void sign(int file)
         return; /* a full disk: the lock holds without a name */
 }
 
-/* -1 where there can be none: then it is anybody's turn. */
 static int open_turn(const char *path)
 {
     struct aob_text name = {0};
@@ -125,30 +142,26 @@ static int open_turn(const char *path)
     return turn;
 }
 
-/* Whether it is locked now; without waiting. */
-static bool is_ours(int file)
-{
-    return flock(file, LOCK_EX | LOCK_NB) == 0;
-}
-
-/* Waits for the turn, and gives true if the lock itself came first: whose turn it is takes a lock that is free at once,
- * unless it is stopped, which must not stop everybody else. */
-static bool is_passed_over(struct aob_measure_lock *lock, int turn, const char *path)
+/* Whose turn it is takes a lock that is free at once. If it does not, it is stopped, which must not stop everybody else; or
+ * the lock can be locked by nobody, which whoever asks for it is told. */
+static void await_turn(struct aob_measure_lock *lock, const struct aob_measure_turn *turn, const char *path)
 {
     const struct timespec step = {.tv_nsec = AOB_MEASURE_LOCK_STEP_MS * 1000000L};
-    for (int waited = 0; !is_ours(turn); waited += AOB_MEASURE_LOCK_STEP_MS) {
-        if (waited >= AOB_MEASURE_LOCK_PATIENCE_MS && is_ours(lock->file))
-            return true;
-        if (waited >= AOB_MEASURE_LOCK_PATIENCE_MS)
-            tell(lock, path);
+    int held_ms = 0, idle_ms = 0;
+    while (idle_ms < AOB_MEASURE_LOCK_PATIENCE_MS && aob_measure_turn_is_behind(turn)) {
         nanosleep(&step, NULL);
+        bool held = probe(lock->file) == EWOULDBLOCK;
+        idle_ms = held ? 0 : idle_ms + AOB_MEASURE_LOCK_STEP_MS;
+        if (held && !lock->told)
+            held_ms += AOB_MEASURE_LOCK_STEP_MS;
+        if (held_ms >= AOB_MEASURE_LOCK_PATIENCE_MS)
+            tell(lock, path);
     }
-    return false;
 }
 
 static bool wait_for(struct aob_measure_lock *lock, const char *path)
 {
-    if (is_ours(lock->file))
+    if (flock(lock->file, LOCK_EX | LOCK_NB) == 0)
         return true;
     if (errno == EWOULDBLOCK)
         tell(lock, path);
@@ -158,19 +171,18 @@ static bool wait_for(struct aob_measure_lock *lock, const char *path)
     return got == 0;
 }
 
-/* Who has measured and wants to again finds the turn taken by one of those who wait. It is given back after the lock is
- * signed, so that whoever has the turn reads there for whom it waits. */
+/* The place in the queue is given back after the lock is signed, so that whoever is first then reads there for whom it
+ * waits. */
 static bool lock_in_turn(struct aob_measure_lock *lock, const char *path)
 {
-    int turn = open_turn(path);
-    bool ok = (turn >= 0 && is_passed_over(lock, turn, path)) || wait_for(lock, path);
+    struct aob_measure_turn turn;
+    aob_measure_turn_join(&turn, open_turn(path));
+    await_turn(lock, &turn, path);
+    bool ok = wait_for(lock, path);
     int cause = errno;
     if (ok)
         sign(lock->file);
-    if (turn >= 0) {
-        flock(turn, LOCK_UN); /* a child that was just started may still have the file */
-        close(turn);
-    }
+    aob_measure_turn_leave(&turn);
     errno = cause;
     return ok;
 }
@@ -191,7 +203,7 @@ bool aob_measure_lock_take(struct aob_measure_lock *lock, struct aob_error *erro
         if (lock->file < 0)
             return false;
         if (!lock_in_turn(lock, path)) {
-            aob_fail(error, "%s: cannot lock: %s", path, strerror(errno));
+            refuse(path, strerror(errno), error);
             close(lock->file);
             return false;
         }
@@ -206,7 +218,7 @@ bool aob_measure_lock_take(struct aob_measure_lock *lock, struct aob_error *erro
 void aob_measure_lock_release(struct aob_measure_lock *lock)
 {
     if (lock->held) {
-        flock(lock->file, LOCK_UN); /* as above */
+        flock(lock->file, LOCK_UN); /* a child that was just started may still have the file */
         close(lock->file);
     }
     lock->held = false;

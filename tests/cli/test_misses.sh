@@ -122,6 +122,20 @@ check "the figures are others" jq -se '.[0].cache.mine.frame.levels[0].one.misse
 check "nothing was timed" cmp <(ls timed/rounds) rounds.txt
 check "after which it is finished" "$program" run timed.yaml --out timed --quiet
 check "with two lines" test "$(wc -l <timed/journal.jsonl)" -eq 2
+# A module that dies where it is laid out on that occasion costs these figures only: times, and those of a profile that has not
+# changed, stay as they were.
+sed 's/{name: gtao.*/{name: mortal}]/; s/cache: \[/cache: [generic, /' timed.yaml >mortal.yaml
+die() { printf %s "$1" >fates && MORTAL=$PWD/fates "$program" run mortal.yaml --out mortal --quiet --module "$AOBUDGET_BUILD/tests/modules/mortal.so"; }
+nth() { jq -sc ".[$1] | $2" mortal/journal.jsonl; }
+check "a timed run of a mortal module" die ""
+check "has figures of both" test "$(nth 0 '[.status, .cache.mine.status, .cache.generic.status]')" = '["ok","ok","ok"]'
+profile 1024 4 >mine.yaml
+check "another cache, and it dies" die x
+check "it is told beside the profile" test "$(nth 1 '[.cache.mine.status, (.cache.mine.reason | test("laying out its passes"))]')" = '["failed",true]'
+check "a death leaves all but the figures" test "$(jq -cS 'del(.cache)' mortal/journal.jsonl | uniq | wc -l)" -eq 1
+check "a death leaves the other profile's figures" test "$(nth 1 .cache.generic)" = "$(nth 0 .cache.generic)"
+check "what lacks figures is tried again" die ""
+check "and has them" test "$(nth 2 '[.status, .cache.mine.status, .time.seconds > 0]')" = '["ok","ok",true]'
 sed 's/, cache: .*/}/' config.yaml >plain.yaml
 check "a run without" "$program" run plain.yaml --out plain --quiet
 check "has no such member" jq -se 'all(has("cache") | not)' plain/journal.jsonl

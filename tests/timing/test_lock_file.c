@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <signal.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <sys/file.h>
@@ -142,44 +143,151 @@ static void test_second_place(void **state)
     free(nowhere);
 }
 
-/* From now on this process has no calls for second names and for modes, as on vfat. */
+struct refusal {           /* of a call of the kernel */
+    unsigned call, second; /* second: its argument; ANY: whatever that is */
+};
+#define ANY (~0u)
+
+/* From now on the kernel refuses this process such calls. */
+static bool go_without(const struct refusal *refusals, size_t count, unsigned cause)
+{
+    struct sock_filter code[64];
+    unsigned short used = 0;
+    for (size_t i = 0; i < count; i++) {
+        const struct refusal *r = &refusals[i];
+        const unsigned short test = r->second == ANY ? BPF_JGE : BPF_JEQ;
+        const struct sock_filter rule[] = {
+            BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr)),
+            BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, r->call, 0, 3),
+            BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, args[1])),
+            BPF_JUMP(BPF_JMP | test | BPF_K, r->second == ANY ? 0 : r->second, 0, 1),
+            BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | cause),
+        };
+        memcpy(code + used, rule, sizeof rule);
+        used += sizeof rule / sizeof *rule;
+    }
+    code[used++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+    const struct sock_fprog program = {used, code};
+    return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+           prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+/* As on vfat. */
 static bool go_without_links_and_modes(void)
 {
-    static const unsigned refused[] = {
-        SYS_linkat, SYS_fchmod, SYS_fchmodat,
+    static const struct refusal refused[] = {
+        {SYS_linkat, ANY}, {SYS_fchmod, ANY}, {SYS_fchmodat, ANY},
 #ifdef SYS_link /* newer processors have only those */
-        SYS_link,   SYS_chmod,
+        {SYS_link, ANY},   {SYS_chmod, ANY},
 #endif
     };
-    struct sock_filter code[2 * sizeof refused / sizeof *refused + 2];
-    unsigned short count = 0;
-    code[count++] = (struct sock_filter)BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr));
-    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
-        code[count++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, refused[i], 0, 1);
-        code[count++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM);
-    }
-    code[count++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
-    const struct sock_fprog program = {count, code};
-    return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-           prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0 && link(folder, path) != 0 &&
+    return go_without(refused, sizeof refused / sizeof *refused, EPERM) && link(folder, path) != 0 &&
            errno == EPERM && chmod(folder, 0700) != 0 && errno == EPERM;
+}
+
+/* As on a network's file system that has no locks. */
+static bool go_without_locks(void)
+{
+    static const struct refusal refused[] = {{SYS_flock, ANY}};
+    return go_without(refused, 1, ENOLCK) && flock(STDIN_FILENO, LOCK_UN) != 0 && errno == ENOLCK;
+}
+
+static bool go_without_places(void)
+{
+    static const struct refusal refused[] = {{SYS_fcntl, F_OFD_SETLK}};
+    struct flock none = {.l_type = F_UNLCK, .l_whence = SEEK_SET};
+    return go_without(refused, 1, ENOLCK) && fcntl(STDIN_FILENO, F_OFD_SETLK, &none) != 0 && errno == ENOLCK;
+}
+
+/* The exit code of what a child does; -1: it hangs. */
+static int in_child(int (*act)(void))
+{
+    int status = 0;
+    pid_t pid = fork(), ended = 0;
+    if (pid == 0)
+        _exit(act());
+    for (int i = 0; i < 6000 && (ended = waitpid(pid, &status, WNOHANG)) == 0; i++)
+        usleep(10000);
+    if (ended == 0) {
+        kill(pid, SIGKILL);
+        waitpid(pid, NULL, 0);
+    }
+    return ended == pid && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static int take_without_links_and_modes(void)
+{
+    struct aob_measure_lock lock = {0};
+    if (!go_without_links_and_modes())
+        return 2;
+    return aob_measure_lock_take(&lock, NULL) && is_locked() ? 0 : 1;
 }
 
 static void test_needs_no_links_and_modes(void **state)
 {
     (void)state;
-    int status;
     unlink(path);
-    pid_t pid = fork();
-    if (pid == 0) {
-        struct aob_measure_lock lock = {0};
-        if (!go_without_links_and_modes())
-            _exit(2);
-        _exit(aob_measure_lock_take(&lock, NULL) && is_locked() ? 0 : 1);
-    }
-    assert_int_equal(waitpid(pid, &status, 0), pid);
-    assert_true(WIFEXITED(status));
-    assert_int_equal(WEXITSTATUS(status), 0);
+    assert_int_equal(in_child(take_without_links_and_modes), 0);
+}
+
+static bool is_told(const struct aob_error *error)
+{
+    return strstr(error->text, path) && strstr(error->text, strerror(ENOLCK)) &&
+           strstr(error->text, "AOBUDGET_LOCK");
+}
+
+static int check_without_locks(void)
+{
+    struct aob_error error = {{0}};
+    if (!go_without_locks())
+        return 2;
+    return !aob_measure_lock_check(&error) && is_told(&error) ? 0 : 1;
+}
+
+static int take_without_locks(void)
+{
+    struct aob_measure_lock lock = {0};
+    struct aob_error error = {{0}};
+    if (!go_without_locks())
+        return 2;
+    return !aob_measure_lock_take(&lock, &error) && is_told(&error) ? 0 : 1;
+}
+
+static int take_without_places(void)
+{
+    struct aob_measure_lock lock = {0};
+    if (!go_without_places())
+        return 2;
+    return aob_measure_lock_take(&lock, NULL) && is_locked() ? 0 : 1;
+}
+
+/* What the system refuses to lock ends with a line, also behind another one that never comes to its turn. */
+static void test_cannot_be_locked(void **state)
+{
+    (void)state;
+    assert_int_equal(in_child(check_without_locks), 0);
+    assert_int_equal(in_child(take_without_locks), 0);
+    int file = open(turn, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    struct flock first = {.l_type = F_WRLCK, .l_whence = SEEK_SET, .l_len = 1};
+    assert_int_equal(fcntl(file, F_OFD_SETLK, &first), 0);
+    int code = in_child(take_without_locks);
+    close(file);
+    assert_int_equal(code, 0);
+}
+
+/* Where no place in the queue can be had, or somebody has all of them, there is the lock all the same. */
+static void test_without_places(void **state)
+{
+    (void)state;
+    struct aob_measure_lock lock = {0};
+    assert_int_equal(in_child(take_without_places), 0);
+    int file = open(turn, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    struct flock all = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    assert_int_equal(fcntl(file, F_OFD_SETLK, &all), 0);
+    bool got = aob_measure_lock_take(&lock, NULL) && is_locked();
+    aob_measure_lock_release(&lock);
+    close(file);
+    assert_true(got);
 }
 
 int main(void)
@@ -187,7 +295,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_is_for_everybody),         cmocka_unit_test(test_is_for_everybody_at_once),
         cmocka_unit_test(test_only_a_regular_file),      cmocka_unit_test(test_second_place),
-        cmocka_unit_test(test_needs_no_links_and_modes),
+        cmocka_unit_test(test_needs_no_links_and_modes), cmocka_unit_test(test_cannot_be_locked),
+        cmocka_unit_test(test_without_places),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -129,27 +129,31 @@ static void test_waits_and_tells(void **state)
     assert_false(is_locked());
 }
 
-/* Whether somebody waits, for whom the turn is kept. */
-static bool somebody_waits(void)
+/* How many have a place in the queue. */
+static int waiting(void)
 {
     char *turn = turn_path();
-    int file = open(turn, O_RDONLY | O_CLOEXEC);
-    bool waits = file >= 0 && flock(file, LOCK_SH | LOCK_NB) != 0;
+    int file = open(turn, O_RDONLY | O_CLOEXEC), count = 0;
+    struct flock place = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    while (file >= 0 && fcntl(file, F_OFD_GETLK, &place) == 0 && place.l_type != F_UNLCK) {
+        count++;
+        place = (struct flock){.l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = place.l_start + 1};
+    }
     if (file >= 0)
         close(file);
     free(turn);
-    return waits;
+    return count;
 }
 
-/* Takes the lock again and again, writes its letter each time, and gives it back as soon as somebody waits. */
-static void take_for_ever(char letter, int order)
+/* Takes the lock again and again, writes its letter each time, and gives it back as soon as all others wait. */
+static void take_for_ever(char letter, int order, int others)
 {
     struct aob_measure_lock lock = {.told = true};
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     for (;;) {
         if (!aob_measure_lock_take(&lock, NULL) || write(order, &letter, 1) != 1)
             _exit(1);
-        while (!somebody_waits())
+        while (waiting() < others)
             usleep(1000);
         aob_measure_lock_release(&lock);
     }
@@ -163,7 +167,7 @@ static void be_former(int said, int got)
     dup2(said, STDERR_FILENO);
     if (!aob_measure_lock_take(&lock, NULL) || !aob_file_send(got, "x", 1))
         _exit(1);
-    while (!somebody_waits())
+    while (waiting() == 0)
         usleep(1000);
     aob_measure_lock_release(&lock);
     aob_measure_lock_take(&lock, NULL);
@@ -203,7 +207,7 @@ static void test_stopped_waiter(void **state)
     assert_int_equal(kill(stopped.pid, SIGSTOP), 0);
     assert_true(waitpid(stopped.pid, &status, WUNTRACED) == stopped.pid && WIFSTOPPED(status));
     aob_measure_lock_release(&lock);
-    assert_true(somebody_waits());
+    assert_int_equal(waiting(), 1);
     struct other next = start_other(1);
     bool came = comes(next.got, 60000);
     bool locked = is_locked();
@@ -212,29 +216,31 @@ static void test_stopped_waiter(void **state)
     assert_true(came && locked);
 }
 
-/* Three that want it without end: nobody has it twice while another one waits. */
+/* Four that want it without end: they have it in turn, so who returns at once is behind all that wait. */
 static void test_in_turn(void **state)
 {
     (void)state;
-    enum { COUNT = 3, TAKES = 60 };
+    enum { COUNT = 4, TAKES = 40 };
     pid_t pids[COUNT];
-    int order[2];
-    char letter, last = 0;
+    int order[2], taken = 0;
+    char letters[TAKES];
     assert_int_equal(pipe2(order, O_CLOEXEC), 0);
     for (int i = 0; i < COUNT; i++)
         if ((pids[i] = fork()) == 0)
-            take_for_ever((char)('a' + i), order[1]);
+            take_for_ever((char)('a' + i), order[1], COUNT - 1);
     close(order[1]);
-    for (int t = 0; t < TAKES; t++, last = letter) {
-        assert_true(comes(order[0], 60000));
-        assert_int_equal(read(order[0], &letter, 1), 1);
-        assert_true(letter != last);
-    }
-    for (int i = 0; i < COUNT; i++) {
+    while (taken < TAKES && comes(order[0], 60000) && read(order[0], &letters[taken], 1) == 1)
+        taken++;
+    for (int i = 0; i < COUNT; i++) { /* before anything is asserted */
         kill(pids[i], SIGKILL);
         waitpid(pids[i], NULL, 0);
     }
     close(order[0]);
+    assert_int_equal(taken, TAKES);
+    for (int i = 0; i < COUNT; i++)
+        assert_non_null(memchr(letters, 'a' + i, COUNT));
+    for (int t = COUNT; t < TAKES; t++)
+        assert_int_equal(letters[t], letters[t - COUNT]);
 }
 
 /* A file that is removed meanwhile: the next one locks what lies there then, and so must who has waited. */
