@@ -159,7 +159,8 @@ void aob_answer_print_place(const struct aob_answer *answer, const struct aob_an
         aob_text_add(text, "no good case has an error against a target that is asked for");
         return;
     }
-    aob_text_add(text, "none of its %zu cases is good: ", c->failed + c->invalid + c->unsupported);
+    const size_t bad = c->failed + c->invalid + c->unsupported;
+    aob_text_add(text, bad == 1 ? "its %zu case is not good: " : "none of its %zu cases is good: ", bad);
     aob_answer_print_lost(c, text);
 }
 
