@@ -123,10 +123,11 @@ static void take_best(struct run *run, const struct aob_case *c, const json_t *r
     aob_text_finish(&what);
 }
 
-/* Where only the cache figures are not those of now, they alone are measured. */
+/* Where only the cache figures are not those of now, they alone are measured. A case that is not good has none. */
 static void take_stored(struct run *run, struct aob_state *state, json_t *record)
 {
-    if (aob_cache_case_is_done(&run->sweep.plan, record)) {
+    bool good = strcmp(json_string_value(json_object_get(record, "status")), "ok") == 0;
+    if (!good || aob_cache_case_is_done(&run->sweep.plan, record)) {
         state->stage = AOB_DONE;
         count(run, record);
         take_best(run, state_case(run, state), record);

@@ -154,13 +154,18 @@ static void await_turn(struct aob_measure_lock *lock, const struct aob_measure_t
         idle_ms = held ? 0 : idle_ms + AOB_MEASURE_LOCK_STEP_MS;
         if (held && !lock->told)
             held_ms += AOB_MEASURE_LOCK_STEP_MS;
-        if (held_ms >= AOB_MEASURE_LOCK_PATIENCE_MS)
+        if (held_ms >= AOB_MEASURE_LOCK_PATIENCE_MS && !lock->told)
             tell(lock, path);
     }
 }
 
+/* Who only asks whether it is held has it for a moment, which is nothing to tell of: so it is tried twice. */
 static bool wait_for(struct aob_measure_lock *lock, const char *path)
 {
+    const struct timespec step = {.tv_nsec = AOB_MEASURE_LOCK_STEP_MS * 1000000L};
+    if (flock(lock->file, LOCK_EX | LOCK_NB) == 0)
+        return true;
+    nanosleep(&step, NULL);
     if (flock(lock->file, LOCK_EX | LOCK_NB) == 0)
         return true;
     if (errno == EWOULDBLOCK)

@@ -38,6 +38,21 @@ cp out/journal.jsonl whole.jsonl
 check "a finished run measures nothing" "$program" run config.yaml --out out --quiet
 check "the journal did not grow" cmp out/journal.jsonl whole.jsonl
 
+# An invalid case has no cache figures, and lacks none.
+cat >invalid.yaml <<EOF
+name: invalid
+scenes: [{name: corner}]
+resolutions: [48x27]
+backends: [null]
+techniques: [{name: crytek_ssao, params: {samples: [8, 12]}}]
+measure: {time: false, error: false, images: false, cache: generic}
+EOF
+"$program" run invalid.yaml --out invalid --quiet 2>/dev/null
+check "an invalid case" test "$(jq -c 'select(.status == "invalid") | .cache' invalid/journal.jsonl)" = null
+cp invalid/journal.jsonl invalid.jsonl
+"$program" run invalid.yaml --out invalid --quiet 2>/dev/null
+check "which is finished" cmp invalid/journal.jsonl invalid.jsonl
+
 # A run's folder belongs to the device that it was measured on.
 check "the device stands in run.json" test "$(jq -r '.devices.null.class' out/run.json)" = cpu
 cp out/run.json good.json
