@@ -139,10 +139,11 @@ static enum aob_exit answer_all(struct asking *asking, struct aob_text *out, str
     aob_answer_make(&answer, &asking->rows, &asking->ask);
     bool ok =
         aob_budget_judge(&asking->rows, &asking->ask, error) && write_answer(asking, &answer, out, error);
-    enum aob_exit code = !ok                             ? AOB_EXIT_USAGE
-                         : !aob_answer_fits(&answer)     ? AOB_EXIT_BAD
-                         : !aob_answer_is_whole(&answer) ? AOB_EXIT_PART
-                                                         : AOB_EXIT_OK;
+    bool all = aob_answer_is_known(&answer) && aob_answer_is_whole(&answer);
+    enum aob_exit code = !ok                         ? AOB_EXIT_USAGE
+                         : !aob_answer_fits(&answer) ? AOB_EXIT_BAD
+                         : !all                      ? AOB_EXIT_PART
+                                                     : AOB_EXIT_OK;
     aob_answer_finish(&answer);
     return code;
 }

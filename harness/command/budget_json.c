@@ -130,15 +130,6 @@ static json_t *whole_to_json(const struct aob_answer *answer, const struct aob_a
     return object;
 }
 
-/* A scene and view whose cases are all lost is not known to fit. */
-static bool is_known(const struct aob_answer *answer)
-{
-    bool known = true;
-    for (size_t i = 0; i < answer->place_count; i++)
-        known = known && answer->places[i].cases.ok;
-    return known;
-}
-
 json_t *aob_budget_answer_to_json(const struct aob_answer *answer)
 {
     json_t *questions = json_array(), *settings = json_array();
@@ -148,6 +139,7 @@ json_t *aob_budget_answer_to_json(const struct aob_answer *answer)
         json_array_append_new(settings, whole_to_json(answer, &answer->wholes[i]));
     return json_pack("{s:o, s:o, s:b, s:o, s:o, s:o, s:o}", "error", aob_json_number(answer->ask.error),
                      "profile", answer->ask.profile ? json_string(answer->ask.profile) : json_null(), "fits",
-                     aob_answer_fits(answer) && is_known(answer), "status", cases_to_json(&answer->cases),
-                     "unanswered", unanswered_to_json(answer), "questions", questions, "settings", settings);
+                     aob_answer_fits(answer) && aob_answer_is_known(answer), "status",
+                     cases_to_json(&answer->cases), "unanswered", unanswered_to_json(answer), "questions",
+                     questions, "settings", settings);
 }

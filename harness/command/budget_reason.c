@@ -88,6 +88,24 @@ static void say_size(const struct kept *kept, struct aob_error *error)
     finish_names(&sizes);
 }
 
+static bool may_choose(const struct aob_ask *ask, const struct aob_row *row)
+{
+    (void)ask;
+    return aob_ask_may_choose(row->json);
+}
+
+static void say_choice(const struct kept *kept, struct aob_error *error)
+{
+    struct names techniques = {0};
+    for (size_t i = 0; i < kept->count; i++)
+        add_name(&techniques, kept->list[i]->name);
+    aob_fail(error,
+             "%s: no case of these that may be chosen is good; the good ones are of %s: the journal has the "
+             "reasons of the others",
+             kept->folder, techniques.text.data);
+    finish_names(&techniques);
+}
+
 static bool has_cost(const struct aob_ask *ask, const struct aob_row *row)
 {
     return isfinite(aob_ask_cost(ask, row->json).at);
@@ -170,11 +188,8 @@ static const struct stage {
     bool (*keeps)(const struct aob_ask *ask, const struct aob_row *row);
     void (*say)(const struct kept *kept,
                 struct aob_error *error); /* of those before, none of which is kept */
-} stages[] = {{is_good, say_good},
-              {has_scene, say_scene},
-              {has_size, say_size},
-              {has_cost, say_cost},
-              {has_error, say_error}};
+} stages[] = {{is_good, say_good},      {has_scene, say_scene}, {has_size, say_size},
+              {may_choose, say_choice}, {has_cost, say_cost},   {has_error, say_error}};
 
 /* Behind those that are kept lie the others, so that the line can speak of all. */
 static size_t keep(const struct kept *kept, const struct stage *stage)

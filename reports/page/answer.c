@@ -59,6 +59,7 @@ static void take_place(struct making *making, size_t at)
     making->place_of[at] = find_place(making, row);
     struct aob_answer_place *place = &answer->places[making->place_of[at]];
     count_case(&place->cases, row->status);
+    place->candidates += aob_row_is_ok(row) && aob_ask_may_choose(row->json);
     count_case(&answer->cases, row->status);
     aob_ask_take_frame(&answer->ask, row->json, &answer->frames[place->frame].cost);
 }
@@ -94,12 +95,17 @@ static size_t find_whole(struct making *making, size_t frame, size_t target)
     return place;
 }
 
+static void print_view(const struct making *making, size_t at, size_t target, struct aob_text *text)
+{
+    aob_text_add(text, "%zu %zu", making->place_of[at], target);
+}
+
 static struct aob_answer_view *find_view(struct making *making, size_t at, size_t target)
 {
     struct aob_answer *answer = making->answer;
     size_t place = making->place_of[at], frame = answer->places[place].frame;
     struct aob_text text = {0};
-    aob_text_add(&text, "%zu %zu", place, target);
+    print_view(making, at, target, &text);
     size_t view = aob_table_put(&making->views, text.data, answer->view_count);
     if (view == answer->view_count) {
         answer->places[place].questions++;
@@ -129,23 +135,58 @@ static void take_case(struct making *making, struct aob_answer_view *view, size_
                                                                                 .error = error};
 }
 
+/* Whether a score is against a target that is asked for. */
+static bool is_asked(const struct aob_answer *answer, const struct aob_score *score)
+{
+    double radius = answer->rows->targets[score->target].radius, asked = answer->ask.radius;
+    return isfinite(aob_costs_error(score->json)) && (isnan(asked) || (float)radius == (float)asked);
+}
+
 static void take_row(struct making *making, size_t at)
 {
-    const struct aob_ask *ask = &making->answer->ask;
     const struct aob_row *row = &making->answer->rows->list[at];
     making->setting = number_setting(making, row);
     for (size_t i = 0; i < row->score_count; i++) {
         const struct aob_score *score = &row->scores[i];
-        double radius = making->answer->rows->targets[score->target].radius,
-               error = aob_costs_error(score->json);
-        if (!isfinite(error) || (!isnan(ask->radius) && (float)radius != (float)ask->radius))
-            continue;
-        struct aob_answer_view *view = find_view(making, at, score->target);
-        if (strcmp(row->name, "none") == 0)
-            *AOB_PUSH(view->nones, view->none_count, view->none_capacity) = at;
-        else if (aob_ask_may_choose(row->json))
-            take_case(making, view, at, error);
+        if (is_asked(making->answer, score))
+            take_case(making, find_view(making, at, score->target), at, aob_costs_error(score->json));
     }
+}
+
+/* The view of a row that makes none; NULL: no case asks it. */
+static struct aob_answer_view *known_view(struct making *making, size_t at, size_t target)
+{
+    struct aob_text text = {0};
+    size_t view;
+    print_view(making, at, target, &text);
+    bool known = aob_table_find(&making->views, text.data, &view);
+    aob_text_finish(&text);
+    return known ? &making->answer->views[view] : NULL;
+}
+
+static void take_none(struct making *making, size_t at)
+{
+    const struct aob_row *row = &making->answer->rows->list[at];
+    for (size_t i = 0; i < row->score_count; i++) {
+        if (!is_asked(making->answer, &row->scores[i]))
+            continue;
+        struct aob_answer_view *view = known_view(making, at, row->scores[i].target);
+        if (view)
+            *AOB_PUSH(view->nones, view->none_count, view->none_capacity) = at;
+    }
+}
+
+/* Only what may be chosen makes a question, so `none` comes when all of them are known. */
+static void take_rows(struct making *making)
+{
+    const struct aob_ask *ask = &making->answer->ask;
+    const struct aob_rows *rows = making->answer->rows;
+    for (size_t i = 0; i < rows->count; i++)
+        if (aob_ask_has(ask, rows->list[i].json) && aob_ask_may_choose(rows->list[i].json))
+            take_row(making, i);
+    for (size_t i = 0; i < rows->count; i++)
+        if (aob_ask_has(ask, rows->list[i].json) && strcmp(rows->list[i].name, "none") == 0)
+            take_none(making, i);
 }
 
 static void choose(struct aob_answer_view *view, double error)
@@ -205,9 +246,7 @@ void aob_answer_make(struct aob_answer *answer, const struct aob_rows *rows, con
     *answer = (struct aob_answer){.rows = rows, .ask = *ask};
     struct making making = {.answer = answer, .place_of = AOB_NEW_ARRAY(size_t, rows->count + 1)};
     take_places(&making);
-    for (size_t i = 0; i < rows->count; i++)
-        if (aob_ask_has(ask, rows->list[i].json))
-            take_row(&making, i);
+    take_rows(&making);
     for (size_t i = 0; i < answer->view_count; i++)
         choose(&answer->views[i], ask->error);
     for (size_t i = 0; i < answer->whole_count; i++)
@@ -256,6 +295,14 @@ bool aob_answer_fits(const struct aob_answer *answer)
     for (size_t i = 0; i < answer->whole_count; i++)
         all = all && answer->wholes[i].choice.accurate != AOB_NO_CANDIDATE;
     return all;
+}
+
+bool aob_answer_is_known(const struct aob_answer *answer)
+{
+    bool known = true;
+    for (size_t i = 0; i < answer->place_count; i++)
+        known = known && answer->places[i].candidates;
+    return known;
 }
 
 bool aob_answer_is_whole(const struct aob_answer *answer)

@@ -25,21 +25,23 @@ struct aob_answer_place {
     const struct aob_row *first;
     size_t frame; /* its place among the answer's */
     struct aob_answer_cases cases;
-    size_t questions; /* answered, one a target; 0: no good case has an error that is asked for */
+    size_t candidates; /* good cases that may be chosen, whatever is known of them */
+    size_t questions;  /* answered, one a target; 0: no candidate has an error that is asked for */
 };
 
-/* One scene and view at one size on one backend, against one target. Candidates are the good cases that may be chosen. */
+/* One scene and view at one size on one backend, against one target. Candidates are the good cases that may be chosen.
+ * Only they make a view, with or without a cost: a good `none` or `deferred` asks nothing. */
 struct aob_answer_view {
-    const struct aob_row *first; /* of its rows: says scene, view, backend and size */
+    const struct aob_row *first; /* of its candidates: says scene, view, backend and size */
     size_t target;               /* its place among the rows' */
     size_t place, whole;         /* their places among the answer's */
     double ms;                   /* of its frame */
     struct aob_candidate
         *list; /* costs are those that are judged; `of` is the row's place, `view` a number in its whole */
     size_t count, capacity;
-    size_t *nones; /* places of the rows of `none` there */
+    size_t *nones; /* places of the rows of `none` there, which have an error against the target too */
     size_t none_count, none_capacity;
-    size_t unknown; /* cases whose judged cost is not known */
+    size_t unknown; /* candidates whose judged cost is not known, which the list lacks */
     struct aob_choice choice;
     size_t *front; /* places in the list, by rising cost */
     size_t front_count;
@@ -51,7 +53,7 @@ struct aob_answer_whole {
     size_t target;
     size_t frame; /* its place among the answer's */
     double ms;    /* of that */
-    size_t views; /* that have the target, of the frame's places */
+    size_t views; /* that have candidates against the target, of the frame's places */
     struct aob_candidate
         *list; /* one a setting that all of them have; `of` is the row of the view that costs it most */
     size_t count;
@@ -83,6 +85,9 @@ const struct aob_row *aob_answer_none(const struct aob_answer *answer, const str
 
 /* Whether every view has a case that fits, and every whole a setting that does. */
 bool aob_answer_fits(const struct aob_answer *answer);
+
+/* Whether every scene and view has a good case that may be chosen. One that has none is not known to fit. */
+bool aob_answer_is_known(const struct aob_answer *answer);
 
 /* Whether all cases that are asked for are there and good. A run that does not say how many were planned may lack some. */
 bool aob_answer_is_whole(const struct aob_answer *answer);

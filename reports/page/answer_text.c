@@ -81,13 +81,13 @@ struct aob_answer_pass aob_answer_dearest_pass(const struct aob_row *row, const 
 void aob_answer_print_budget(const struct aob_answer *answer, const struct aob_answer_view *view,
                              struct aob_text *text)
 {
+    const struct aob_row *judged = view->count ? &answer->rows->list[view->list[0].of] : view->first;
     aob_three_digits(fmax(view->ms, 0), text);
     aob_text_add(text, " ms");
     if (answer->ask.profile)
         aob_text_add(text, ", modelled on %s", answer->ask.profile);
     else
-        aob_text_add(text, " of %s, measured here",
-                     aob_costs_clock(json_object_get(view->first->json, "time")));
+        aob_text_add(text, " of %s, measured here", aob_costs_clock(json_object_get(judged->json, "time")));
 }
 
 static void print_where(const struct aob_answer *answer, const struct aob_row *row, struct aob_text *text)
@@ -148,20 +148,31 @@ void aob_answer_print_lost(const struct aob_answer_cases *cases, struct aob_text
     }
 }
 
+static void print_bad(const struct aob_answer_cases *c, struct aob_text *text)
+{
+    const size_t bad = c->failed + c->invalid + c->unsupported;
+    aob_text_add(text, bad == 1 ? "its %zu case is not good: " : "none of its %zu cases is good: ", bad);
+    aob_answer_print_lost(c, text);
+}
+
 void aob_answer_print_place(const struct aob_answer *answer, const struct aob_answer_place *place,
                             struct aob_text *text)
 {
     const struct aob_row *row = place->first;
-    const struct aob_answer_cases *c = &place->cases;
+    struct aob_text lost = {0};
     print_where(answer, row, text);
     aob_text_add(text, "%s/%s %s %dx%d: ", row->scene, row->view, row->backend, row->width, row->height);
-    if (c->ok) {
-        aob_text_add(text, "no good case has an error against a target that is asked for");
+    if (!place->cases.ok) {
+        print_bad(&place->cases, text);
         return;
     }
-    const size_t bad = c->failed + c->invalid + c->unsupported;
-    aob_text_add(text, bad == 1 ? "its %zu case is not good: " : "none of its %zu cases is good: ", bad);
-    aob_answer_print_lost(c, text);
+    aob_text_add(text, place->candidates
+                           ? "no good case that may be chosen has an error against a target that is asked for"
+                           : "no case that may be chosen is good");
+    aob_answer_print_lost(&place->cases, &lost);
+    if (lost.size)
+        aob_text_add(text, "; not there: %s", lost.data);
+    aob_text_finish(&lost);
 }
 
 static void print_target(const struct aob_answer *answer, const struct aob_row *row, size_t target,

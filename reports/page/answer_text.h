@@ -26,7 +26,7 @@ struct aob_answer_pass {
 };
 struct aob_answer_pass aob_answer_dearest_pass(const struct aob_row *row, const char *profile);
 
-/* "2 ms, modelled on ps4"; "2 ms of processor time, measured here", by the clock of the view's first row. */
+/* "2 ms, modelled on ps4"; "2 ms of processor time, measured here", by the clock of the first candidate. */
 void aob_answer_print_budget(const struct aob_answer *answer, const struct aob_answer_view *view,
                              struct aob_text *text);
 
@@ -39,7 +39,8 @@ void aob_answer_print_frame(const struct aob_answer *answer, const struct aob_an
 /* "2 failed, 1 unsupported"; nothing where all are good. */
 void aob_answer_print_lost(const struct aob_answer_cases *cases, struct aob_text *text);
 
-/* "spheres/front vulkan 480x270: none of its 2 cases is good: 2 failed", of a place without a question. */
+/* "spheres/front vulkan 480x270: none of its 2 cases is good: 2 failed", of a place without a question; "no case that may be
+ * chosen is good; not there: 2 failed" where only a `none` or `deferred` is. */
 void aob_answer_print_place(const struct aob_answer *answer, const struct aob_answer_place *place,
                             struct aob_text *text);
 

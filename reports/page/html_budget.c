@@ -126,6 +126,20 @@ static void add_sentences(struct aob_text *page, const struct aob_answer *answer
     aob_sentences_finish(&sentences);
 }
 
+/* A view whose every case lacks the cost that is judged has no row. */
+static void add_unknown(struct aob_text *page, const struct aob_answer *answer,
+                        const struct aob_answer_view *view)
+{
+    struct aob_text head = {0};
+    aob_answer_print_view(answer, view, &head);
+    aob_text_add(&head, ": of %zu case%s the cost that is judged is not known", view->unknown,
+                 view->unknown == 1 ? "" : "s");
+    aob_text_add(page, "<p class=soft>");
+    add_text(page, &head);
+    aob_text_add(page, ".</p>\n");
+    aob_text_finish(&head);
+}
+
 static void add_target(struct aob_text *page, const struct aob_answer *answer, size_t target)
 {
     size_t count = 0;
@@ -139,6 +153,9 @@ static void add_target(struct aob_text *page, const struct aob_answer *answer, s
             add_row(page, answer, &answer->views[i]);
     aob_text_add(page, count ? "</tbody></table></div>\n"
                              : "<p class=soft>No case has both an error and the cost that is judged.</p>\n");
+    for (size_t i = 0; i < answer->view_count; i++)
+        if (answer->views[i].target == target && !answer->views[i].count)
+            add_unknown(page, answer, &answer->views[i]);
     for (size_t i = 0; i < answer->whole_count; i++)
         if (answer->wholes[i].target == target && answer->wholes[i].views > 1)
             add_sentences(page, answer, &answer->wholes[i]);

@@ -97,6 +97,38 @@ jq -c 'if .key == "b2" then .status = "unsupported" else . end' lost.jsonl >lost
 echo '{"name":"made","cases":16}' >lost/run.json
 "$program" budget lost --ms 9 --target 0.5 >lost.txt || true
 check "nor of one view" grep -qx 'corner/far null 64x36 .*: 2 of 2 cases fit 9 ms of processor time, measured here; not there: 1 unsupported' lost.txt
+# A scene of which only none is good has nothing to be chosen either.
+got=0
+"$program" budget lost --ms 9 --target 0.5 --json lost.json >lost.txt || got=$?
+check "a scene of which only none is good: 3" test $got -eq 3
+check "it asks nothing" grep -qx 'spheres/front null 64x36: no case that may be chosen is good; not there: 3 failed' lost.txt
+check "nor has a table" bash -c "! grep -q '^spheres.* cases fit ' lost.txt"
+check "the setting is of the others" jq -e '.fits == false and ([.questions[].scene] | unique) == ["corner"] and [.unanswered[] | "\(.scene)/\(.view) \(.status.ok) \(.status.failed)"] == ["spheres/front 1 3", "spheres/far 1 3"] and (.settings | length) == 1 and (.settings[0] | .views == 2 and .places == 4 and .settings == 2)' lost.json
+expect 2 "lost: no case of these that may be chosen is good; the good ones are of none: the journal has the reasons" "$program" budget lost --ms 9 --scene spheres
+budgeted='{"name":"made","cases":16,"budget":{"name":"frame","title":"a frame","source":"made up","frame_ms":10,"rest_ms":0,"ao_ms":9,"error":"inf","width":0,"height":0,"device":null}}'
+echo "$budgeted" >lost/run.json
+"$program" report lost --quiet
+check "the page names it" grep -qx '<p class=soft>spheres/far null 64x36: no case that may be chosen is good; not there: 3 failed.</p>' lost/report/index.html
+check "and has the setting of the others" grep -q 'Over 2 of 4 scenes and views, null 64x36 against the truth within 0.5 scene units: 2 settings are in all of them' lost/report/index.html
+mkdir only
+jq -c 'select(.scene == "corner" or .technique == "none")' lost/journal.jsonl >only/journal.jsonl
+echo '{"name":"made","cases":10}' >only/run.json
+got=0
+jq -c 'if .key == "b2" then .status = "ok" else . end' only/journal.jsonl >only.jsonl && mv only.jsonl only/journal.jsonl
+"$program" budget only --ms 9 --target 0.5 >only.txt || got=$?
+check "a scene that has only none is not known to fit: 3" test $got -eq 3
+check "nor is anything else said to be lost" grep -qx 'spheres/front null 64x36: no case that may be chosen is good' only.txt
+# A case without the cost asks all the same, and the page says so.
+mkdir untimed
+jq -c 'if .view == "far" then del(.time) else . end' run/journal.jsonl >untimed/journal.jsonl
+echo "$budgeted" >untimed/run.json
+got=0
+"$program" budget untimed --target 0.5 --json untimed.json >untimed.txt || got=$?
+check "nothing fits a view without times: 1" test $got -eq 1
+check "it counts among all" jq -e '.questions[1] | .view == "far" and .cases == 0 and .unknown == 3' untimed.json
+check "and spoils the setting" jq -e '.settings[0] | .views == 2 and .settings == 0' untimed.json
+"$program" report untimed --quiet
+check "the page names its view" grep -qx '<p class=soft>corner/far null 64x36 against the truth within 0.5 scene units: of 3 cases the cost that is judged is not known.</p>' untimed/report/index.html
 got=0
 "$program" budget lost --ms 9 --target 0.5 --scene corner --quiet || got=$?
 check "a scene that is asked for is judged by its own cases" test $got -eq 3
@@ -104,6 +136,9 @@ jq -c 'if .key == "b2" then .status = "ok" else . end' lost/journal.jsonl >lost.
 check "and not by those of others" "$program" budget lost --ms 9 --target 0.5 --scene corner --quiet
 jq -c 'if .scene == "spheres" then .status = "ok" | .errors = [{"target": {"radius": 139, "weighting": "cosine"}, "band_rmse": 0.5}] else . end' lost/journal.jsonl >lost.jsonl && mv lost.jsonl lost/journal.jsonl
 "$program" budget lost --ms 9 >lost.txt || true
+jq -c 'if .key == "a2s" then .status = "failed" else . end' lost/journal.jsonl >own.jsonl && mkdir own && mv own.jsonl own/journal.jsonl && cp run/run.json own
+"$program" budget own --ms 9 --target 0.5 >own.txt || true
+check "nor is it asked against another, and its failure is told" grep -qx 'spheres/far null 64x36: no good case that may be chosen has an error against a target that is asked for; not there: 1 failed' own.txt
 check "a scene with a target of its own is not among all" grep -q '^2 of 4 scenes and views, null 64x36 against the truth within 0.5 scene units' lost.txt
 
 check "every budget that comes with the program can be read" "$program" list budgets

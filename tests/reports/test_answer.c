@@ -7,11 +7,12 @@ static bool is_in(const struct question *q, const struct made *m)
            m->backend == q->backend && !isnan(m->error[q->target]);
 }
 
+/* Only what may be chosen asks, whether or not its cost is known. */
 static bool exists(const struct question *q)
 {
     bool any = false;
     for (size_t i = 0; i < q->count; i++)
-        any = any || is_in(q, &q->list[i]);
+        any = any || (is_in(q, &q->list[i]) && q->list[i].kind == OCCLUSION);
     return any;
 }
 
@@ -224,6 +225,18 @@ static bool brute_setting(struct question q, size_t setting, struct seen *worst)
     return true;
 }
 
+/* Scenes and views of a size, backend and target that have something to be chosen. */
+static size_t brute_views(struct question q)
+{
+    size_t count = 0;
+    for (size_t n = 0; n < SCENES * VIEWS; n++) {
+        q.scene = n % SCENES;
+        q.view = n / SCENES;
+        count += exists(&q);
+    }
+    return count;
+}
+
 /* Whether the rule has no preference between them. */
 static void assert_equal(enum rule rule, const struct aob_candidate *candidate, const struct seen *best)
 {
@@ -236,6 +249,7 @@ static void check_whole(const struct aob_answer_whole *whole, const struct quest
 {
     struct seen list[ALL_SETTINGS];
     size_t count = 0;
+    assert_int_equal(whole->views, brute_views(*q));
     for (size_t s = 0; s < ALL_SETTINGS; s++)
         count += brute_setting(*q, s, &list[count]);
     assert_true(whole->ms == q->ms);
@@ -271,14 +285,37 @@ static size_t check_wholes(const struct aob_answer *answer, struct question q)
     return fitting;
 }
 
+/* The questions that a scene and view at a size on a backend has, and what may be chosen there. */
+static void check_place(const struct aob_answer_place *place, struct question q)
+{
+    size_t candidates = 0, questions = 0;
+    q.scene = (size_t)(place->first->scene[1] - '0');
+    q.view = (size_t)(place->first->view[1] - '0');
+    q.size = (size_t)place->first->width / 64 - 1;
+    q.backend = strcmp(place->first->backend, backends[0]) != 0;
+    for (size_t i = 0; i < q.count; i++) {
+        const struct made *m = &q.list[i];
+        candidates += m->ok && m->kind == OCCLUSION && m->scene == q.scene && m->view == q.view &&
+                      m->size == q.size && m->backend == q.backend;
+    }
+    for (q.target = 0; q.target < TARGETS; q.target++)
+        questions += exists(&q);
+    assert_int_equal(place->candidates, candidates);
+    assert_int_equal(place->questions, questions);
+}
+
 /* Good cases and others of a scene and view. */
 static void check_places(const struct aob_answer *answer, const struct question *q)
 {
     size_t ok = 0, failed = 0, good = 0;
+    bool known = true;
     for (size_t i = 0; i < answer->place_count; i++) {
         ok += answer->places[i].cases.ok;
         failed += answer->places[i].cases.failed;
+        known = known && answer->places[i].candidates;
+        check_place(&answer->places[i], *q);
     }
+    assert_int_equal(aob_answer_is_known(answer), known);
     for (size_t i = 0; i < q->count; i++)
         good += q->list[i].ok;
     assert_int_equal(ok, good);

@@ -80,6 +80,30 @@ static void test_room(void **state)
     free(text);
 }
 
+#define UNTIMED                                                                                              \
+    "{\"key\":\"u\",\"scene\":\"s\",\"view\":\"v\",\"technique\":\"gtao\",\"params\":{\"n\":1},"             \
+    "\"options\":{},\"backend\":\"null\",\"width\":64,\"height\":32,\"status\":\"ok\",\"errors\":["          \
+    "{\"target\":{\"radius\":1,\"weighting\":\"cosine\"},\"rmse\":0.01,\"band_rmse\":0.5}]}\n"
+
+/* The clock is that of what is judged, and an untimed case has none. */
+static void test_clock(void **state)
+{
+    (void)state;
+    struct aob_rows rows;
+    struct aob_answer answer;
+    struct aob_text said = {0};
+    put("journal.jsonl", UNTIMED CASE);
+    read_rows(&rows);
+    aob_answer_make(&answer, &rows, &(struct aob_ask){.ms = 2, .error = INFINITY, .radius = NAN});
+    assert_int_equal(answer.view_count, 1);
+    assert_int_equal(answer.views[0].unknown, 1);
+    aob_answer_print_budget(&answer, &answer.views[0], &said);
+    assert_string_equal(said.data, "2 ms of wall time, measured here");
+    aob_text_finish(&said);
+    aob_answer_finish(&answer);
+    aob_rows_finish(&rows);
+}
+
 static void assert_shown(double value, const char *expected)
 {
     struct aob_text text = {0};
@@ -219,7 +243,8 @@ static void test_frame_of_each_size(void **state)
     assert_int_equal(answer.views[0].count, 1); /* without `deferred`, which is never chosen */
     assert_int_equal(answer.views[0].choice.accurate, 0);
     assert_near(answer.views[0].ms, 7, 0);
-    assert_near(answer.wholes[1].ms, 1, 0);
+    assert_near(answer.frames[1].ms, 1, 0);
+    assert_int_equal(answer.whole_count, 1); /* of the other size nothing may be chosen */
     aob_answer_finish(&answer);
     aob_rows_finish(&rows);
 }
@@ -253,6 +278,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_overrun),
                                        cmocka_unit_test(test_room),
+                                       cmocka_unit_test(test_clock),
                                        cmocka_unit_test(test_digits),
                                        cmocka_unit_test(test_frames_of_none),
                                        cmocka_unit_test(test_frame),
