@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "planes.h"
 #include "prelude.h"
+#include "programs.h"
 
 enum { MAX_BINDS = AOB_MAX_IN + 4 };
 
@@ -184,7 +185,9 @@ static bool create_program(struct aob_frame *frame, int index, struct aob_error 
     const struct aob_gpu_program_desc program = {.vertex = vertex.data, /* NULL where there is none */
                                                  .fragment = fragment.data,
                                                  .rewrite = frame->rewrites ? &frame->rewrites[index] : NULL};
-    frame->programs[index] = aob_gpu_program_create_desc(frame->screen->gpu, &program, error);
+    frame->programs[index] = frame->lender
+                                 ? aob_programs_lend(frame->lender, &program, error)
+                                 : aob_gpu_program_create_desc(frame->screen->gpu, &program, error);
     aob_text_finish(&fragment);
     aob_text_finish(&vertex);
     if (!frame->programs[index] && pass->draw == AOB_TRIANGLES)
@@ -234,6 +237,7 @@ bool aob_frame_init_desc(struct aob_frame *frame, const struct aob_screen *scree
     *frame = (struct aob_frame){.screen = screen,
                                 .fetch = desc->fetch,
                                 .readable = desc->readable,
+                                .lender = desc->rewrites ? NULL : desc->programs,
                                 .planes = desc->planes,
                                 .rewrites = desc->rewrites,
                                 .storage = desc->storage};
@@ -271,7 +275,8 @@ void aob_frame_finish(struct aob_frame *frame)
     struct aob_gpu *gpu = frame->screen->gpu;
     for (int i = 0; i < AOB_MAX_PASS; i++) {
         aob_gpu_pass_destroy(gpu, frame->passes[i]);
-        aob_gpu_program_destroy(gpu, frame->programs[i]);
+        if (!frame->lender)
+            aob_gpu_program_destroy(gpu, frame->programs[i]);
     }
     for (int i = 0; i < AOB_MAX_TEXTURE; i++)
         aob_gpu_texture_destroy(gpu, frame->textures[i]);

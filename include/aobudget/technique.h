@@ -19,7 +19,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define AOB_ABI 4u /* raised by every change to this file: modules of another number are refused */
+#define AOB_ABI 5u /* raised by every change to this file: modules of another number are refused */
 enum {
     AOB_MAX_PARAM = 32,
     AOB_MAX_IN = 8,
@@ -289,6 +289,16 @@ struct aob_sampling {
     enum aob_sequence sequence;
 };
 
+/* --- Where its text wants what a hard case calls a fault --------------------------------------------------- */
+
+/* The command `stress` puts every technique to the same properties, whose names `aobudget stress --list` prints. Where the
+ * text of a technique makes one fail, the technique says so here with that sentence: the cell is then "by definition". It is
+ * measured all the same, so that a line which nothing needs is told. */
+struct aob_by_definition {
+    const char *property; /* by its name */
+    const char *because;  /* what the text does, one sentence, with its place in the text */
+};
+
 /* --- Module: const data. A .so exports one symbol, aob_module --------------------------------------------- */
 
 struct aob_shader {
@@ -309,6 +319,7 @@ struct aob_technique {
     const struct aob_shader *shaders; /* ended by a NULL name */
     struct aob_definition definition;
     struct aob_sampling sampling;
+    const struct aob_by_definition *by_definition; /* ended by a NULL property; NULL: none */
     bool (*check)(const void *values, const char **why);        /* rules across parameters; may be NULL */
     bool (*build)(struct aob_graph *graph, const void *values); /* lay the passes; pure, repeatable */
 };

@@ -86,3 +86,11 @@ bool aob_vk_flush(struct vk *vk, struct aob_error *error)
 {
     return submit(vk, VK_NULL_HANDLE, NULL, error);
 }
+
+enum { FLUSH_EVERY = 8 };
+
+void aob_vk_destroyed(struct vk *vk)
+{
+    if (++vk->destroyed % FLUSH_EVERY == 0)
+        aob_vk_flush(vk, NULL);
+}

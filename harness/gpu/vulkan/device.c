@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static bool create_device(struct vk *vk, struct aob_error *error)
+static bool create_device(struct vk *vk, bool robust, struct aob_error *error)
 {
     VkPhysicalDeviceFeatures has;
     vkGetPhysicalDeviceFeatures(vk->physical, &has);
@@ -14,6 +14,7 @@ static bool create_device(struct vk *vk, struct aob_error *error)
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
         .dynamicRendering = VK_TRUE,
         .synchronization2 = VK_TRUE,
+        .robustImageAccess = robust, /* every Vulkan 1.3 has both */
     };
     VkDeviceCreateInfo create = {
         .sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
@@ -26,7 +27,8 @@ static bool create_device(struct vk *vk, struct aob_error *error)
         .pEnabledFeatures =
             &(VkPhysicalDeviceFeatures){.shaderStorageImageExtendedFormats =
                                             has.shaderStorageImageExtendedFormats,
-                                        .fragmentStoresAndAtomics = has.fragmentStoresAndAtomics},
+                                        .fragmentStoresAndAtomics = has.fragmentStoresAndAtomics,
+                                        .robustBufferAccess = robust},
     };
     if (!aob_vk_ok(vk, vkCreateDevice(vk->physical, &create, NULL, &vk->device), "create a device", error))
         return false;
@@ -107,7 +109,7 @@ struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_
     struct vk *vk = AOB_NEW(struct vk);
     vk->base.fns = fns;
     if (aob_vk_instance_create(vk, desc->validate, error) && aob_vk_choose_device(vk, desc->device, error) &&
-        create_device(vk, error) && create_commands(vk, error) && create_sampler(vk, AOB_NEAREST, error) &&
+        create_device(vk, desc->robust, error) && create_commands(vk, error) && create_sampler(vk, AOB_NEAREST, error) &&
         create_sampler(vk, AOB_BILINEAR, error) && create_triangle(vk, error) &&
         aob_vk_stamps_create(vk, error)) {
         describe(vk);

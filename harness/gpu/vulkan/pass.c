@@ -8,15 +8,14 @@ struct vk_pass {
     struct vk_binds binds;
     VkImageView targets[AOB_MAX_OUT];
     struct vk_depth depth; /* NULL handles: none */
-    VkPipeline pipeline;
+    VkPipeline pipeline; /* the program's */
     /* What a run records. */
     VkImageMemoryBarrier2 opening[AOB_MAX_OUT + 1], closing[AOB_MAX_OUT];
     VkRenderingAttachmentInfo outputs[AOB_MAX_OUT], cleared_depth;
     uint32_t opening_count, target_count, first_vertex, vertex_count;
+    VkViewport viewport; /* of the whole area; `area` is the part that is drawn */
     VkRect2D area;
 };
-
-enum { FLUSH_EVERY = 8 };
 
 static bool create_targets(struct vk *vk, const struct aob_gpu_pass_desc *desc, struct vk_pass *pass,
                            struct aob_error *error)
@@ -79,6 +78,8 @@ static void describe_attachments(const struct aob_gpu_pass_desc *desc, struct vk
 
 static void describe_draw(const struct aob_gpu_pass_desc *desc, struct vk_pass *pass)
 {
+    pass->viewport =
+        (VkViewport){.width = (float)desc->width, .height = (float)desc->height, .maxDepth = 1};
     pass->area.extent = (VkExtent2D){(uint32_t)desc->width, (uint32_t)desc->height};
     pass->target_count = (uint32_t)desc->target_count;
     pass->vertex_count = desc->vertex_count ? desc->vertex_count : 3;
@@ -104,6 +105,7 @@ void aob_vk_pass_record(const struct aob_gpu_pass *base, VkCommandBuffer command
     if (pass->binds.set)
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass->binds.layout, 0, 1,
                                 &pass->binds.set, 0, NULL);
+    vkCmdSetViewport(commands, 0, 1, &pass->viewport);
     vkCmdSetScissor(commands, 0, 1, &pass->area);
     vkCmdDraw(commands, pass->vertex_count, 1, pass->first_vertex, 0);
     vkCmdEndRendering(commands);
@@ -116,7 +118,7 @@ bool aob_vk_pass_create(struct aob_gpu *gpu, const struct aob_gpu_pass_desc *des
     struct vk *vk = (struct vk *)gpu;
     struct vk_pass *made = AOB_NEW(struct vk_pass);
     if (aob_vk_binds_init(vk, desc, &made->binds, error) &&
-        aob_vk_pipeline_create(vk, desc, made->binds.layout, &made->pipeline, error) &&
+        aob_vk_pipeline_lend(vk, desc, made->binds.layout, &made->pipeline, error) &&
         create_targets(vk, desc, made, error)) {
         describe_draw(desc, made);
         *pass = &made->base;
@@ -130,15 +132,12 @@ void aob_vk_pass_destroy(struct aob_gpu *gpu, struct aob_gpu_pass *pass)
 {
     struct vk *vk = (struct vk *)gpu;
     struct vk_pass *made = (struct vk_pass *)pass;
-    vkDestroyPipeline(vk->device, made->pipeline, NULL);
     for (size_t i = 0; i < AOB_COUNT(made->targets); i++)
         vkDestroyImageView(vk->device, made->targets[i], NULL);
     aob_vk_depth_finish(vk, &made->depth);
     aob_vk_binds_finish(vk, &made->binds);
     free(made);
-    /* lavapipe frees what was destroyed at the next submit only, and a sweep may destroy much in a row. */
-    if (++vk->destroyed_passes % FLUSH_EVERY == 0)
-        aob_vk_flush(vk, NULL);
+    aob_vk_destroyed(vk);
 }
 
 bool aob_vk_pass_set_uniforms(struct aob_gpu *gpu, struct aob_gpu_pass *pass, const void *block,

@@ -1,5 +1,6 @@
 #include "vk.h"
 #include "base/memory.h"
+#include <string.h>
 
 static const VkPipelineVertexInputStateCreateInfo no_vertices = {
     .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
@@ -61,26 +62,21 @@ static VkPipelineRenderingCreateInfo describe_targets(const struct aob_gpu_pass_
                                                desc->depth_test ? AOB_VK_DEPTH_FORMAT : VK_FORMAT_UNDEFINED};
 }
 
-static const VkPipelineDynamicStateCreateInfo any_scissor = {
+/* So that one pipeline serves passes of all sizes. */
+static const VkDynamicState area_states[] = {VK_DYNAMIC_STATE_SCISSOR, VK_DYNAMIC_STATE_VIEWPORT};
+static const VkPipelineDynamicStateCreateInfo any_area = {
     .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
-    .dynamicStateCount = 1,
-    .pDynamicStates = &(const VkDynamicState){VK_DYNAMIC_STATE_SCISSOR},
+    .dynamicStateCount = AOB_COUNT(area_states),
+    .pDynamicStates = area_states,
+};
+static const VkPipelineViewportStateCreateInfo one_area = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
+    .viewportCount = 1,
+    .scissorCount = 1,
 };
 
-static VkPipelineViewportStateCreateInfo describe_area(const struct aob_gpu_pass_desc *desc,
-                                                       VkViewport *viewport)
-{
-    *viewport = (VkViewport){.width = (float)desc->width, .height = (float)desc->height, .maxDepth = 1};
-    return (VkPipelineViewportStateCreateInfo){
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
-        .viewportCount = 1,
-        .pViewports = viewport,
-        .scissorCount = 1,
-    };
-}
-
-bool aob_vk_pipeline_create(struct vk *vk, const struct aob_gpu_pass_desc *desc, VkPipelineLayout layout,
-                            VkPipeline *pipeline, struct aob_error *error)
+static bool create(struct vk *vk, const struct aob_gpu_pass_desc *desc, VkPipelineLayout layout,
+                   VkPipeline *pipeline, struct aob_error *error)
 {
     const struct vk_program *program = (const struct vk_program *)desc->program;
     VkPipelineShaderStageCreateInfo stages[] = {
@@ -89,25 +85,65 @@ bool aob_vk_pipeline_create(struct vk *vk, const struct aob_gpu_pass_desc *desc,
     };
     VkFormat formats[AOB_MAX_OUT];
     VkPipelineColorBlendAttachmentState outputs[AOB_MAX_OUT];
-    VkViewport viewport;
     VkPipelineRenderingCreateInfo targets = describe_targets(desc, formats);
-    VkPipelineViewportStateCreateInfo area = describe_area(desc, &viewport);
     VkPipelineColorBlendStateCreateInfo output = describe_output(desc, outputs);
-    VkGraphicsPipelineCreateInfo create = {
+    VkGraphicsPipelineCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
         .pNext = &targets,
         .stageCount = AOB_COUNT(stages),
         .pStages = stages,
         .pVertexInputState = &no_vertices,
         .pInputAssemblyState = &triangles,
-        .pViewportState = &area,
+        .pViewportState = &one_area,
         .pRasterizationState = &fill,
         .pMultisampleState = &one_sample,
         .pDepthStencilState = desc->depth_test ? &greater_wins : NULL,
         .pColorBlendState = &output,
-        .pDynamicState = &any_scissor,
+        .pDynamicState = &any_area,
         .layout = layout,
     };
-    return aob_vk_ok(vk, vkCreateGraphicsPipelines(vk->device, NULL, 1, &create, NULL, pipeline),
+    return aob_vk_ok(vk, vkCreateGraphicsPipelines(vk->device, NULL, 1, &info, NULL, pipeline),
                      "create a pipeline", error);
+}
+
+/* Cleared first, so that its padding and unused formats compare equal. */
+static void describe_kind(const struct aob_gpu_pass_desc *desc, struct vk_pipeline_kind *kind)
+{
+    memset(kind, 0, sizeof *kind);
+    for (size_t i = 0; i < desc->target_count; i++)
+        kind->formats[i] = aob_vk_format(desc->targets[i].texture->format);
+    for (size_t i = 0; i < desc->bind_count; i++) {
+        uint32_t bit = 1u << desc->binds[i].binding;
+        if (desc->binds[i].kind == AOB_GPU_STORAGE)
+            kind->stored |= bit;
+        else
+            kind->sampled |= bit;
+    }
+    kind->target_count = (uint32_t)desc->target_count;
+    kind->uniforms = desc->uniforms ? 1 : 0;
+    kind->storage = desc->storage ? 1 : 0;
+    kind->depth_test = desc->depth_test;
+    kind->blend = desc->blend;
+}
+
+bool aob_vk_pipeline_lend(struct vk *vk, const struct aob_gpu_pass_desc *desc, VkPipelineLayout layout,
+                          VkPipeline *pipeline, struct aob_error *error)
+{
+    /* A program is const to passes, which know nothing of what it keeps for them. */
+    struct vk_program *program = (struct vk_program *)(uintptr_t)desc->program;
+    struct vk_pipeline_kind kind;
+    describe_kind(desc, &kind);
+    for (size_t i = 0; i < program->pipeline_count; i++)
+        if (memcmp(&program->pipelines[i].kind, &kind, sizeof kind) == 0) {
+            *pipeline = program->pipelines[i].pipeline;
+            return true;
+        }
+    if (!create(vk, desc, layout, pipeline, error)) {
+        vkDestroyPipeline(vk->device, *pipeline, NULL);
+        return false;
+    }
+    program->pipelines =
+        aob_realloc(program->pipelines, program->pipeline_count + 1, sizeof *program->pipelines);
+    program->pipelines[program->pipeline_count++] = (struct vk_pipeline){kind, *pipeline};
+    return true;
 }

@@ -48,5 +48,9 @@ void aob_vk_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program
     struct vk_program *made = (struct vk_program *)program;
     vkDestroyShaderModule(vk->device, made->vertex, NULL);
     vkDestroyShaderModule(vk->device, made->fragment, NULL);
+    for (size_t i = 0; i < made->pipeline_count; i++)
+        vkDestroyPipeline(vk->device, made->pipelines[i].pipeline, NULL);
+    free(made->pipelines);
     free(made);
+    aob_vk_destroyed(vk);
 }

@@ -25,7 +25,7 @@ struct vk {
     uint32_t stamp_bits;   /* valid bits of a timestamp; 0: the queue has no timer */
     VkSampler samplers[2]; /* by enum aob_filter */
     VkShaderModule triangle;
-    unsigned destroyed_passes;
+    unsigned destroyed; /* passes and programs */
     struct aob_gpu_device chosen;
     char complaint[512]; /* of the validation layer, since the last aob_vk_ok; empty: none */
 };
@@ -59,9 +59,22 @@ struct vk_texture {
     struct vk_state rest; /* between passes, and while it is read */
 };
 
+/* What a program is compiled to for passes of one kind. Drivers compile when a pipeline is made or first drawn with, so it
+ * stays with the program, and a pass that is like an earlier one costs no compiling. */
+struct vk_pipeline {
+    struct vk_pipeline_kind { /* all that a pipeline depends on besides its program; compared as bytes */
+        VkFormat formats[AOB_MAX_OUT];
+        uint32_t sampled, stored; /* bit n: binding n is such an image */
+        uint32_t target_count, uniforms, storage, depth_test, blend;
+    } kind;
+    VkPipeline pipeline;
+};
+
 struct vk_program {
     struct aob_gpu_program base;
     VkShaderModule vertex, fragment; /* vertex: NULL for the screen triangle */
+    struct vk_pipeline *pipelines;   /* pipeline_count; made as passes want them */
+    size_t pipeline_count;
 };
 
 /* call.c */
@@ -89,6 +102,10 @@ void aob_vk_close(struct aob_gpu *gpu);
 bool aob_vk_begin(struct vk *vk, struct aob_error *error);
 bool aob_vk_finish(struct vk *vk, struct aob_gpu_time *time, struct aob_error *error);
 bool aob_vk_flush(struct vk *vk, struct aob_error *error);
+
+/* Counts a pass or a program that was destroyed: lavapipe frees it at the next submit only, and a sweep may destroy much in
+ * a row. So every few of them there is one. */
+void aob_vk_destroyed(struct vk *vk);
 
 /* What is recorded behind it begins when all that was recorded before has ended. */
 void aob_vk_record_wait(VkCommandBuffer commands);
@@ -183,9 +200,10 @@ bool aob_vk_binds_init(struct vk *vk, const struct aob_gpu_pass_desc *desc, stru
                        struct aob_error *error);
 void aob_vk_binds_finish(struct vk *vk, struct vk_binds *binds);
 
-/* pipeline.c: how a pass draws. */
-bool aob_vk_pipeline_create(struct vk *vk, const struct aob_gpu_pass_desc *desc, VkPipelineLayout layout,
-                            VkPipeline *pipeline, struct aob_error *error);
+/* pipeline.c: how a pass draws. The pipeline is the program's, which lends it to all passes of that kind; `layout` may go,
+ * since that of another such pass is compatible with it. */
+bool aob_vk_pipeline_lend(struct vk *vk, const struct aob_gpu_pass_desc *desc, VkPipelineLayout layout,
+                          VkPipeline *pipeline, struct aob_error *error);
 
 /* The table's slots, texture.c, shader.c and pass.c. */
 const char *aob_vk_lacks(const struct aob_gpu *gpu, enum aob_format format, uint32_t needs);
