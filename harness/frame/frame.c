@@ -185,9 +185,8 @@ static bool create_program(struct aob_frame *frame, int index, struct aob_error 
     const struct aob_gpu_program_desc program = {.vertex = vertex.data, /* NULL where there is none */
                                                  .fragment = fragment.data,
                                                  .rewrite = frame->rewrites ? &frame->rewrites[index] : NULL};
-    frame->programs[index] = frame->lender
-                                 ? aob_programs_lend(frame->lender, &program, error)
-                                 : aob_gpu_program_create_desc(frame->screen->gpu, &program, error);
+    frame->programs[index] = frame->lender ? aob_programs_lend(frame->lender, &program, error)
+                                           : aob_gpu_program_create_desc(frame->screen->gpu, &program, error);
     aob_text_finish(&fragment);
     aob_text_finish(&vertex);
     if (!frame->programs[index] && pass->draw == AOB_TRIANGLES)

@@ -35,7 +35,7 @@ struct aob_frame {
     unsigned char values[4 * AOB_MAX_PARAM];           /* the technique's own struct */
     struct aob_gpu_texture *textures[AOB_MAX_TEXTURE]; /* NULL where unused */
     struct aob_gpu_program *programs[AOB_MAX_PASS];
-    struct aob_programs *lender; /* whose they are; NULL: the frame's own */
+    struct aob_programs *lender;               /* whose they are; NULL: the frame's own */
     struct aob_gpu_pass *passes[AOB_MAX_PASS]; /* NULL where pruned */
     size_t memory_bytes;                       /* of the technique's own textures */
     bool readable;                             /* all textures can be read back, not outputs only */
@@ -52,7 +52,8 @@ struct aob_frame_desc {
     const void *values; /* the technique's own struct */
     enum aob_fetch fetch;
     bool readable; /* as above */
-    struct aob_programs *programs; /* frame/programs.h; borrowed from, must outlive the frame. NULL: it compiles its own */
+    struct aob_programs
+        *programs; /* frame/programs.h; borrowed from, must outlive the frame. NULL: it compiles its own */
     /* For frame/trace.c and frame/count.c. Each pass can be drawn in parts, and writes down what it does in `storage`: what
      * it reads, with `planes`, which are filled in and outlive the frame; or what its rewrite makes it write. There is a
      * rewrite for each pass, by its index in the graph. */

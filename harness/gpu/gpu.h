@@ -37,7 +37,8 @@ struct aob_gpu_desc {
     bool
         as_gpu; /* a software device runs lists of passes as a GPU does (aob_gpu_run): for the test of its timer,
                       and so that the ways of a GPU are tested where there is none */
-    bool robust; /* reads outside of images and buffers give zeros, and writes there do nothing: Vulkan's robust access */
+    bool
+        robust; /* reads outside of images and buffers give zeros, and writes there do nothing: Vulkan's robust access */
     const char *device; /* number or name, as aob_gpu_choose says; NULL: the backend's default */
 };
 

@@ -142,10 +142,11 @@ static bool judge_texts(const struct aob_technique *technique, struct aob_error 
             return aob_fail(error, "technique '%s': shader '%s' has no text", technique->name, s->name);
     for (const struct aob_by_definition *d = technique->by_definition; d && d->property; d++)
         if (!is_name(d->property) || !is_text(d->because) || !*d->because)
-            return aob_fail(error,
-                            "technique '%s': what fails by definition is not named in lower_snake, or without "
-                            "its sentence",
-                            technique->name);
+            return aob_fail(
+                error,
+                "technique '%s': what fails by definition is not named in lower_snake, or without "
+                "its sentence",
+                technique->name);
     return true;
 }
 

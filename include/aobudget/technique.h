@@ -319,7 +319,7 @@ struct aob_technique {
     const struct aob_shader *shaders; /* ended by a NULL name */
     struct aob_definition definition;
     struct aob_sampling sampling;
-    const struct aob_by_definition *by_definition; /* ended by a NULL property; NULL: none */
+    const struct aob_by_definition *by_definition;              /* ended by a NULL property; NULL: none */
     bool (*check)(const void *values, const char **why);        /* rules across parameters; may be NULL */
     bool (*build)(struct aob_graph *graph, const void *values); /* lay the passes; pure, repeatable */
 };

@@ -109,9 +109,9 @@ struct aob_gpu *aob_vk_open(const struct aob_gpu_fns *fns, const struct aob_gpu_
     struct vk *vk = AOB_NEW(struct vk);
     vk->base.fns = fns;
     if (aob_vk_instance_create(vk, desc->validate, error) && aob_vk_choose_device(vk, desc->device, error) &&
-        create_device(vk, desc->robust, error) && create_commands(vk, error) && create_sampler(vk, AOB_NEAREST, error) &&
-        create_sampler(vk, AOB_BILINEAR, error) && create_triangle(vk, error) &&
-        aob_vk_stamps_create(vk, error)) {
+        create_device(vk, desc->robust, error) && create_commands(vk, error) &&
+        create_sampler(vk, AOB_NEAREST, error) && create_sampler(vk, AOB_BILINEAR, error) &&
+        create_triangle(vk, error) && aob_vk_stamps_create(vk, error)) {
         describe(vk);
         read_limits(vk);
         return &vk->base;

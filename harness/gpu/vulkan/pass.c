@@ -8,7 +8,7 @@ struct vk_pass {
     struct vk_binds binds;
     VkImageView targets[AOB_MAX_OUT];
     struct vk_depth depth; /* NULL handles: none */
-    VkPipeline pipeline; /* the program's */
+    VkPipeline pipeline;   /* the program's */
     /* What a run records. */
     VkImageMemoryBarrier2 opening[AOB_MAX_OUT + 1], closing[AOB_MAX_OUT];
     VkRenderingAttachmentInfo outputs[AOB_MAX_OUT], cleared_depth;
@@ -78,8 +78,7 @@ static void describe_attachments(const struct aob_gpu_pass_desc *desc, struct vk
 
 static void describe_draw(const struct aob_gpu_pass_desc *desc, struct vk_pass *pass)
 {
-    pass->viewport =
-        (VkViewport){.width = (float)desc->width, .height = (float)desc->height, .maxDepth = 1};
+    pass->viewport = (VkViewport){.width = (float)desc->width, .height = (float)desc->height, .maxDepth = 1};
     pass->area.extent = (VkExtent2D){(uint32_t)desc->width, (uint32_t)desc->height};
     pass->target_count = (uint32_t)desc->target_count;
     pass->vertex_count = desc->vertex_count ? desc->vertex_count : 3;

@@ -1,0 +1,110 @@
+#include "ask.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "job/stress_job.h"
+#include "property.h"
+#include "store/image.h"
+
+/* A subject and its properties while they are asked. */
+struct asking {
+    struct aob_stress_job job;
+    struct aob_registry registry;
+    struct aob_gpu *gpu;
+    struct aob_subject subject;
+    bool has_subject;
+};
+
+static bool open_subject(struct aob_worker *worker, struct asking *asking, struct aob_error *error)
+{
+    const struct aob_stress_job *job = &asking->job;
+    if (!job->technique.technique)
+        return true;
+    const struct aob_technique *technique = aob_registry_open(&asking->registry, &job->technique, error);
+    const struct aob_gpu_desc desc = {.validate = job->validate, .robust = true, .device = job->device};
+    asking->gpu = technique ? aob_gpu_open(job->backend, &desc, error) : NULL;
+    if (!asking->gpu)
+        return false;
+    aob_subject_init(&asking->subject, technique, asking->gpu);
+    asking->has_subject = true;
+    aob_worker_reply(worker, aob_stress_answer_to_json(&(struct aob_stress_answer){
+                                 .message = AOB_STRESS_OPENED,
+                                 .device = asking->gpu->info.device,
+                                 .driver = asking->gpu->info.driver}));
+    return true;
+}
+
+/* The image of the worst place, beside what it was compared with, as channels of one file. */
+static char *write_sight(const struct asking *asking, const char *property, const struct aob_sight *sight)
+{
+    struct aob_error error = {{0}};
+    struct aob_text name = {0};
+    struct aob_image image = {.width = sight->width, .height = sight->height};
+    size_t bytes = (size_t)sight->width * (size_t)sight->height * sizeof(float);
+    if (!asking->job.images || !sight->image)
+        return NULL;
+    aob_text_add(&name, "%s-%s-%s.exr", asking->job.technique.technique, asking->job.backend, property);
+    memcpy(aob_image_add(&image, "AO"), sight->image, bytes);
+    if (sight->wanted)
+        memcpy(aob_image_add(&image, "wanted"), sight->wanted, bytes);
+    char *path = aob_path_join(asking->job.images, name.data);
+    if (!aob_image_write(&image, path, &error))
+        aob_warn("%s", error.text);
+    aob_image_finish(&image);
+    free(path);
+    return name.data;
+}
+
+static void ask(struct aob_worker *worker, struct asking *asking, const struct aob_property *property)
+{
+    struct aob_trial trial;
+    struct aob_answer answer;
+    aob_worker_reply(worker, aob_stress_answer_to_json(&(struct aob_stress_answer){
+                                 .message = AOB_STRESS_BEGUN, .property = property->name}));
+    aob_trial_init(&trial, asking->has_subject ? &asking->subject : NULL, asking->job.quick);
+    aob_property_ask(property, &trial, &answer);
+    char *image = answer.outcome == AOB_FAILS || answer.outcome == AOB_BY_DEFINITION
+                      ? write_sight(asking, property->name, &trial.sight)
+                      : NULL;
+    aob_worker_reply(worker, aob_stress_answer_to_json(&(struct aob_stress_answer){
+                                 .message = AOB_STRESS_ANSWERED,
+                                 .property = property->name,
+                                 .outcome = aob_outcome_word(answer.outcome),
+                                 .worst = answer.worst,
+                                 .bound = answer.bound,
+                                 .declared = answer.declared,
+                                 .reason = answer.reason,
+                                 .image = image}));
+    free(image);
+    aob_trial_finish(&trial);
+}
+
+static bool ask_all(struct aob_worker *worker, struct asking *asking, struct aob_error *error)
+{
+    for (size_t i = 0; i < asking->job.property_count; i++) {
+        const struct aob_property *property = aob_property_find(asking->job.properties[i]);
+        if (!property)
+            return aob_fail(error, "there is no property '%s'", asking->job.properties[i]);
+        ask(worker, asking, property);
+    }
+    return true;
+}
+
+static bool run(struct aob_worker *worker, struct aob_error *error)
+{
+    struct asking *asking = AOB_NEW(struct asking);
+    aob_registry_init(&asking->registry);
+    bool ok = aob_stress_job_from_json(worker->job, &asking->job, error) &&
+              open_subject(worker, asking, error) && ask_all(worker, asking, error);
+    if (asking->has_subject)
+        aob_subject_finish(&asking->subject);
+    aob_gpu_close(asking->gpu);
+    aob_registry_finish(&asking->registry);
+    aob_stress_job_finish(&asking->job);
+    free(asking);
+    return ok;
+}
+
+const struct aob_worker_job aob_worker_stress = {"stress", run};

@@ -1,0 +1,13 @@
+/* The groups of properties, one file each. Each array ends with a row without a name. */
+#ifndef AOB_STRESS_GROUPS_H
+#define AOB_STRESS_GROUPS_H
+#include "property.h"
+
+extern const struct aob_property aob_properties_projection[], aob_properties_numbers[], aob_properties_near[],
+    aob_properties_normals[], aob_properties_resolution[], aob_properties_edges[], aob_properties_relations[],
+    aob_properties_instruments[];
+
+/* Excuses that several groups have. */
+const char *aob_excuse_no_divisor(const struct aob_subject *subject);
+const char *aob_excuse_no_radius(const struct aob_subject *subject);
+#endif

@@ -1,0 +1,5 @@
+#include "groups.h"
+
+const struct aob_property aob_properties_numbers[] = {
+    {0},
+};

@@ -1,0 +1,149 @@
+#include "subject.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "frame/frame.h"
+#include "technique/graph.h"
+#include "technique/param.h"
+
+void aob_subject_init(struct aob_subject *subject, const struct aob_technique *technique, struct aob_gpu *gpu)
+{
+    *subject = (struct aob_subject){.technique = technique, .gpu = gpu};
+    aob_programs_init(&subject->programs, gpu);
+}
+
+void aob_subject_finish(struct aob_subject *subject)
+{
+    aob_programs_finish(&subject->programs);
+}
+
+bool aob_subject_has(const struct aob_subject *subject, const char *param)
+{
+    return aob_param_find(subject->technique->params, subject->technique->param_count, param);
+}
+
+bool aob_subject_draws_triangles(const struct aob_subject *subject)
+{
+    struct aob_pass_graph *graph = AOB_NEW(struct aob_pass_graph);
+    unsigned char values[4 * AOB_MAX_PARAM];
+    struct aob_options options;
+    bool built =
+        aob_subject_values(subject, &(struct aob_shot){0}, values, &options, NULL) &&
+        aob_graph_build(graph, subject->technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, NULL);
+    bool draws = built && aob_graph_needs_triangles(graph);
+    free(graph);
+    return draws;
+}
+
+/* One word of `set` into the number that it is for. */
+static bool set_number(const struct aob_param *param, const char *text, double *value,
+                       struct aob_error *error)
+{
+    double number;
+    if (param->choices || !aob_parse_double(text, &number))
+        return aob_param_parse(param, text, value, error) || aob_fail_in(error, "%s", param->name);
+    *value = fmin(fmax(number, param->min), param->max);
+    return aob_param_obeys(param, *value) ||
+           aob_fail(error, "%s: %s is not %s", param->name, text, aob_param_rule(param));
+}
+
+struct numbers {
+    double params[AOB_MAX_PARAM], options[AOB_OPTION_COUNT];
+};
+
+static bool set_word(const struct aob_subject *subject, char *word, struct numbers *numbers,
+                     struct aob_error *error)
+{
+    const struct aob_technique *t = subject->technique;
+    char *text = strchr(word, '=');
+    if (!text)
+        return aob_fail(error, "'%s' is not NAME=VALUE", word);
+    *text++ = '\0';
+    const struct aob_param *param = aob_param_find(t->params, t->param_count, word);
+    if (param)
+        return set_number(param, text, &numbers->params[param - t->params], error);
+    const struct aob_param *option = aob_param_find(aob_option_params, AOB_OPTION_COUNT, word);
+    return !option || set_number(option, text, &numbers->options[option - aob_option_params], error);
+}
+
+static bool set_words(const struct aob_subject *subject, const char *set, struct numbers *numbers,
+                      struct aob_error *error)
+{
+    char *copy = aob_strdup(set), *rest = copy;
+    bool ok = true;
+    for (char *word; ok && (word = strsep(&rest, " "));)
+        ok = !*word || set_word(subject, word, numbers, error);
+    free(copy);
+    return ok;
+}
+
+static void set_lengths(const struct aob_technique *technique, double radius, double *numbers)
+{
+    const struct aob_param *params = technique->params,
+                           *param = aob_param_find(params, technique->param_count, "radius");
+    double metre = radius > 0 && param && param->initial > 0 ? radius / param->initial : 1;
+    aob_param_defaults(params, technique->param_count, metre, numbers);
+    for (uint32_t i = 0; i < technique->param_count; i++)
+        if (params[i].unit == AOB_UNIT_LENGTH)
+            numbers[i] = fmin(fmax(numbers[i], params[i].min), params[i].max);
+}
+
+bool aob_subject_values(const struct aob_subject *subject, const struct aob_shot *shot, void *values,
+                        struct aob_options *options, struct aob_error *error)
+{
+    const struct aob_technique *technique = subject->technique;
+    struct numbers numbers;
+    set_lengths(technique, shot->radius, numbers.params);
+    aob_param_defaults(aob_option_params, AOB_OPTION_COUNT, 1, numbers.options);
+    if (shot->set && !set_words(subject, shot->set, &numbers, error))
+        return false;
+    aob_param_pack(technique->params, technique->param_count, numbers.params, values, 4 * AOB_MAX_PARAM);
+    aob_param_pack(aob_option_params, AOB_OPTION_COUNT, numbers.options, options, sizeof *options);
+    return true;
+}
+
+/* The triangles are uploaded for techniques that draw them only. */
+static bool draw_frame(struct aob_subject *subject, const struct aob_shot *shot,
+                       const struct aob_frame_desc *desc, struct aob_screen *screen, float *pixels,
+                       bool *unfit, struct aob_error *error)
+{
+    struct aob_frame *frame = AOB_NEW(struct aob_frame);
+    struct aob_geometry geometry = shot->exhibit->geometry;
+    bool triangles = aob_subject_draws_triangles(subject);
+    bool ok = !triangles || aob_geometry_upload(&geometry, subject->gpu, error);
+    screen->geometry = triangles ? &geometry : NULL;
+    ok = ok && aob_frame_init_desc(frame, screen, desc, error);
+    *unfit = frame->unfit;
+    ok = ok && aob_frame_run(frame, 1, NULL, error) &&
+         aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, error);
+    aob_frame_finish(frame);
+    aob_gpu_texture_destroy(subject->gpu, geometry.texture);
+    free(frame);
+    return ok;
+}
+
+bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, float *pixels, bool *unfit,
+                      struct aob_error *error)
+{
+    unsigned char values[4 * AOB_MAX_PARAM];
+    struct aob_options options;
+    struct aob_screen screen;
+    const char *why = NULL;
+    *unfit = false;
+    if (!aob_subject_values(subject, shot, values, &options, error))
+        return false;
+    if (subject->technique->check && !subject->technique->check(values, &why)) {
+        *unfit = true;
+        return aob_fail(error, "%s: %s", subject->technique->name, why ? why : "its check() refuses");
+    }
+    bool ok = aob_screen_init(&screen, subject->gpu, &shot->exhibit->gbuffer, &options, error);
+    *unfit = screen.unfit;
+    const struct aob_frame_desc desc = {.technique = subject->technique,
+                                        .values = values,
+                                        .fetch = (enum aob_fetch)options.fetch,
+                                        .programs = &subject->programs};
+    ok = ok && draw_frame(subject, shot, &desc, &screen, pixels, unfit, error);
+    aob_screen_finish(&screen);
+    return ok;
+}

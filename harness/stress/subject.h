@@ -1,0 +1,46 @@
+/* Who is put to the properties: a technique on a device, and how its frames are drawn. Programs are compiled once for all
+ * frames of a subject. Threads: the one that opened the device. */
+#ifndef AOB_STRESS_SUBJECT_H
+#define AOB_STRESS_SUBJECT_H
+#include "frame/programs.h"
+#include "exhibit.h"
+#include "technique/option.h"
+#include "technique/registry.h"
+
+struct aob_subject {
+    const struct aob_technique *technique;
+    struct aob_gpu *gpu;
+    struct aob_programs programs;
+};
+void aob_subject_init(struct aob_subject *subject, const struct aob_technique *technique,
+                      struct aob_gpu *gpu);
+void aob_subject_finish(struct aob_subject *subject);
+
+/* Whether it has a parameter of that name. */
+bool aob_subject_has(const struct aob_subject *subject, const char *param);
+
+/* Whether its passes draw the scene's triangles at its defaults. */
+bool aob_subject_draws_triangles(const struct aob_subject *subject);
+
+/* What of an exhibit is drawn, and how. */
+struct aob_shot {
+    const struct aob_exhibit *exhibit;
+    /* Scene units that the technique's parameter `radius` has, to which its other default lengths keep their proportion, so
+     * that a scene of any scale is met alike. 0, or no such parameter: a metre is a scene unit. */
+    double radius;
+    /* "divisor=2 depth_encoding=r16f": run options and, where the technique has them, parameters in place of what they have
+     * by default. A parameter that it has not is left out, so that one text serves all techniques; a number out of its
+     * bounds is moved to the nearest bound. NULL: nothing. */
+    const char *set;
+};
+
+/* What a shot makes of the technique's values struct (4 * AOB_MAX_PARAM bytes) and of the options. False after a line if a
+ * word of `set` is no number or choice, or breaks its rule. */
+bool aob_subject_values(const struct aob_subject *subject, const struct aob_shot *shot, void *values,
+                        struct aob_options *options, struct aob_error *error);
+
+/* Draws one frame and reads the visibility of width x height pixels. False after a line; *unfit then says that it is no
+ * fault of the technique: the device lacks something, or the values are refused by its check(). */
+bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, float *pixels, bool *unfit,
+                      struct aob_error *error);
+#endif

@@ -1,0 +1,191 @@
+#include "trial.h"
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "base/text.h"
+
+void aob_trial_init(struct aob_trial *trial, struct aob_subject *subject, bool quick)
+{
+    *trial = (struct aob_trial){.subject = subject, .quick = quick, .worst = -1};
+}
+
+void aob_trial_clear(struct aob_trial *trial)
+{
+    for (size_t i = 0; i < trial->block_count; i++) {
+        if (trial->blocks[i].is_exhibit)
+            aob_exhibit_finish(trial->blocks[i].data);
+        free(trial->blocks[i].data);
+    }
+    trial->block_count = 0;
+}
+
+void aob_trial_finish(struct aob_trial *trial)
+{
+    aob_trial_clear(trial);
+    free(trial->blocks);
+    free(trial->sight.image);
+    free(trial->sight.wanted);
+    *trial = (struct aob_trial){0};
+}
+
+static bool stopped(const struct aob_trial *trial)
+{
+    return *trial->error.text || *trial->excuse.text;
+}
+
+static void *keep(struct aob_trial *trial, void *data, bool is_exhibit)
+{
+    *AOB_PUSH(trial->blocks, trial->block_count, trial->block_capacity) =
+        (struct aob_trial_block){data, is_exhibit};
+    return data;
+}
+
+struct aob_exhibit *aob_trial_exhibit(struct aob_trial *trial, const struct aob_exhibit_desc *desc)
+{
+    struct aob_exhibit *exhibit = AOB_NEW(struct aob_exhibit);
+    if (!stopped(trial) && aob_exhibit_init(exhibit, desc, &trial->error))
+        return keep(trial, exhibit, true);
+    aob_mesh_finish(desc->mesh);
+    free(exhibit);
+    return NULL;
+}
+
+float *aob_trial_image(struct aob_trial *trial, const struct aob_exhibit *exhibit)
+{
+    return keep(trial, AOB_NEW_ARRAY(float, aob_exhibit_pixels(exhibit)), false);
+}
+
+bool *aob_trial_mask(struct aob_trial *trial, const struct aob_exhibit *exhibit)
+{
+    return keep(trial, AOB_NEW_ARRAY(bool, aob_exhibit_pixels(exhibit)), false);
+}
+
+/* The sky is not held to 0..1, but what is no number there reaches the surfaces beside it in the next filter. */
+static void look_through(struct aob_trial *trial, const struct aob_shot *shot, const float *pixels)
+{
+    for (size_t i = 0; i < aob_exhibit_pixels(shot->exhibit); i++) {
+        bool fine = aob_exhibit_is_surface(shot->exhibit, i) ? pixels[i] >= 0 && pixels[i] <= 1
+                                                          : isfinite(pixels[i]);
+        if (fine || trial->broken)
+            continue;
+        int x = (int)(i % (size_t)shot->exhibit->width), y = (int)(i / (size_t)shot->exhibit->width);
+        aob_trial_take(trial, NAN, &(struct aob_seen){.shot = shot, .image = pixels},
+                       "pixel (%d, %d) of %dx%d is %g, which is no visibility", x, y, shot->exhibit->width,
+                       shot->exhibit->height, (double)pixels[i]);
+        trial->broken = true;
+    }
+}
+
+float *aob_trial_draw(struct aob_trial *trial, const struct aob_shot *shot)
+{
+    bool unfit = false;
+    struct aob_error error = {{0}};
+    if (stopped(trial) || !shot->exhibit)
+        return NULL;
+    float *pixels = aob_trial_image(trial, shot->exhibit);
+    if (!aob_subject_draw(trial->subject, shot, pixels, &unfit, &error)) {
+        *(unfit ? &trial->excuse : &trial->error) = error;
+        return NULL;
+    }
+    look_through(trial, shot, pixels);
+    return pixels;
+}
+
+float *aob_trial_trace(struct aob_trial *trial, const struct aob_exhibit *exhibit, double radius, int spp)
+{
+    if (stopped(trial) || !exhibit)
+        return NULL;
+    float *pixels = aob_trial_image(trial, exhibit);
+    return aob_exhibit_trace(exhibit, radius, spp, pixels, &trial->error) ? pixels : NULL;
+}
+
+static float *copy_of(const float *pixels, size_t count)
+{
+    float *copy = pixels ? AOB_NEW_ARRAY(float, count) : NULL;
+    if (copy)
+        memcpy(copy, pixels, count * sizeof *pixels);
+    return copy;
+}
+
+static void keep_sight(struct aob_trial *trial, const struct aob_seen *seen)
+{
+    const struct aob_shot *shot = seen ? seen->shot : NULL;
+    struct aob_sight *sight = &trial->sight;
+    free(sight->image);
+    free(sight->wanted);
+    *sight = (struct aob_sight){{0}, {0}, 0, 0, NULL, NULL};
+    if (!shot || !shot->exhibit)
+        return;
+    size_t count = aob_exhibit_pixels(shot->exhibit);
+    aob_line_print(sight->set, sizeof sight->set, "%s", shot->set ? shot->set : "");
+    sight->width = shot->exhibit->width;
+    sight->height = shot->exhibit->height;
+    sight->image = copy_of(seen->image, count);
+    sight->wanted = copy_of(seen->wanted, count);
+}
+
+void aob_trial_take(struct aob_trial *trial, double badness, const struct aob_seen *seen, const char *format,
+                    ...)
+{
+    va_list args;
+    if (stopped(trial))
+        return;
+    trial->asked++;
+    /* NAN is not greater than anything, and stays once it is there. */
+    if (isnan(trial->worst) || badness <= trial->worst)
+        return;
+    trial->worst = badness;
+    keep_sight(trial, seen);
+    va_start(args, format);
+    aob_line_print_list(trial->sight.where, sizeof trial->sight.where, format, args);
+    va_end(args);
+}
+
+void aob_trial_excuse(struct aob_trial *trial, const char *format, ...)
+{
+    va_list args;
+    char line[sizeof trial->excuse.text];
+    va_start(args, format);
+    aob_line_print_list(line, sizeof line, format, args);
+    va_end(args);
+    if (!stopped(trial))
+        aob_fail(&trial->excuse, "%s", line);
+}
+
+struct aob_difference aob_difference_of(const struct aob_exhibit *exhibit, const float *image,
+                                        const float *wanted, const bool *mask)
+{
+    struct aob_difference d = {.most = -1};
+    double square = 0, sum = 0;
+    for (size_t i = 0; i < aob_exhibit_pixels(exhibit); i++) {
+        if (!aob_exhibit_is_surface(exhibit, i) || (mask && !mask[i]))
+            continue;
+        double e = (double)image[i] - (double)wanted[i];
+        d.count++;
+        sum += e;
+        square += e * e;
+        if (fabs(e) > d.most) {
+            d.most = fabs(e);
+            d.at = i;
+        }
+    }
+    d.mean = d.count ? sum / (double)d.count : NAN;
+    d.rmse = d.count ? sqrt(square / (double)d.count) : NAN;
+    d.most = d.count && isfinite(sum) ? d.most : NAN;
+    return d;
+}
+
+double aob_mean_of(const struct aob_exhibit *exhibit, const float *image, const bool *mask)
+{
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 0; i < aob_exhibit_pixels(exhibit); i++)
+        if (aob_exhibit_is_surface(exhibit, i) && (!mask || mask[i])) {
+            sum += (double)image[i];
+            count++;
+        }
+    return count ? sum / (double)count : NAN;
+}
