@@ -15,7 +15,7 @@ static const struct aob_flag flags[] = {
     TEXT("technique", "NAME", technique, "only this one (all; with --module, all of the modules)"),
     TEXT("property", "NAME", property, "only this one; see --list"),
     TEXT("backend", "NAME", backend, "only this one; see: aobudget list backends (all that draw)"),
-    TEXT("out", "DIR", out, "stress.json, and a picture of each place where a property fails"),
+    TEXT("out", "DIR", out, "stress.json, its page, and a picture of each place where a property fails"),
     {"quick", NULL, "the properties that need few programs, at fewer places", AOB_FLAG_SWITCH,
      offsetof(struct options, quick)},
     {"list", NULL, "print the properties with their bounds, and ask nothing", AOB_FLAG_SWITCH,

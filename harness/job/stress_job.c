@@ -67,8 +67,10 @@ json_t *aob_stress_answer_to_json(const struct aob_stress_answer *answer)
     json_object_set_new(object, "bound", aob_json_number(answer->bound));
     json_object_set_new(object, "declared", json_boolean(answer->declared));
     json_object_set_new(object, "reason", aob_json_text(answer->reason));
-    if (answer->image)
+    if (answer->image) {
         json_object_set_new(object, "image", json_string(answer->image));
+        json_object_set_new(object, "compared", json_boolean(answer->compared));
+    }
     return object;
 }
 
@@ -83,7 +85,8 @@ bool aob_stress_answer_from_json(const json_t *object, struct aob_stress_answer 
                                          .bound = aob_json_to_number(json_object_get(object, "bound")),
                                          .declared = json_is_true(json_object_get(object, "declared")),
                                          .reason = json_string_value(json_object_get(object, "reason")),
-                                         .image = json_string_value(json_object_get(object, "image"))};
+                                         .image = json_string_value(json_object_get(object, "image")),
+                                         .compared = json_is_true(json_object_get(object, "compared"))};
     for (size_t i = 0; message && i < AOB_COUNT(message_words); i++)
         if (strcmp(message, message_words[i]) == 0) {
             answer->message = (enum aob_stress_message)i;

@@ -31,6 +31,7 @@ struct aob_stress_answer {
     double worst, bound;         /* NAN: not applicable, or what is no number */
     bool declared;
     const char *reason, *image; /* image: file in `images`; NULL: none */
+    bool compared;              /* the image has what it was compared with beside it */
 };
 json_t *aob_stress_answer_to_json(const struct aob_stress_answer *answer);
 bool aob_stress_answer_from_json(const json_t *object,

@@ -29,11 +29,20 @@ static bool open_subject(struct aob_worker *worker, struct asking *asking, struc
         return false;
     aob_subject_init(&asking->subject, technique, asking->gpu);
     asking->has_subject = true;
-    aob_worker_reply(worker, aob_stress_answer_to_json(&(struct aob_stress_answer){
-                                 .message = AOB_STRESS_OPENED,
-                                 .device = asking->gpu->info.device,
-                                 .driver = asking->gpu->info.driver}));
+    aob_worker_reply(
+        worker, aob_stress_answer_to_json(&(struct aob_stress_answer){.message = AOB_STRESS_OPENED,
+                                                                      .device = asking->gpu->info.device,
+                                                                      .driver = asking->gpu->info.driver}));
     return true;
+}
+
+static void add_wanted(struct aob_image *image, const struct aob_sight *sight, size_t count)
+{
+    float *error;
+    memcpy(aob_image_add(image, "reference.AO"), sight->wanted, count * sizeof(float));
+    error = aob_image_add(image, "error.AO");
+    for (size_t i = 0; i < count; i++)
+        error[i] = sight->image[i] - sight->wanted[i];
 }
 
 /* The image of the worst place, beside what it was compared with, as channels of one file. */
@@ -42,13 +51,13 @@ static char *write_sight(const struct asking *asking, const char *property, cons
     struct aob_error error = {{0}};
     struct aob_text name = {0};
     struct aob_image image = {.width = sight->width, .height = sight->height};
-    size_t bytes = (size_t)sight->width * (size_t)sight->height * sizeof(float);
+    size_t count = (size_t)sight->width * (size_t)sight->height;
     if (!asking->job.images || !sight->image)
         return NULL;
     aob_text_add(&name, "%s-%s-%s.exr", asking->job.technique.technique, asking->job.backend, property);
-    memcpy(aob_image_add(&image, "AO"), sight->image, bytes);
+    memcpy(aob_image_add(&image, "technique.AO"), sight->image, count * sizeof(float));
     if (sight->wanted)
-        memcpy(aob_image_add(&image, "wanted"), sight->wanted, bytes);
+        add_wanted(&image, sight, count);
     char *path = aob_path_join(asking->job.images, name.data);
     if (!aob_image_write(&image, path, &error))
         aob_warn("%s", error.text);
@@ -68,15 +77,16 @@ static void ask(struct aob_worker *worker, struct asking *asking, const struct a
     char *image = answer.outcome == AOB_FAILS || answer.outcome == AOB_BY_DEFINITION
                       ? write_sight(asking, property->name, &trial.sight)
                       : NULL;
-    aob_worker_reply(worker, aob_stress_answer_to_json(&(struct aob_stress_answer){
-                                 .message = AOB_STRESS_ANSWERED,
-                                 .property = property->name,
-                                 .outcome = aob_outcome_word(answer.outcome),
-                                 .worst = answer.worst,
-                                 .bound = answer.bound,
-                                 .declared = answer.declared,
-                                 .reason = answer.reason,
-                                 .image = image}));
+    aob_worker_reply(worker, aob_stress_answer_to_json(
+                                 &(struct aob_stress_answer){.message = AOB_STRESS_ANSWERED,
+                                                             .property = property->name,
+                                                             .outcome = aob_outcome_word(answer.outcome),
+                                                             .worst = answer.worst,
+                                                             .bound = answer.bound,
+                                                             .declared = answer.declared,
+                                                             .reason = answer.reason,
+                                                             .image = image,
+                                                             .compared = trial.sight.wanted}));
     free(image);
     aob_trial_finish(&trial);
 }

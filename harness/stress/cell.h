@@ -17,7 +17,7 @@ struct aob_stress_row {
         bool asked; /* an answer has come */
         enum aob_outcome outcome;
         double worst, bound;
-        bool declared;
+        bool declared, compared;
         char *reason, *image;
     } * cells; /* cell_count, in the order of the properties */
     size_t cell_count;

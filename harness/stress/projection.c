@@ -39,10 +39,8 @@ static const float *draw_scaled(struct aob_trial *trial, double scale, struct ao
 {
     struct aob_mesh mesh = {0};
     aob_set_still_life(&mesh, scale, aob_vec(0, 0, 0));
-    const struct aob_exhibit_desc desc = {.mesh = &mesh,
-                                        .camera = aob_still_life_camera(scale, aob_vec(0, 0, 0)),
-                                        .width = 96,
-                                        .height = 64};
+    const struct aob_exhibit_desc desc = {
+        .mesh = &mesh, .camera = aob_still_life_camera(scale, aob_vec(0, 0, 0)), .width = 96, .height = 64};
     *shot = (struct aob_shot){.exhibit = aob_trial_exhibit(trial, &desc), .radius = 0.8 * scale};
     return aob_trial_draw(trial, shot);
 }
@@ -58,7 +56,8 @@ static void ask_scaled_by_two(struct aob_trial *trial)
         if (!image || !wanted)
             return;
         struct aob_difference d = aob_difference_of(one.exhibit, image, wanted, NULL);
-        aob_trial_take(trial, d.most, &(struct aob_seen){&other, image, wanted}, "scene times 2^%d", exponents[i]);
+        aob_trial_take(trial, d.most, &(struct aob_seen){&other, image, wanted}, "scene times 2^%d",
+                       exponents[i]);
     }
 }
 

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "crew.h"
 #include "gpu/gpu.h"
+#include "reports/page/stress_page.h"
 
 struct stress {
     const struct aob_stress_desc *desc;
@@ -22,8 +23,9 @@ void aob_stress_list(struct aob_text *out)
             const struct aob_bound *bound = aob_bound_find(p->name);
             aob_text_add_line(out, "%s (%s%s): %s", p->name, aob_property_group_name(p->group),
                               p->quick ? ", quick" : "", p->sentence);
-            aob_text_add_line(out, "    %s, at most %g (GPU: %g). %s", p->measure, bound ? bound->software : 0,
-                              bound ? bound->gpu : 0, bound ? bound->reason : "");
+            aob_text_add_line(out, "    %s, at most %g (GPU: %g). %s", p->measure,
+                              bound ? bound->software : 0, bound ? bound->gpu : 0,
+                              bound ? bound->reason : "");
             aob_text_add_line(out, "    %s", p->source);
         }
 }
@@ -59,8 +61,8 @@ static bool is_subject(const struct stress *stress, const struct aob_technique_i
     if (desc->technique)
         return strcmp(desc->technique, technique->name) == 0 &&
                (!desc->dispatch.modules.count || technique->module ||
-                !aob_technique_list_find(&stress->techniques, desc->dispatch.modules.names[0], desc->technique,
-                                         NULL));
+                !aob_technique_list_find(&stress->techniques, desc->dispatch.modules.names[0],
+                                         desc->technique, NULL));
     return !desc->dispatch.modules.count || technique->module;
 }
 
@@ -105,7 +107,8 @@ static bool write_documents(const struct stress *stress, struct aob_error *error
     const struct aob_stress_desc *desc = stress->desc;
     json_t *document = aob_stress_to_json(stress->rows, stress->count, desc->quick);
     char *path = desc->out ? aob_path_join(desc->out, "stress.json") : NULL;
-    bool ok = (!path || aob_json_write(document, path, error)) &&
+    const struct aob_stress_page_desc page = {document, desc->out, desc->dispatch.program};
+    bool ok = (!path || (aob_json_write(document, path, error) && aob_stress_page_write(&page, error))) &&
               (!desc->json || aob_json_write(document, desc->json, error));
     free(path);
     json_decref(document);

@@ -10,9 +10,9 @@ struct aob_stress_desc {
     struct aob_dispatch dispatch;
     const char *technique, *property, *backend; /* only this one; NULL: all */
     bool quick;                                 /* the properties that need few programs, at fewer places */
-    const char *out;                            /* folder for stress.json and pictures; NULL: none */
-    const char *json;                           /* the same document, a file or "-"; NULL: none */
-    bool quiet;                                 /* no progress */
+    const char *out;  /* folder for stress.json, its page and pictures; NULL: none */
+    const char *json; /* the same document, a file or "-"; NULL: none */
+    bool quiet;       /* no progress */
 };
 
 /* Asks, and writes the table for people into `table`. The code: good, AOB_EXIT_BAD where something fails, AOB_EXIT_PART where
