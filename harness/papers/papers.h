@@ -1,5 +1,5 @@
-/* `aobudget papers`: the figures of the techniques' texts beside those measured here, a verdict for each. The configs
- * lie in ../share/aobudget/papers or ../../configs/papers from the program's folder. */
+/* `aobudget papers`: the figures of the techniques' texts beside those measured here, a verdict for each, and the texts'
+ * milliseconds beside modelled ones. The configs lie on the shelf `papers` (base/shelf.h). */
 #ifndef AOB_PAPERS_PAPERS_H
 #define AOB_PAPERS_PAPERS_H
 #include <stdbool.h>

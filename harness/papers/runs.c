@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/output.h"
+#include "base/shelf.h"
 #include "base/text.h"
 #include "config/config.h"
 #include "run/run.h"
@@ -11,16 +12,8 @@
 
 void aob_paper_runs_init(struct aob_paper_runs *runs, const struct aob_papers_desc *desc, const char *out)
 {
-    char *program = aob_path_program_folder();
-    *runs = (struct aob_paper_runs){.desc = desc,
-                                    .out = out,
-                                    .configs = aob_path_join(program, "../share/aobudget/papers"),
-                                    .ran = json_object()};
-    if (!aob_file_exists(runs->configs)) {
-        free(runs->configs);
-        runs->configs = aob_path_join(program, "../../configs/papers");
-    }
-    free(program);
+    *runs = (struct aob_paper_runs){
+        .desc = desc, .out = out, .configs = aob_shelf_folder("papers"), .ran = json_object()};
 }
 
 void aob_paper_runs_finish(struct aob_paper_runs *runs)

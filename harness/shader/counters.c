@@ -2,15 +2,6 @@
 #include "base/memory.h"
 
 enum {
-    CLASS_UNIFORM = 2,
-    CLASS_PRIVATE = 6,
-    CLASS_STORAGE_BUFFER = 12,
-    DECORATION_BLOCK = 2,
-    DECORATION_BUFFER_BLOCK = 3,
-    DECORATION_ARRAY_STRIDE = 6,
-    DECORATION_BINDING = 33,
-    DECORATION_DESCRIPTOR_SET = 34,
-    DECORATION_OFFSET = 35,
     SCOPE_DEVICE = 1,
     VERSION_STORAGE_BUFFER = 0x00010300, /* has that class */
     VERSION_INTERFACE = 0x00010400,      /* its entry point names all variables of the module */
@@ -111,24 +102,24 @@ static bool has_buffer_class(const struct writer *writer)
 
 static void put_decorations(struct writer *writer)
 {
-    PUT(writer, AOB_SPIRV_DECORATE, writer->array, DECORATION_ARRAY_STRIDE, 4);
-    PUT(writer, AOB_SPIRV_MEMBER_DECORATE, writer->block, 0, DECORATION_OFFSET, 0);
+    PUT(writer, AOB_SPIRV_DECORATE, writer->array, AOB_SPIRV_DECORATION_ARRAY_STRIDE, 4);
+    PUT(writer, AOB_SPIRV_MEMBER_DECORATE, writer->block, 0, AOB_SPIRV_DECORATION_OFFSET, 0);
     PUT(writer, AOB_SPIRV_DECORATE, writer->block,
-        has_buffer_class(writer) ? DECORATION_BLOCK : DECORATION_BUFFER_BLOCK);
-    PUT(writer, AOB_SPIRV_DECORATE, writer->buffer, DECORATION_DESCRIPTOR_SET, 0);
-    PUT(writer, AOB_SPIRV_DECORATE, writer->buffer, DECORATION_BINDING, writer->storage);
+        has_buffer_class(writer) ? AOB_SPIRV_DECORATION_BLOCK : AOB_SPIRV_DECORATION_BUFFER_BLOCK);
+    PUT(writer, AOB_SPIRV_DECORATE, writer->buffer, AOB_SPIRV_DECORATION_DESCRIPTOR_SET, 0);
+    PUT(writer, AOB_SPIRV_DECORATE, writer->buffer, AOB_SPIRV_DECORATION_BINDING, writer->storage);
 }
 
 static void put_variables(struct writer *writer)
 {
-    uint32_t class = has_buffer_class(writer) ? CLASS_STORAGE_BUFFER : CLASS_UNIFORM;
+    uint32_t class = has_buffer_class(writer) ? AOB_SPIRV_CLASS_STORAGE_BUFFER : AOB_SPIRV_CLASS_UNIFORM;
     if (!writer->has_uint)
         PUT(writer, AOB_SPIRV_TYPE_INT, writer->uint, 32, 0);
     PUT(writer, AOB_SPIRV_TYPE_RUNTIME_ARRAY, writer->array, writer->uint);
     PUT(writer, AOB_SPIRV_TYPE_STRUCT, writer->block, writer->array);
     PUT(writer, AOB_SPIRV_TYPE_POINTER, writer->pointer_block, class, writer->block);
     PUT(writer, AOB_SPIRV_TYPE_POINTER, writer->pointer_uint, class, writer->uint);
-    PUT(writer, AOB_SPIRV_TYPE_POINTER, writer->pointer_private, CLASS_PRIVATE, writer->uint);
+    PUT(writer, AOB_SPIRV_TYPE_POINTER, writer->pointer_private, AOB_SPIRV_CLASS_PRIVATE, writer->uint);
     PUT(writer, AOB_SPIRV_CONSTANT, writer->uint, writer->zero, 0);
     PUT(writer, AOB_SPIRV_CONSTANT, writer->uint, writer->one, 1);
     PUT(writer, AOB_SPIRV_CONSTANT, writer->uint, writer->top_bit, 31);
@@ -136,8 +127,8 @@ static void put_variables(struct writer *writer)
         PUT(writer, AOB_SPIRV_CONSTANT, writer->uint, writer->first_index + i, i);
     PUT(writer, AOB_SPIRV_VARIABLE, writer->pointer_block, writer->buffer, class);
     for (uint32_t i = 0; i < writer->blocks; i++)
-        PUT(writer, AOB_SPIRV_VARIABLE, writer->pointer_private, writer->first_counter + i, CLASS_PRIVATE,
-            writer->zero);
+        PUT(writer, AOB_SPIRV_VARIABLE, writer->pointer_private, writer->first_counter + i,
+            AOB_SPIRV_CLASS_PRIVATE, writer->zero);
 }
 
 static void put_increment(struct writer *writer, uint32_t block)

@@ -48,6 +48,20 @@ enum aob_spirv_op {
     AOB_SPIRV_NO_LINE = 317,
     AOB_SPIRV_TERMINATE_INVOCATION = 4416,
 };
+enum aob_spirv_class { /* of storage */
+                       AOB_SPIRV_CLASS_UNIFORM_CONSTANT = 0,
+                       AOB_SPIRV_CLASS_UNIFORM = 2,
+                       AOB_SPIRV_CLASS_PRIVATE = 6,
+                       AOB_SPIRV_CLASS_STORAGE_BUFFER = 12,
+};
+enum aob_spirv_decoration {
+    AOB_SPIRV_DECORATION_BLOCK = 2,
+    AOB_SPIRV_DECORATION_BUFFER_BLOCK = 3, /* a storage buffer of the uniform class, before SPIR-V 1.3 */
+    AOB_SPIRV_DECORATION_ARRAY_STRIDE = 6,
+    AOB_SPIRV_DECORATION_BINDING = 33,
+    AOB_SPIRV_DECORATION_DESCRIPTOR_SET = 34,
+    AOB_SPIRV_DECORATION_OFFSET = 35,
+};
 enum {
     AOB_SPIRV_HEAD = 5
 }; /* words before the first instruction: magic, version, generator, bound, schema */

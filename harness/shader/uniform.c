@@ -2,15 +2,12 @@
 #include "base/memory.h"
 #include "operation.h"
 
-enum { CLASS_UNIFORM_CONSTANT = 0, CLASS_UNIFORM = 2, DECORATION_BUFFER_BLOCK = 3 };
-
-/* Before SPIR-V 1.3 a storage buffer, which invocations may write, is of the uniform class too. */
-static bool is_storage(const struct aob_spirv *spirv, uint32_t type)
+static bool is_block(const struct aob_spirv *spirv, uint32_t type)
 {
     for (size_t at = AOB_SPIRV_HEAD; at < spirv->body; at += aob_spirv_length(spirv, at)) {
         const uint32_t *words = spirv->words + at;
         if (aob_spirv_op(spirv, at) == AOB_SPIRV_DECORATE && words[1] == type &&
-            words[2] == DECORATION_BUFFER_BLOCK)
+            words[2] == AOB_SPIRV_DECORATION_BLOCK)
             return true;
     }
     return false;
@@ -24,15 +21,16 @@ static uint32_t pointed_to(const struct aob_spirv *spirv, uint32_t pointer)
     return known ? spirv->words[place + 3] : 0;
 }
 
-/* A uniform block, or an image, whose size is in its descriptor. */
+/* A uniform block, which is decorated as one, or an image, whose size is in its descriptor. The class alone does not tell:
+ * before SPIR-V 1.3 a storage buffer, which invocations may write, is of the uniform class too. */
 static bool is_uniform_variable(const struct aob_spirv *spirv, size_t place)
 {
     const uint32_t *words = spirv->words + place;
     if (aob_spirv_length(spirv, place) < 4)
         return false;
-    if (words[3] == CLASS_UNIFORM)
-        return !is_storage(spirv, pointed_to(spirv, words[1]));
-    return words[3] == CLASS_UNIFORM_CONSTANT;
+    if (words[3] == AOB_SPIRV_CLASS_UNIFORM)
+        return is_block(spirv, pointed_to(spirv, words[1]));
+    return words[3] == AOB_SPIRV_CLASS_UNIFORM_CONSTANT;
 }
 
 static bool is_uniform_in_head(const struct aob_spirv *spirv, size_t place, uint32_t id)

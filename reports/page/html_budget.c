@@ -33,10 +33,8 @@ static double share(double ms, double budget_ms)
 
 static void add_bar(struct aob_text *page, const struct aob_candidate *candidate, double budget_ms)
 {
-    aob_text_add(
-        page,
-        "<td><span class=budget><i style=\"width:%.1f%%\"></i><b style=\"width:%.1f%%\"></b></span></td>",
-        share(candidate->high, budget_ms), share(candidate->ms, budget_ms));
+    aob_text_add(page, "<span class=bar><i style=\"width:%.1f%%\"></i><b style=\"width:%.1f%%\"></b></span>",
+                 share(candidate->high, budget_ms), share(candidate->ms, budget_ms));
 }
 
 static void add_where(struct aob_text *page, const struct aob_rows *rows, const struct aob_answer_view *view)
@@ -58,8 +56,20 @@ static void add_chip(struct aob_text *page, enum aob_fit fit)
     } chips[AOB_FIT_COUNT] = {[AOB_FIT_OVER] = {"failed", "over"},
                               [AOB_FIT_POINT] = {"invalid", "its point only"},
                               [AOB_FIT_WHOLE] = {"ok", "fits"}};
-    aob_text_add(page, "<td class=room><span class=\"chip %s\">%s</span> ", chips[fit].class_name,
-                 chips[fit].text);
+    aob_text_add(page, "<span class=\"chip %s\">%s</span> ", chips[fit].class_name, chips[fit].text);
+}
+
+/* In one cell, so that the table is no wider than the page: the bar, the verdict, and what is left or lacks. */
+static void add_share(struct aob_text *page, const struct aob_candidate *candidate, double budget_ms)
+{
+    struct aob_text room = {0};
+    aob_answer_print_room(candidate, budget_ms, &room);
+    aob_text_add(page, "<td class=budget>");
+    add_bar(page, candidate, budget_ms);
+    add_chip(page, aob_candidate_fit(candidate, budget_ms));
+    add_text(page, &room);
+    aob_text_add(page, "</td>");
+    aob_text_finish(&room);
 }
 
 /* What is chosen, else what is nearest. */
@@ -73,9 +83,7 @@ static void add_row(struct aob_text *page, const struct aob_answer *answer,
     struct aob_interval measured = aob_costs_measured(row->json),
                         to_none = aob_costs_to_none(row->json, none ? none->json : NULL),
                         modelled = aob_costs_modelled(row->json, answer->ask.profile);
-    struct aob_text room = {0};
     char error[32];
-    aob_answer_print_room(candidate, view->ms, &room);
     aob_html_decimal(error, candidate->error);
     aob_text_add(page, "<tr>");
     add_where(page, answer->rows, view);
@@ -84,27 +92,24 @@ static void add_row(struct aob_text *page, const struct aob_answer *answer,
     aob_html_label(page, row);
     aob_text_add(page, "</td>");
     aob_html_number_cell(page, candidate->error, error);
+    add_share(page, candidate, view->ms);
     add_interval(page, &measured);
     add_interval(page, &to_none);
     if (answer->ask.profile)
         add_interval(page, &modelled);
-    add_bar(page, candidate, view->ms);
-    add_chip(page, aob_candidate_fit(candidate, view->ms));
-    add_text(page, &room);
-    aob_text_add(page, "</td></tr>\n");
-    aob_text_finish(&room);
+    aob_text_add(page, "</tr>\n");
 }
 
 static void add_head(struct aob_text *page, const struct aob_answer *answer)
 {
     aob_text_add(page,
                  "<div class=\"scroll plain\"><table><thead><tr>%s<th>scene</th><th>view</th><th>size</th>"
-                 "<th>technique</th><th>case</th><th>error</th><th>measured <small>(ms)</small></th>"
-                 "<th>in frames of none</th>",
+                 "<th>technique</th><th>case</th><th>error</th><th>of the budget</th>"
+                 "<th>measured <small>(ms)</small></th><th>in frames of none</th>",
                  answer->rows->run_count > 1 ? "<th>run</th>" : "");
     if (answer->ask.profile)
         aob_text_add(page, "<th>modelled <small>(ms)</small></th>");
-    aob_text_add(page, "<th>of the budget</th><th>room</th></tr></thead><tbody>\n");
+    aob_text_add(page, "</tr></thead><tbody>\n");
 }
 
 static void add_sentences(struct aob_text *page, const struct aob_answer *answer,

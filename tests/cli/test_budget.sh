@@ -172,14 +172,16 @@ echo '{"name":"made","cases":8,"budget":{"name":"frame","title":"a frame","sourc
 check "the run's own budget" test "$("$program" budget run --target 0.5 --json - | jq -r '"\(.questions[0].ms) \(.budget.name)"')" = "2.2 frame"
 "$program" report run --quiet
 page=run/report/index.html
-check "a row of the page" grep -q '<td>corner</td><td>front</td><td>64×36 null</td><td class=strong>gtao</td>.*<td class=n data-v="0.1">0.1000</td><td class=n data-v="2">2 (1.8 .. 2.2)</td><td class=n data-v="4">4 (3.47 .. 4.61)</td><td><span class=budget><i style="width:66.7%"></i><b style="width:60.6%"></b></span></td><td class=room><span class="chip ok">fits</span> 0.2 ms to spare (0 .. 0.4)</td>' $page
+check "a row of the page" grep -q '<td>corner</td><td>front</td><td>64×36 null</td><td class=strong>gtao</td>.*<td class=n data-v="0.1">0.1000</td><td class=budget><span class=bar><i style="width:66.7%"></i><b style="width:60.6%"></b></span><span class="chip ok">fits</span> 0.2 ms to spare (0 .. 0.4)</td><td class=n data-v="2">2 (1.8 .. 2.2)</td><td class=n data-v="4">4 (3.47 .. 4.61)</td></tr>' $page
+check "with a head for each of its cells" grep -q '<th>error</th><th>of the budget</th><th>measured <small>(ms)</small></th><th>in frames of none</th></tr>' $page
 check "the setting of all views" grep -q 'Over all 2 scenes and views, null 64x36 against the truth within 0.5 scene units: 3 settings are in all of them. The most accurate setting whose worst view fits is gtao samples=4: error 0.3000' $page
 check "a part for each target" test "$(sed -n '/<section id=budget/,/<\/section>/p' $page | grep -c '<div data-target=')" -eq 2
 check "a way to it" grep -qF '<a href="#budget">budget</a>' $page
 sed -i 's/"device":null/"device":"ps4"/; s/"ao_ms":2.2/"ao_ms":0.2/' run/run.json
 "$program" report run --quiet
-check "modelled, and over" grep -q '<th>modelled <small>(ms)</small></th>' $page
-check "in its own column" grep -q '<td class=n data-v="0.3">0.3 (0.2 .. 0.4)</td><td><span class=budget><i style="width:100.0%"></i><b style="width:100.0%"></b></span></td><td class=room><span class="chip failed">over</span> 0.1 ms over (0 .. 0.2)</td>' $page
+check "modelled" grep -q '<th>in frames of none</th><th>modelled <small>(ms)</small></th></tr>' $page
+check "in its own column, the last" grep -q '<td class=n data-v="0.3">0.3 (0.2 .. 0.4)</td></tr>' $page
+check "and over" grep -q '<td class=budget><span class=bar><i style="width:100.0%"></i><b style="width:100.0%"></b></span><span class="chip failed">over</span> 0.1 ms over (0 .. 0.2)</td>' $page
 sed -i 's/"ao_ms":0.2/"ao_ms":0.35/' run/run.json
 "$program" report run --quiet
 check "or its point only" grep -q '<span class="chip invalid">its point only</span> 0.05 ms to spare, but perhaps 0.05 ms over</td>' $page

@@ -51,16 +51,8 @@ static bool build(struct aob_graph *graph, const void *values)
              .out = {{.name = "o", .tex = out}});
     return aob_output(graph, AOB_OUT_VISIBILITY, out);
 }
-static const struct aob_technique technique = {.abi = AOB_ABI,
-                                               .size = sizeof technique,
-                                               .name = "known",
-                                               .title = "t",
-                                               .citation = "c",
-                                               .params = params,
-                                               .param_count = 1,
-                                               .values_size = sizeof(struct values),
-                                               .shaders = shaders,
-                                               .build = build};
+AOB_TECHNIQUE(known, .title = "t", .citation = "c", .params = params, .param_count = 1,
+              .values_size = sizeof(struct values), .shaders = shaders, .build = build);
 
 static const char *const backends[] = {"vulkan", "gl-egl", "gl-osmesa"};
 
@@ -88,8 +80,9 @@ static void check_body(const char *name, struct aob_operations known)
     for (size_t b = 0; b < AOB_COUNT(backends); b++) {
         struct aob_gpu *gpu = aob_rig_gpu(backends[b]);
         counted_init(counted, &rig, gpu,
-                     &(struct counted_desc){
-                         .technique = &technique, .values = &(struct values){.k = 2}, .options = &options});
+                     &(struct counted_desc){.technique = &aob_technique_known,
+                                            .values = &(struct values){.k = 2},
+                                            .options = &options});
         check_pass(&counted->count, 0, (struct aob_operations){0});
         check_pass(&counted->count, 1, known);
         counted_finish(counted);
@@ -233,8 +226,10 @@ static bool refused(struct aob_gpu *gpu, const struct aob_rig *rig, uint64_t lim
     struct aob_count *count = AOB_NEW(struct aob_count);
     struct aob_screen screen;
     assert_true(aob_screen_init(&screen, gpu, &rig->gbuffer, &options, error));
-    const struct aob_count_desc desc = {
-        .screen = &screen, .technique = &technique, .values = &(struct values){.k = 2}, .limit = limit};
+    const struct aob_count_desc desc = {.screen = &screen,
+                                        .technique = &aob_technique_known,
+                                        .values = &(struct values){.k = 2},
+                                        .limit = limit};
     assert_false(aob_count_init(count, &desc, error) && aob_count_run(count, error));
     bool unfit = count->unfit;
     aob_count_finish(count);

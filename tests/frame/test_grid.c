@@ -66,23 +66,16 @@ static const struct aob_param params[] = {
     AOB_PARAM(struct values, divisor, .stage = AOB_HOST, .min = 0, .max = 9, .doc = "."),
     AOB_PARAM(struct values, depth_divisor, .stage = AOB_HOST, .min = 0, .max = 9, .doc = "."),
 };
-static const struct aob_technique technique = {.abi = AOB_ABI,
-                                               .size = sizeof technique,
-                                               .name = "grid",
-                                               .title = "t",
-                                               .citation = "c",
-                                               .params = params,
-                                               .param_count = 2,
-                                               .values_size = sizeof(struct values),
-                                               .shaders = shaders,
-                                               .build = build};
+AOB_TECHNIQUE(grid, .title = "t", .citation = "c", .params = params, .param_count = 2,
+              .values_size = sizeof(struct values), .shaders = shaders, .build = build);
 
 static void run(const struct aob_rig *rig, const char *backend, const char *shader, struct values values,
                 float *pixels)
 {
     struct aob_gpu *gpu = aob_rig_gpu(backend);
     chosen = shader;
-    aob_rig_probe(rig, gpu, &technique, &values, &(struct aob_options){.fetch = AOB_FETCH_STORAGE}, pixels);
+    aob_rig_probe(rig, gpu, &aob_technique_grid, &values, &(struct aob_options){.fetch = AOB_FETCH_STORAGE},
+                  pixels);
     aob_gpu_close(gpu);
 }
 

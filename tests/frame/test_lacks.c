@@ -32,14 +32,7 @@ static bool build(struct aob_graph *graph, const void *values)
            aob_output(graph, AOB_OUT_VISIBILITY, o);
 }
 
-static const struct aob_technique technique = {.abi = AOB_ABI,
-                                               .size = sizeof technique,
-                                               .name = "trial",
-                                               .title = "t",
-                                               .citation = "c",
-                                               .shaders = shaders,
-                                               .build = build,
-                                               .values_size = 4};
+AOB_TECHNIQUE(trial, .title = "t", .citation = "c", .shaders = shaders, .build = build, .values_size = 4);
 
 /* Of a device without this format, for these needs, and with so many sampled textures in a pass. */
 struct trial {
@@ -68,7 +61,7 @@ static struct outcome try_device(const struct trial *trial)
     missing_needs = trial->needs;
     gpu->limits.sampled = trial->sampled;
     outcome.screen = aob_screen_init(&screen, gpu, &rig.gbuffer, &options, &outcome.error);
-    outcome.frame = outcome.screen && aob_frame_init(&frame, &screen, &technique, &(int32_t){0},
+    outcome.frame = outcome.screen && aob_frame_init(&frame, &screen, &aob_technique_trial, &(int32_t){0},
                                                      AOB_FETCH_SAMPLED, &outcome.error);
     outcome.unfit = outcome.screen ? frame.unfit : screen.unfit;
     aob_frame_finish(&frame);

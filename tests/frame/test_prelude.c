@@ -46,22 +46,14 @@ static bool build(struct aob_graph *graph, const void *values)
                     .border = border, .out = {{.name = "o", .tex = out}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, out);
 }
-static const struct aob_technique technique = {.abi = AOB_ABI,
-                                               .size = sizeof technique,
-                                               .name = "prelude",
-                                               .title = "t",
-                                               .citation = "c",
-                                               .params = params,
-                                               .param_count = 3,
-                                               .values_size = sizeof(struct values),
-                                               .shaders = shaders,
-                                               .build = build};
+AOB_TECHNIQUE(prelude, .title = "t", .citation = "c", .params = params, .param_count = 3,
+              .values_size = sizeof(struct values), .shaders = shaders, .build = build);
 
 static void run(const struct aob_rig *rig, const char *shader, struct values values, float *pixels)
 {
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
     chosen = shader;
-    aob_rig_probe(rig, gpu, &technique, &values, &(struct aob_options){0}, pixels);
+    aob_rig_probe(rig, gpu, &aob_technique_prelude, &values, &(struct aob_options){0}, pixels);
     aob_gpu_close(gpu);
 }
 

@@ -76,16 +76,8 @@ static bool build(struct aob_graph *graph, const void *values)
              .out = {{.name = "o", .tex = out}});
     return aob_output(graph, AOB_OUT_VISIBILITY, out);
 }
-static const struct aob_technique technique = {.abi = AOB_ABI,
-                                               .size = sizeof technique,
-                                               .name = "known",
-                                               .title = "t",
-                                               .citation = "c",
-                                               .params = params,
-                                               .param_count = 1,
-                                               .values_size = sizeof(struct values),
-                                               .shaders = shaders,
-                                               .build = build};
+AOB_TECHNIQUE(known, .title = "t", .citation = "c", .params = params, .param_count = 1,
+              .values_size = sizeof(struct values), .shaders = shaders, .build = build);
 
 static const char *const backends[] = {"vulkan", "gl-egl", "gl-osmesa"};
 
@@ -171,9 +163,9 @@ static void check_quarter(const struct taken *taken, const struct taken_pass *pa
 static void init(struct traced *traced, const struct aob_rig *rig, struct aob_gpu *gpu, int fetch)
 {
     const struct aob_options options = {.fetch = fetch};
-    traced_init(
-        traced, rig, gpu,
-        &(struct traced_desc){.technique = &technique, .values = &(struct values){0}, .options = &options});
+    traced_init(traced, rig, gpu,
+                &(struct traced_desc){
+                    .technique = &aob_technique_known, .values = &(struct values){0}, .options = &options});
 }
 
 /* Storage images and sampled textures alike; the graph's passes write what their reads are numbered by. */
@@ -304,7 +296,7 @@ static bool refused(const struct aob_rig *rig, struct aob_gpu *gpu, size_t devic
     struct aob_screen screen;
     assert_true(aob_screen_init(&screen, gpu, &rig->gbuffer, &options, error));
     const struct aob_trace_desc desc = {.screen = &screen,
-                                        .technique = &technique,
+                                        .technique = &aob_technique_known,
                                         .values = &(struct values){0},
                                         .device_bytes = device_bytes,
                                         .host_bytes = host_bytes};

@@ -32,16 +32,8 @@ static bool build(struct aob_graph *graph, const void *values)
              .out = {{.name = "o", .tex = out}});
     return aob_output(graph, AOB_OUT_VISIBILITY, out);
 }
-static const struct aob_technique technique = {.abi = AOB_ABI,
-                                               .size = sizeof technique,
-                                               .name = "known",
-                                               .title = "t",
-                                               .citation = "c",
-                                               .params = params,
-                                               .param_count = 1,
-                                               .values_size = sizeof(struct values),
-                                               .shaders = shaders,
-                                               .build = build};
+AOB_TECHNIQUE(known, .title = "t", .citation = "c", .params = params, .param_count = 1,
+              .values_size = sizeof(struct values), .shaders = shaders, .build = build);
 
 static const char *const backends[] = {"vulkan", "gl-egl", "gl-osmesa"};
 
@@ -73,7 +65,7 @@ static void open_trace(struct fixture *f, size_t room)
 {
     const struct aob_options options = {0};
     traced_init(&f->traced, &f->rig, f->gpu,
-                &(struct traced_desc){.technique = &technique,
+                &(struct traced_desc){.technique = &aob_technique_known,
                                       .values = &(struct values){0},
                                       .options = &options,
                                       .device_bytes = room ? 32 + room * ENTRY : 0});
@@ -135,7 +127,7 @@ static void expect_refusal(struct fixture *f, size_t device_bytes, size_t host_b
                 aob_screen_init(&screen, f->gpu, &f->rig.gbuffer, &options, &error));
     screen.geometry = &geometry;
     const struct aob_trace_desc desc = {.screen = &screen,
-                                        .technique = &technique,
+                                        .technique = &aob_technique_known,
                                         .values = &(struct values){0},
                                         .device_bytes = device_bytes,
                                         .host_bytes = host_bytes};

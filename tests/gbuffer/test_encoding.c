@@ -33,16 +33,8 @@ static bool build(struct aob_graph *graph, const void *values)
                     .out = {{.name = "o", .tex = out}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, out);
 }
-static const struct aob_technique technique = {.abi = AOB_ABI,
-                                               .size = sizeof technique,
-                                               .name = "probe",
-                                               .title = "t",
-                                               .citation = "c",
-                                               .params = params,
-                                               .param_count = 1,
-                                               .values_size = sizeof(struct values),
-                                               .shaders = shaders,
-                                               .build = build};
+AOB_TECHNIQUE(probe, .title = "t", .citation = "c", .params = params, .param_count = 1,
+              .values_size = sizeof(struct values), .shaders = shaders, .build = build);
 
 static void set_option(struct aob_options *options, const char *name, const char *text)
 {
@@ -63,7 +55,7 @@ static void probe(const struct aob_rig *rig, const char *backend, const char *sh
 {
     struct aob_gpu *gpu = aob_rig_gpu(backend);
     chosen = shader;
-    aob_rig_probe(rig, gpu, &technique, &(struct values){component}, options, pixels);
+    aob_rig_probe(rig, gpu, &aob_technique_probe, &(struct values){component}, options, pixels);
     aob_gpu_close(gpu);
 }
 

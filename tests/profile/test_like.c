@@ -1,14 +1,6 @@
 /* Profiles that are like another one, but for the formats of the screen. */
-#include <stdlib.h>
-#include <unistd.h>
-#include "base/file.h"
-#include "base/memory.h"
-#include "check.h"
-#include "profile/profile.h"
+#include "profile_file.h"
 
-static char folder[] = "/tmp/aobudget-like-XXXXXX";
-
-#define FACT(value) "{value: " value ", unverified: made}"
 /* clang-format off */
 static const char device_text[] =
     "title: made\n"
@@ -26,15 +18,6 @@ static const char device_text[] =
     "    index: " FACT("modulo") "\n";
 /* clang-format on */
 
-static void write_beside(const char *name, const char *text)
-{
-    struct aob_error error = {{0}};
-    char *file = aob_path_join(folder, name);
-    if (!aob_file_write(file, text, strlen(text), &error))
-        fail_msg("%s", error.text);
-    free(file);
-}
-
 static bool read_beside(const char *name, struct aob_profile *profile, struct aob_error *error)
 {
     char *file = aob_path_join(folder, name);
@@ -50,7 +33,7 @@ static void test_like(void **state)
     struct aob_profile device, other;
     struct aob_error error = {{0}};
     char digests[2][AOB_KEY_SIZE];
-    write_beside("made.yaml", device_text);
+    write_file(device_text);
     write_beside("other.yaml", "title: other\nlike: made.yaml\ndepth_bytes: {value: 2, confirmed: a text}\n"
                                "normal_bytes: " FACT("4") "\n");
     if (!read_beside("made.yaml", &device, &error) || !read_beside("other.yaml", &other, &error))
@@ -90,7 +73,7 @@ static void test_like_refused(void **state)
         {"like: made.yaml\n", "a.yaml:1:1: ", "'title' is missing"},
         {"title: a\nlike: made.yaml\ndepth_bytes: " FACT("6") "\n", "a.yaml:3:22: ", "6 bytes a texel"},
     };
-    write_beside("made.yaml", device_text);
+    write_file(device_text);
     for (size_t i = 0; i < AOB_COUNT(rows); i++) {
         struct aob_profile profile;
         struct aob_error error = {{0}};
@@ -100,20 +83,6 @@ static void test_like_refused(void **state)
         assert_contains(error.text, rows[i].says);
         assert_null(profile.name);
     }
-}
-
-static int open_folder(void **state)
-{
-    (void)state;
-    return mkdtemp(folder) ? 0 : -1;
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", folder);
-    return system(command);
 }
 
 int main(void)

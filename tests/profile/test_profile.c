@@ -1,16 +1,10 @@
 /* Profile files: what is read, what is refused and where, and those that come with the program. */
 #include <glob.h>
-#include <unistd.h>
-#include "base/file.h"
 #include "base/text.h"
-#include "check.h"
-#include "profile/profile.h"
 #include "profile/profile_machine.h"
+#include "profile_file.h"
 #include "streams.h"
 
-static char folder[] = "/tmp/aobudget-profile-XXXXXX", path[64];
-
-#define FACT(value) "{value: " value ", unverified: made}"
 /* clang-format off */
 static const char good[] =
     "title: made\n"
@@ -35,13 +29,6 @@ static const char good[] =
     "    units: " FACT("2") "\n"
     "    cold: " FACT("pass") "\n";
 /* clang-format on */
-
-static void write_file(const char *text)
-{
-    struct aob_error error = {{0}};
-    if (!aob_file_write(path, text, strlen(text), &error))
-        fail_msg("%s", error.text);
-}
 
 static void test_good(void **state)
 {
@@ -341,22 +328,6 @@ static void test_tree(void **state)
             judge_tree(files.gl_pathv[i]);
     globfree(&files);
     aob_text_finish(&pattern);
-}
-
-static int open_folder(void **state)
-{
-    (void)state;
-    bool ok = mkdtemp(folder);
-    snprintf(path, sizeof path, "%s/made.yaml", folder);
-    return ok ? 0 : -1;
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", folder);
-    return system(command);
 }
 
 int main(void)

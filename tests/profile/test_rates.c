@@ -1,15 +1,9 @@
 /* Rates of profiles: what is read, what is refused and where, and those that come with the program, against what is
  * published of their devices. */
-#include <unistd.h>
-#include "base/file.h"
-#include "base/memory.h"
 #include "base/text.h"
-#include "check.h"
 #include "profile/model.h"
+#include "profile_file.h"
 
-static char folder[] = "/tmp/aobudget-rates-XXXXXX", path[64];
-
-#define FACT(value) "{value: " value ", unverified: made}"
 /* clang-format off */
 static const char good[] =
     "title: made\n"
@@ -45,13 +39,11 @@ static const char good[] =
 
 static void write_changed(const char *from, const char *to)
 {
-    struct aob_error error = {{0}};
     struct aob_text text = {0};
     const char *at = strstr(good, from);
     assert_non_null(at);
     aob_text_add(&text, "%.*s%s%s", (int)(at - good), good, to, at + strlen(from));
-    if (!aob_file_write(path, text.data, strlen(text.data), &error))
-        fail_msg("%s", error.text);
+    write_file(text.data);
     aob_text_finish(&text);
 }
 
@@ -168,7 +160,7 @@ static void test_fill_alone(void **state)
     struct aob_text text = {0};
     const char *rates = strstr(good, "rates:"), *levels = strstr(good, "levels:");
     aob_text_add(&text, "%.*s%s", (int)(rates - good), good, levels);
-    assert_true(aob_file_write(path, text.data, strlen(text.data), &error));
+    write_file(text.data);
     assert_false(aob_profile_read(&profile, path, &error));
     assert_contains(error.text, ":13:11: level 'L1' has a 'fill' or 'ports', and the profile has no 'rates'");
     aob_text_finish(&text);
@@ -183,7 +175,7 @@ static void test_levels_of_the_machine(void **state)
     struct aob_text text = {0};
     const char *levels = strstr(good, "levels:");
     aob_text_add(&text, "%.*slevels: {value: machine, confirmed: here}\n", (int)(levels - good), good);
-    assert_true(aob_file_write(path, text.data, strlen(text.data), &error));
+    write_file(text.data);
     assert_false(aob_profile_read(&profile, path, &error));
     assert_contains(error.text, ":17:9: levels that the machine tells have no 'fill'");
     aob_text_finish(&text);
@@ -272,22 +264,6 @@ static void test_filters(void **state)
         assert_near(modelled.resources[AOB_RESOURCE_TEXTURE], filters[i].ms, 0.0005);
         aob_profile_finish(&profile);
     }
-}
-
-static int open_folder(void **state)
-{
-    (void)state;
-    bool ok = mkdtemp(folder);
-    snprintf(path, sizeof path, "%s/made.yaml", folder);
-    return ok ? 0 : -1;
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", folder);
-    return system(command);
 }
 
 int main(void)

@@ -20,6 +20,7 @@ static const char head[] =
     "layout(location = 5) flat in mat3 m;\n"
     "layout(std140, BIND(0)) uniform B { vec4 c, d; ivec4 k; uvec4 w; mat3 n; vec4 l[8]; };\n"
     "layout(std430, BIND(3)) buffer S { vec4 x[]; };\n"
+    "layout(std430, BIND(4)) buffer T { vec4 y; } e[2];\n"
     "layout(location = 0) out vec4 o;\n"
     "layout(BIND(1)) uniform sampler2D s;\n"
     "layout(r32f, BIND(2)) uniform readonly image2D t;\n";
@@ -128,7 +129,8 @@ static const struct {
     {".x", "a.x + l[k.x].y * 2.0", 1, 0, 0},
     {".x", "a.x + max(l[i.x & 7].y, c.x)", 3, 0, 0}, /* which one is an invocation's own */
     {".x", "a.x + max(x[0].y, c.x)", 2, 0, 0},       /* another invocation may have written it */
-    {".x", "a.x * c.x + c.y * d.y", 1, 0, 0},        /* the sum takes the product in that counts */
+    {".x", "a.x + max(e[1].y.x, c.x)", 2, 0, 0},
+    {".x", "a.x * c.x + c.y * d.y", 1, 0, 0}, /* the sum takes the product in that counts */
     {".x", "a.x * b.x + c.y * d.y", 1, 0, 0},
     {".x", "a.x / c.x", 1, 0, 0}, /* times its reciprocal */
     {".x", "c.x / a.x", 1, 1, 0},

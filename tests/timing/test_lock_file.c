@@ -1,70 +1,31 @@
-#include "check.h"
+#include "locked.h"
 #include <errno.h>
-#include <fcntl.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <signal.h>
 #include <stddef.h>
-#include <stdlib.h>
-#include <sys/file.h>
 #include <sys/inotify.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
-#include <unistd.h>
-#include "base/file.h"
-#include "timing/measure_lock.h"
 
 /* The file of the lock of measuring: where it is made, for whom, and what is refused in its place. */
-
-static char folder[] = "/tmp/aobudget-lock-file-XXXXXX", *path, *turn;
-
-static int set_up(void **state)
-{
-    (void)state;
-    if (!mkdtemp(folder))
-        return -1;
-    path = aob_path_join(folder, "lock");
-    turn = aob_path_join(folder, "lock.turn");
-    return setenv("AOBUDGET_LOCK", path, 1);
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    unlink(path);
-    unlink(turn);
-    free(path);
-    free(turn);
-    return rmdir(folder); /* which holds nothing else */
-}
-
-/* Whether somebody has what lies at the path. */
-static bool is_locked(void)
-{
-    int file = open(path, O_RDONLY | O_CLOEXEC);
-    bool locked = file >= 0 && flock(file, LOCK_EX | LOCK_NB) != 0;
-    if (file >= 0)
-        close(file);
-    return locked;
-}
 
 /* Every user of the machine can lock what one of them has made, and one that may only be read is locked as well. */
 static void test_is_for_everybody(void **state)
 {
     (void)state;
-    struct aob_measure_lock lock = {0};
     struct stat info;
     mode_t mask = umask(077);
     unlink(path);
-    assert_true(aob_measure_lock_take(&lock, NULL));
+    struct aob_measure_lock lock = take_lock();
     umask(mask);
     assert_int_equal(stat(path, &info), 0);
     assert_int_equal(info.st_mode & 0777, 0666);
     aob_measure_lock_release(&lock);
     chmod(path, 0444);
-    assert_true(aob_measure_lock_take(&lock, NULL));
+    lock = take_lock();
     assert_true(is_locked());
     aob_measure_lock_release(&lock);
 }
@@ -77,11 +38,10 @@ static void test_is_for_everybody_at_once(void **state)
         struct inotify_event first;
         char bytes[8192];
     } events;
-    struct aob_measure_lock lock = {0};
     int created = 0, watch = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
     unlink(path);
     assert_true(inotify_add_watch(watch, folder, IN_CREATE | IN_ATTRIB) >= 0);
-    assert_true(aob_measure_lock_take(&lock, NULL));
+    struct aob_measure_lock lock = take_lock();
     aob_measure_lock_release(&lock);
     ssize_t size = read(watch, events.bytes, sizeof events.bytes);
     assert_true(size > 0);

@@ -1,46 +1,12 @@
-#include "check.h"
+#include "locked.h"
 #include <errno.h>
-#include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <stdlib.h>
-#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include <unistd.h>
-#include "base/file.h"
-#include "base/text.h"
-#include "timing/measure_lock.h"
 
 /* A second process waits for the first, says so in one line, and has the lock when it is given back. */
-
-static char folder[] = "/tmp/aobudget-lock-XXXXXX", *path;
-
-static char *turn_path(void)
-{
-    struct aob_text text = {0};
-    aob_text_add(&text, "%s.turn", path);
-    return text.data;
-}
-
-static int set_up(void **state)
-{
-    (void)state;
-    path = mkdtemp(folder) ? aob_path_join(folder, "lock") : NULL;
-    return path ? setenv("AOBUDGET_LOCK", path, 1) : -1;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    char *turn = turn_path();
-    unlink(path);
-    unlink(turn);
-    free(turn);
-    free(path);
-    return rmdir(folder);
-}
 
 struct
     other { /* process that takes the lock so many times and keeps it: its standard error, and a byte for each time that it has it */
@@ -96,22 +62,11 @@ static void read_line(int file, char line[256])
     line[used] = '\0';
 }
 
-/* Whether somebody has what lies at the path. */
-static bool is_locked(void)
-{
-    int file = open(path, O_RDONLY | O_CLOEXEC);
-    bool locked = file >= 0 && flock(file, LOCK_EX | LOCK_NB) != 0;
-    if (file >= 0)
-        close(file);
-    return locked;
-}
-
 static void test_waits_and_tells(void **state)
 {
     (void)state;
-    struct aob_measure_lock lock = {0};
     char line[256], expected[64], byte;
-    assert_true(aob_measure_lock_take(&lock, NULL));
+    struct aob_measure_lock lock = take_lock();
     struct other other = start_other(2);
     snprintf(expected, sizeof expected, "waiting for process %d, which has measured since ", (int)getpid());
     read_line(other.said, line);
@@ -124,7 +79,7 @@ static void test_waits_and_tells(void **state)
     assert_true(is_locked());
     assert_false(comes(other.said, 0));
     end_other(&other);
-    assert_true(aob_measure_lock_take(&lock, NULL)); /* who is dead holds nothing */
+    lock = take_lock(); /* who is dead holds nothing */
     aob_measure_lock_release(&lock);
     assert_false(is_locked());
 }
@@ -132,7 +87,6 @@ static void test_waits_and_tells(void **state)
 /* How many have a place in the queue. */
 static int waiting(void)
 {
-    char *turn = turn_path();
     int file = open(turn, O_RDONLY | O_CLOEXEC), count = 0;
     struct flock place = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
     while (file >= 0 && fcntl(file, F_OFD_GETLK, &place) == 0 && place.l_type != F_UNLCK) {
@@ -141,7 +95,6 @@ static int waiting(void)
     }
     if (file >= 0)
         close(file);
-    free(turn);
     return count;
 }
 
@@ -198,10 +151,9 @@ static void test_former_holder_waits(void **state)
 static void test_stopped_waiter(void **state)
 {
     (void)state;
-    struct aob_measure_lock lock = {0};
     char line[256];
     int status;
-    assert_true(aob_measure_lock_take(&lock, NULL));
+    struct aob_measure_lock lock = take_lock();
     struct other stopped = start_other(1);
     read_line(stopped.said, line);
     assert_int_equal(kill(stopped.pid, SIGSTOP), 0);
@@ -247,9 +199,8 @@ static void test_in_turn(void **state)
 static void test_removed_while_waiting(void **state)
 {
     (void)state;
-    struct aob_measure_lock lock = {0};
     char line[256], byte;
-    assert_true(aob_measure_lock_take(&lock, NULL));
+    struct aob_measure_lock lock = take_lock();
     struct other other = start_other(1);
     read_line(other.said, line);
     unlink(path);
@@ -265,9 +216,8 @@ static void test_content_is_not_trusted(void **state)
     (void)state;
     static const char *const texts[] = {"\033[2J1\n", "12 34\n", "999999999999999999999\n", "", "\n"};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
-        struct aob_measure_lock lock = {0};
+        struct aob_measure_lock lock = take_lock();
         char line[256];
-        assert_true(aob_measure_lock_take(&lock, NULL));
         int file = open(path, O_WRONLY | O_TRUNC | O_CLOEXEC);
         assert_true(file >= 0 && aob_file_send(file, texts[i], strlen(texts[i])));
         close(file);
@@ -283,15 +233,12 @@ static void test_content_is_not_trusted(void **state)
 static void test_without_turns(void **state)
 {
     (void)state;
-    struct aob_measure_lock lock = {0};
-    char *turn = turn_path();
     unlink(turn);
     assert_int_equal(symlink("/dev/null", turn), 0);
-    assert_true(aob_measure_lock_take(&lock, NULL));
+    struct aob_measure_lock lock = take_lock();
     assert_true(is_locked());
     aob_measure_lock_release(&lock);
     unlink(turn);
-    free(turn);
 }
 
 int main(void)
