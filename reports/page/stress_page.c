@@ -313,6 +313,7 @@ bool aob_stress_page_write(const struct aob_stress_page_desc *desc, struct aob_e
     struct stress_page page = {.properties = json_object_get(desc->document, "properties"),
                                .rows = json_object_get(desc->document, "rows")};
     const json_t *property;
+    page.gallery.folder = "figures";
     draw_pictures(&page, desc);
     add_head(&page, desc->document);
     add_matrix(&page);
