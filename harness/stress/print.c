@@ -13,21 +13,27 @@ static void add_subject(const struct aob_stress_row *row, struct aob_text *text)
         aob_text_add(text, "%s on %s", row->technique->name, row->backend);
 }
 
+static void print_failure(const struct aob_stress_row *row, const struct aob_stress_cell *cell,
+                          struct aob_text *out)
+{
+    struct aob_text who = {0}, command = {0}, much = {0};
+    add_subject(row, &who);
+    aob_stress_command(row, cell, &command);
+    if (!isnan(cell->worst)) /* else the reason tells it all */
+        aob_text_add(&much, "%.4g over a bound of %.4g: ", cell->worst, cell->bound);
+    aob_text_add_line(out, "FAIL %s: %s: %s%s", who.data, cell->property->name, much.data ? much.data : "",
+                      cell->reason);
+    aob_text_add_line(out, "     it is shown again by: %s --out DIR", command.data);
+    aob_text_finish(&who);
+    aob_text_finish(&command);
+    aob_text_finish(&much);
+}
+
 static void print_failures(const struct aob_stress_row *row, struct aob_text *out)
 {
-    for (size_t i = 0; i < row->cell_count; i++) {
-        const struct aob_stress_cell *cell = &row->cells[i];
-        struct aob_text who = {0}, command = {0};
-        if (cell->outcome != AOB_FAILS)
-            continue;
-        add_subject(row, &who);
-        aob_stress_command(row, cell, &command);
-        aob_text_add_line(out, "FAIL %s: %s: %.4g over a bound of %.4g: %s", who.data, cell->property->name,
-                          cell->worst, cell->bound, cell->reason);
-        aob_text_add_line(out, "     shown again by: %s --out DIR", command.data);
-        aob_text_finish(&who);
-        aob_text_finish(&command);
-    }
+    for (size_t i = 0; i < row->cell_count; i++)
+        if (row->cells[i].outcome == AOB_FAILS)
+            print_failure(row, &row->cells[i], out);
 }
 
 /* What is worst of a property over all rows. */

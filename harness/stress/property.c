@@ -82,7 +82,7 @@ static void judge(const struct aob_property *property, const struct aob_trial *t
     const char *because = declaration(trial, property->name);
     bool software = !trial->subject || trial->subject->gpu->info.software;
     answer->bound = !bound ? NAN : software ? bound->software : bound->gpu;
-    answer->worst = trial->worst;
+    answer->worst = trial->asked ? trial->worst : NAN;
     answer->declared = because;
     bool told = trial->asked && !*trial->error.text && !trial->broken; /* no definition wants anything else */
     bool passes = told && trial->worst <= answer->bound;

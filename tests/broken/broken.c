@@ -1,0 +1,67 @@
+/* For the tests of `stress`: one technique that keeps every property, and builds of it that have a single fault each, which
+ * the property of the fault's name must catch (tests/cli/test_stress.sh has the list). FAULT is a number of
+ * shaders/fault.glsl; 0 is the sound one. */
+#include <aobudget/steps.h>
+#include <string.h>
+#include "shaders.h"
+
+struct values {
+    float radius, falloff;
+    int32_t slices, steps, divisor;
+};
+
+static const struct aob_param params[] = {
+    AOB_PARAM(struct values, radius, .unit = AOB_UNIT_LENGTH, .scale = AOB_LOG2, .min = 1e-6, .max = 1e6,
+              .initial = 0.5, .doc = "Farthest distance of an occluder."),
+    AOB_PARAM(struct values, falloff, .min = 0, .max = 1, .initial = 0,
+              .doc = "Share of the radius over which occlusion fades out."),
+    AOB_PARAM(struct values, slices, .unit = AOB_UNIT_COUNT, .stage = AOB_CONSTANT, .min = 1, .max = 64,
+              .initial = 4, .doc = "Slices about the view vector."),
+    AOB_PARAM(struct values, steps, .unit = AOB_UNIT_COUNT, .stage = AOB_CONSTANT, .min = 1, .max = 64,
+              .initial = 8, .doc = "Taps on each side of a slice."),
+    AOB_PARAM_DIVISOR(struct values, divisor),
+};
+
+enum { LEVELS = 3 };
+
+static float falloff(const void *values, float t)
+{
+    const struct values *v = values;
+    return v->falloff > 0 && (1 - t) / v->falloff < 1 ? (1 - t) / v->falloff : 1;
+}
+
+/* Level l holds the depth of every (1 << l)th pixel, so that each texel is an exact point of a surface. */
+static aob_tex lay_pyramid(struct aob_graph *graph)
+{
+    static const char *const names[LEVELS] = {"level_0", "level_1", "level_2"};
+    aob_tex pyramid = aob_texture(graph, .name = "pyramid", .format = AOB_R32F, .levels = LEVELS);
+    aob_pass(graph, .name = names[0], .shader = "first", .reads = AOB_DEPTH,
+             .out = {{.name = "depth", .tex = pyramid}});
+    for (uint32_t l = 1; l < LEVELS; l++)
+        aob_pass(graph, .name = names[l], .shader = "coarser",
+                 .in = {{.name = "finer", .tex = pyramid, .level = l - 1}},
+                 .out = {{.name = "depth", .tex = pyramid, .level = l}});
+    return pyramid;
+}
+
+static bool build(struct aob_graph *graph, const void *values)
+{
+    const struct values *v = values;
+    aob_tex pyramid = lay_pyramid(graph);
+    aob_tex raw =
+        aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
+    aob_tex soft = aob_texture(graph, .name = "soft", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
+    aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = pyramid,
+             .border = AOB_FAR, .defines = {{"FAULT", FAULT}},
+             .out = {{.name = "visibility", .tex = raw}});
+    aob_pass(graph, .name = "soften", .shader = "soften", .reads = AOB_DEPTH | AOB_NORMAL,
+             .defines = {{"FAULT", FAULT}}, .in = {{.name = "raw", .tex = raw}},
+             .out = {{.name = "softened", .tex = soft}});
+    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = soft, .divisor = v->divisor));
+}
+
+AOB_TECHNIQUE(broken, .title = "Horizons, sound or with one fault", .citation = "tests", .revision = 1,
+              .params = params, .param_count = sizeof params / sizeof *params,
+              .values_size = sizeof(struct values), .shaders = aob_shaders_broken,
+              .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff}, .build = build);
+AOB_MODULE(&aob_technique_broken);

@@ -1,0 +1,1 @@
+void main() { depth = aob_fetch_finer(2 * aob_pixel); }

@@ -1,0 +1,19 @@
+/* What may be wrong; FAULT is one of them, or 0. */
+#define UNCLAMPED_ACOS 1
+#define NO_RANGE_CHECK 2
+#define RADIUS_IN_UV 3
+#define HALF_PIXEL_DRIFT 4
+#define SWAPPED_TAPS 5
+#define NORMAL_AS_IT_COMES 6
+#define TAPS_UNDER_TANGENT 7
+#define UNEVEN_SLICES 8
+#define REPEATED_JITTERS 9
+#define LEVEL_IN_UV 10
+#define UNCLIPPED_SEARCH 11
+#define BORDER_AS_ZERO 12
+#define BLACK_SKY 13
+#define FALLOFF_DIVIDES 14
+#define BIAS_IN_UNITS 15
+#define VIEW_AS_PERSPECTIVE 16
+#define ABOVE_ONE 17
+#define NAN_PASSES 18

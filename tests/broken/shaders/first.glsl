@@ -1,0 +1,1 @@
+void main() { depth = aob_view_z(aob_pixel); }
