@@ -92,12 +92,23 @@ static json_t *property_to_json(const struct aob_property *p)
                      aob_json_number(bound ? bound->gpu : NAN), "bound_reason", bound ? bound->reason : "");
 }
 
-static json_t *properties_to_json(void)
+static bool has_cell(const struct aob_stress_row *rows, size_t count, const struct aob_property *property)
+{
+    for (size_t r = 0; r < count; r++)
+        for (size_t i = 0; i < rows[r].cell_count; i++)
+            if (rows[r].cells[i].property == property)
+                return true;
+    return false;
+}
+
+/* Those that somebody was asked. */
+static json_t *properties_to_json(const struct aob_stress_row *rows, size_t count)
 {
     json_t *properties = json_array();
     for (const struct aob_property *const *table = aob_property_tables; *table; table++)
         for (const struct aob_property *p = *table; p->name; p++)
-            json_array_append_new(properties, property_to_json(p));
+            if (has_cell(rows, count, p))
+                json_array_append_new(properties, property_to_json(p));
     return properties;
 }
 
@@ -136,5 +147,5 @@ json_t *aob_stress_to_json(const struct aob_stress_row *rows, size_t count, bool
         json_object_set_new(sums, aob_outcome_word((enum aob_outcome)i),
                             json_integer((json_int_t)counts.by[i]));
     return json_pack("{s:b, s:o, s:o, s:o}", "quick", quick, "counts", sums, "properties",
-                     properties_to_json(), "rows", list);
+                     properties_to_json(rows, count), "rows", list);
 }

@@ -80,13 +80,12 @@ static struct aob_figure *add_picture(struct stress_page *page, const json_t *ro
     aob_text_add(&image, "%s/images/%s", out, text_of(cell, "image"));
     name_subject(row, &title);
     aob_text_add(&title, ": %s", text_of(cell, "property"));
-    struct aob_figure *figure =
-        AOB_PUSH(page->gallery.figures, page->gallery.count, page->gallery.capacity);
-    *figure = (struct aob_figure){
-        .kind = AOB_FIGURE_TRIPTYCH,
-        .job = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s}", "kind", "triptych", "title", title.data, "subtitle",
-                         text_of(cell, "reason"), "technique_name", "What it drew", "reference_name",
-                         "What it should be", "image", image.data)};
+    struct aob_figure *figure = AOB_PUSH(page->gallery.figures, page->gallery.count, page->gallery.capacity);
+    *figure = (struct aob_figure){.kind = AOB_FIGURE_TRIPTYCH,
+                                  .job = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s}", "kind", "triptych",
+                                                   "title", title.data, "subtitle", text_of(cell, "reason"),
+                                                   "technique_name", "What it drew", "reference_name",
+                                                   "What it should be", "image", image.data)};
     struct aob_text path = {0};
     aob_text_add(&path, "figures/%s.png", file.data);
     figure->file = path.data;
@@ -124,7 +123,8 @@ static const char *mark_of(const char *outcome)
 }
 
 /* The gravest outcome of a subject's rows, which the table shows; `backends`: of how many. */
-static const json_t *gravest(const struct stress_page *page, size_t at, const char *property, size_t *backends)
+static const json_t *gravest(const struct stress_page *page, size_t at, const char *property,
+                             size_t *backends)
 {
     static const char *const order[] = {"fail", "by definition", "pass", "n/a"};
     const json_t *first = json_array_get(page->rows, at), *row, *found = NULL;
@@ -152,7 +152,8 @@ static void add_mark(struct stress_page *page, size_t at, const char *property)
         return;
     }
     const char *outcome = text_of(cell, "outcome");
-    aob_text_add(&page->text, "<td><a class=\"chip %s\" href=\"#%s-%zu\" title=\"", mark_of(outcome), property, at);
+    aob_text_add(&page->text, "<td><a class=\"chip %s\" href=\"#%s-%zu\" title=\"", mark_of(outcome),
+                 property, at);
     aob_html_escape(&page->text, text_of(cell, "reason"));
     aob_text_add(&page->text, "\">%s%s</a></td>", outcome, "");
 }
@@ -160,9 +161,10 @@ static void add_mark(struct stress_page *page, size_t at, const char *property)
 static void add_matrix(struct stress_page *page)
 {
     const json_t *property;
-    aob_text_add(&page->text, "<section id=\"table\"><h2>Technique by property</h2>\n<p>A cell shows the gravest "
-                              "answer of all backends, and leads to the answers.</p>\n<div class=\"scroll\">"
-                              "<table><thead><tr><th><button>property</button></th>");
+    aob_text_add(&page->text,
+                 "<section id=\"table\"><h2>Technique by property</h2>\n<p>A cell shows the gravest "
+                 "answer of all backends, and leads to the answers.</p>\n<div class=\"scroll\">"
+                 "<table><thead><tr><th><button>property</button></th>");
     for (size_t r = 0; r < json_array_size(page->rows); r++) {
         struct aob_text name = {0};
         if (!leads(page, r))
@@ -192,7 +194,8 @@ static void add_number(struct stress_page *page, double value)
         aob_text_add(&page->text, "<td class=\"n\">\u2013</td>");
 }
 
-static void add_answer(struct stress_page *page, const json_t *row, const json_t *cell, size_t anchor, bool first)
+static void add_answer(struct stress_page *page, const json_t *row, const json_t *cell, size_t anchor,
+                       bool first)
 {
     struct aob_text name = {0};
     name_subject(row, &name);
@@ -214,15 +217,17 @@ static void add_answer(struct stress_page *page, const json_t *row, const json_t
 static void add_answers(struct stress_page *page, const char *property)
 {
     const json_t *row;
-    aob_text_add(&page->text, "<div class=\"scroll plain\"><table><thead><tr><th>technique</th><th>backend</th>"
-                              "<th>outcome</th><th>worst</th><th>bound</th><th>where, or why</th>"
-                              "<th>shown again by</th></tr></thead><tbody>\n");
+    aob_text_add(&page->text,
+                 "<div class=\"scroll plain\"><table><thead><tr><th>technique</th><th>backend</th>"
+                 "<th>outcome</th><th>worst</th><th>bound</th><th>where, or why</th>"
+                 "<th>shown again by</th></tr></thead><tbody>\n");
     for (size_t lead = 0; lead < json_array_size(page->rows); lead++) {
         bool first = true;
         if (!leads(page, lead))
             continue;
         for (size_t r = lead; (row = json_array_get(page->rows, r)); r++) {
-            const json_t *cell = same_subject(row, json_array_get(page->rows, lead)) ? cell_of(row, property) : NULL;
+            const json_t *cell =
+                same_subject(row, json_array_get(page->rows, lead)) ? cell_of(row, property) : NULL;
             if (!cell)
                 continue;
             add_answer(page, row, cell, lead, first);
@@ -276,8 +281,7 @@ static void add_devices(struct stress_page *page)
     json_t *seen = json_object();
     aob_text_add(&page->text, "<dl class=\"facts\">\n");
     for (size_t r = 0; (row = json_array_get(page->rows, r)); r++) {
-        const char *backend = text_of(row, "backend"),
-                   *missing = text_of(row, "missing");
+        const char *backend = text_of(row, "backend"), *missing = text_of(row, "missing");
         if (!*backend || json_object_get(seen, backend))
             continue;
         json_object_set_new(seen, backend, json_true());
@@ -293,13 +297,14 @@ static void add_head(struct stress_page *page, const json_t *document)
 {
     static const char *const words[] = {"pass", "fail", "by definition", "n/a"};
     const json_t *counts = json_object_get(document, "counts");
-    aob_text_add(&page->text,
-                 "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-                 "content=\"width=device-width,initial-scale=1\"><title>aobudget: hard cases</title>\n<style>\n"
-                 "%s</style></head><body>\n<header><h1>Hard cases</h1>\n<p>Each property is a way in which a "
-                 "renderer was wrong. A cell passes, fails, is \u201cby definition\u201d where the technique\u2019s "
-                 "text makes it so, or is not applicable.</p>\n<p>",
-                 aob_text_page_style);
+    aob_text_add(
+        &page->text,
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "content=\"width=device-width,initial-scale=1\"><title>aobudget: hard cases</title>\n<style>\n"
+        "%s</style></head><body>\n<header><h1>Hard cases</h1>\n<p>Each property is a way in which a "
+        "renderer was wrong. A cell passes, fails, is \u201cby definition\u201d where the technique\u2019s "
+        "text makes it so, or is not applicable.</p>\n<p>",
+        aob_text_page_style);
     for (size_t i = 0; i < AOB_COUNT(words); i++)
         aob_text_add(&page->text, "<span class=\"chip %s\">%lld %s</span> ", mark_of(words[i]),
                      (long long)json_integer_value(json_object_get(counts, words[i])), words[i]);
@@ -319,8 +324,9 @@ bool aob_stress_page_write(const struct aob_stress_page_desc *desc, struct aob_e
     add_matrix(&page);
     for (size_t i = 0; (property = json_array_get(page.properties, i)); i++)
         add_property(&page, property);
-    aob_text_add(&page.text, "</main>\n<footer>The command of a cell asks the same question again; with --out it "
-                             "keeps the picture.</footer></body></html>\n");
+    aob_text_add(&page.text,
+                 "</main>\n<footer>The command of a cell asks the same question again; with --out it "
+                 "keeps the picture.</footer></body></html>\n");
     char *path = aob_path_join(desc->out, "index.html");
     bool ok = aob_file_write(path, page.text.data, page.text.size, error);
     free(path);

@@ -52,12 +52,12 @@ static bool build(struct aob_graph *graph, const void *values)
         aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
     aob_tex soft = aob_texture(graph, .name = "soft", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
     aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = pyramid,
-             .border = AOB_FAR, .defines = {{"FAULT", FAULT}},
-             .out = {{.name = "visibility", .tex = raw}});
+             .border = AOB_FAR, .defines = {{"FAULT", FAULT}}, .out = {{.name = "visibility", .tex = raw}});
     aob_pass(graph, .name = "soften", .shader = "soften", .reads = AOB_DEPTH | AOB_NORMAL,
              .defines = {{"FAULT", FAULT}}, .in = {{.name = "raw", .tex = raw}},
              .out = {{.name = "softened", .tex = soft}});
-    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = soft, .divisor = v->divisor));
+    return aob_output(graph, AOB_OUT_VISIBILITY,
+                      aob_step_upsample(graph, .tex = soft, .divisor = v->divisor));
 }
 
 AOB_TECHNIQUE(broken, .title = "Horizons, sound or with one fault", .citation = "tests", .revision = 1,
