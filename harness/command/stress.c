@@ -3,7 +3,8 @@
 
 struct options {
     struct aob_common common;
-    const char *technique, *property, *backend, *out;
+    const char *technique, *backend, *out;
+    struct aob_words properties;
     bool quick, list;
 };
 
@@ -13,7 +14,8 @@ struct options {
     }
 static const struct aob_flag flags[] = {
     TEXT("technique", "NAME", technique, "only this one (all; with --module, all of the modules)"),
-    TEXT("property", "NAME", property, "only this one; see --list"),
+    {"property", "NAME", "only this one; may be repeated; see --list", AOB_FLAG_MANY,
+     offsetof(struct options, properties)},
     TEXT("backend", "NAME", backend, "only this one; see: aobudget list backends (all that draw)"),
     TEXT("out", "DIR", out, "stress.json, its page, and a picture of each place where a property fails"),
     {"quick", NULL, "the properties that need few programs, at fewer places", AOB_FLAG_SWITCH,
@@ -33,7 +35,8 @@ static enum aob_exit stress(void *from, struct aob_error *error)
     }
     enum aob_exit code = aob_stress(&(struct aob_stress_desc){.dispatch = o->common.dispatch,
                                                               .technique = o->technique,
-                                                              .property = o->property,
+                                                              .properties = o->properties.items,
+                                                              .property_count = o->properties.count,
                                                               .backend = o->backend,
                                                               .quick = o->quick,
                                                               .out = o->out,
@@ -43,6 +46,7 @@ static enum aob_exit stress(void *from, struct aob_error *error)
     if (aob_common_speaks(&o->common) && table.size)
         aob_text_add_bytes(&o->common.out, table.data, table.size);
     aob_text_finish(&table);
+    aob_words_finish(&o->properties);
     return code;
 }
 

@@ -32,10 +32,11 @@ void aob_stress_list(struct aob_text *out)
 
 static bool is_wanted(const struct aob_stress_desc *desc, const struct aob_property *property, bool subject)
 {
-    if (desc->property && strcmp(desc->property, property->name) != 0)
-        return false;
-    return (property->group != AOB_GROUP_INSTRUMENTS) == subject &&
-           (!desc->quick || property->quick || desc->property);
+    bool named = !desc->property_count;
+    for (size_t i = 0; i < desc->property_count; i++)
+        named = named || strcmp(desc->properties[i], property->name) == 0;
+    return named && (property->group != AOB_GROUP_INSTRUMENTS) == subject &&
+           (!desc->quick || property->quick || desc->property_count);
 }
 
 /* A row without a property that is wanted is none. */
@@ -69,8 +70,10 @@ static bool is_subject(const struct stress *stress, const struct aob_technique_i
 static bool choose_rows(struct stress *stress, struct aob_error *error)
 {
     const struct aob_stress_desc *desc = stress->desc;
-    if (desc->property && !aob_property_find(desc->property))
-        return aob_fail(error, "--property: there is no '%s'; see: aobudget stress --list", desc->property);
+    for (size_t i = 0; i < desc->property_count; i++)
+        if (!aob_property_find(desc->properties[i]))
+            return aob_fail(error, "--property: there is no '%s'; see: aobudget stress --list",
+                            desc->properties[i]);
     if (desc->backend && !aob_gpu_find(desc->backend))
         return aob_fail(error, "--backend: there is no '%s'; see: aobudget list backends", desc->backend);
     for (size_t t = 0; t < stress->techniques.count; t++)
@@ -84,7 +87,7 @@ static bool choose_rows(struct stress *stress, struct aob_error *error)
         return false;
     if (!desc->technique && !desc->backend && !desc->dispatch.modules.count)
         add_row(stress, NULL, NULL);
-    else if (desc->property && !stress->count)
+    else if (desc->property_count && !stress->count)
         add_row(stress, NULL, NULL);
     return stress->count || aob_fail(error, "nothing is to be asked: no property fits these flags");
 }

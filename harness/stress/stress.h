@@ -8,8 +8,10 @@
 
 struct aob_stress_desc {
     struct aob_dispatch dispatch;
-    const char *technique, *property, *backend; /* only this one; NULL: all */
-    bool quick;                                 /* the properties that need few programs, at fewer places */
+    const char *technique, *backend; /* only this one; NULL: all */
+    const char *const *properties;   /* property_count names, only these; none: all */
+    size_t property_count;
+    bool quick;       /* the properties that need few programs, at fewer places */
     const char *out;  /* folder for stress.json, its page and pictures; NULL: none */
     const char *json; /* the same document, a file or "-"; NULL: none */
     bool quiet;       /* no progress */
