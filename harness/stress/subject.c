@@ -84,9 +84,6 @@ static void set_lengths(const struct aob_technique *technique, double radius, do
                            *param = aob_param_find(params, technique->param_count, "radius");
     double metre = radius > 0 && param && param->initial > 0 ? radius / param->initial : 1;
     aob_param_defaults(params, technique->param_count, metre, numbers);
-    for (uint32_t i = 0; i < technique->param_count; i++)
-        if (params[i].unit == AOB_UNIT_LENGTH)
-            numbers[i] = fmin(fmax(numbers[i], params[i].min), params[i].max);
 }
 
 bool aob_subject_values(const struct aob_subject *subject, const struct aob_shot *shot, void *values,
