@@ -1,0 +1,24 @@
+# Sourced by bench.sh: every technique on every backend put to every property, the technique that keeps all of them, and the
+# frame fuzzer. jq reads the documents.
+if wanted stress; then
+  start=$(date +%s)
+  build/release/aobudget stress --quiet --json "$folder/stress.json" >/dev/null || true
+  row "stress: duration of the whole" "$(($(date +%s) - start))" s "<=" 600
+  row "stress: properties" "$(jq '.properties | length' "$folder/stress.json")" "" ">=" 60
+  for outcome in pass fail "by definition" n/a; do
+    count=$(jq --arg o "$outcome" '.counts[$o]' "$folder/stress.json")
+    [ "$outcome" = fail ] && row "stress: cells that fail" "$count" cells "<=" 0 || row "stress: cells: $outcome" "$count" cells
+  done
+  row "stress: cells by definition" "$(jq '100 * .counts["by definition"] / (.counts | add)' "$folder/stress.json" | cut -c1-5)" "%" "<=" 10
+  row "stress: backends that are missing" "$(jq '[.rows[] | select(.missing)] | length' "$folder/stress.json")" rows "<=" 0
+  jq -r '.rows[] | . as $r | .cells[] | select(.outcome == "fail") | "  fails: \($r.technique) on \($r.backend): \(.property): \(.reason)"' "$folder/stress.json"
+  start=$(date +%s)
+  build/release/aobudget stress --quick --quiet --backend vulkan --json "$folder/quick.json" >/dev/null || true
+  row "stress: duration of --quick on vulkan" "$(($(date +%s) - start))" s "<=" 60
+  for module in build/release/tests/broken/*.so; do
+    name=$(basename "$module" .so)
+    build/release/aobudget stress --quiet --module "$module" --backend vulkan --json "$folder/broken.json" >/dev/null || true
+    row "stress: $name: properties that fail" "$(jq '.counts.fail' "$folder/broken.json")" ""
+    jq -r '[.rows[].cells[] | select(.outcome == "fail") | .property] | "  " + join(" ")' "$folder/broken.json"
+  done
+fi
