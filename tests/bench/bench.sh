@@ -99,9 +99,8 @@ source tests/bench/papers.sh
 source tests/bench/timing.sh
 source tests/bench/compare.sh
 source tests/bench/cache.sh
+source tests/bench/cache_shapes.sh
 source tests/bench/stress.sh
-source tests/bench/cache.sh
-source tests/bench/stress.shapes.sh
 
 if wanted demo; then
   start=$(date +%s.%N)
