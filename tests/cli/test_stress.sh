@@ -3,6 +3,7 @@
 source "$(dirname "$0")/lib.sh"
 here=$(realpath "$(dirname "$0")")
 modules=$AOBUDGET_BUILD/tests/modules
+cd "$folder"
 "$program" stress --list >list
 check "the list has the properties" test "$(grep -c '^[a-z0-9_]* (' list)" -ge 60
 # Each of the 62 faults has its row, and each property that the table names is one.
