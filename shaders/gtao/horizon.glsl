@@ -1,6 +1,7 @@
 /* Jimenez et al. 2016, horizon search and inner integral, with four corrections that the text needs to be exact
  * off-centre (docs/decisions/0009): slices even about the view vector, taps below the tangent plane ignored,
- * a search as long as the slice's disc, and the ratio to the open slice. */
+ * a search as long as the slice's disc, and the ratio to the open slice. The search ends at the image's edge
+ * (docs/decisions/0040). */
 #include "common/noise.glsl"
 #include "common/frame.glsl"
 
@@ -17,6 +18,15 @@ vec2 search_end(vec3 position, vec3 v, vec3 t, float r)
 #else
     return aob_project(position + t * r);
 #endif
+}
+
+/* Where the way from `start` to `end` leaves the image, or `end`: outside there is nothing to find, and a ball that the
+ * eye is in projects to thousands of pixels. */
+vec2 end_in_image(vec2 start, vec2 end)
+{
+    vec2 way = end - start, room = mix(start, vec2(aob_size) - start, greaterThan(way, vec2(0.0)));
+    vec2 share = room / max(abs(way), 1e-3); /* below 0 where the start of a divided image lies beside the depth's */
+    return start + way * clamp(min(share.x, share.y), 0.0, 1.0);
 }
 
 /* The inner integral for one side, horizon h and projected normal n in the slice (radians): the text's, weighted by the
@@ -59,11 +69,11 @@ void main()
         vec3 t = b1 * cos(psi) + b2 * sin(psi);
         vec2 projected = vec2(dot(normal, t), dot(normal, v));
         float len = WEIGHTING == 0 ? length(projected) : 1.0, n = atan(projected.x, projected.y);
+        vec2 there = end_in_image(start, search_end(position, v, t, param.radius));
+        vec2 back = end_in_image(start, search_end(position, v, -t, param.radius));
         /* A tap's weight fades it towards the slice's own tangent, where it occludes nothing. */
-        float plus = horizon_cosine(start, position, normal, v, search_end(position, v, t, param.radius), jitter,
-                                    cos(n + 0.5 * AOB_PI));
-        float minus = horizon_cosine(start, position, normal, v, search_end(position, v, -t, param.radius), jitter,
-                                     cos(n - 0.5 * AOB_PI));
+        float plus = horizon_cosine(start, position, normal, v, there, jitter, cos(n + 0.5 * AOB_PI));
+        float minus = horizon_cosine(start, position, normal, v, back, jitter, cos(n - 0.5 * AOB_PI));
         float h1 = min(acos(clamp(plus, -1.0, 1.0)), n + 0.5 * AOB_PI);
         float h0 = max(-acos(clamp(minus, -1.0, 1.0)), n - 0.5 * AOB_PI);
         open += len * (arc(h0, n) + arc(h1, n));
