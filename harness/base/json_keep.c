@@ -59,7 +59,8 @@ static enum fate judge_by(const struct keeping *c, const char *path)
     for (int i = 0; i < c->depth; i++) {
         const struct slice *name = &c->names[i];
         size_t size = *path == '*' ? 1 : name->size;
-        if (*path != '*' && (*path != *name->text || strncmp(path, name->text, size) != 0))
+        if (*path != '*' && (*path != *name->text || strncmp(path, name->text, size) != 0 ||
+                             memchr(name->text, '.', size))) /* which in a path parts two names */
             return LEFT_OUT;
         path += size;
         if (*path && *path != '.')
