@@ -21,12 +21,11 @@ static const struct target {
 } targets[] = {
 #define FUZZ_TARGET(name) {#name, fuzz_##name},
     FUZZ_TARGETS};
-enum { VARIANTS = 300, MOST_FILES = 256, LARGEST = 1 << 20 };
+enum { VARIANTS = 300, LARGEST = 1 << 20 };
 
 struct corpus {
-    struct dirent **entries;
-    struct aob_piece pieces[MOST_FILES];
-    size_t count;
+    struct aob_piece *pieces;
+    size_t count, capacity;
 };
 
 static int is_input(const struct dirent *entry)
@@ -34,20 +33,20 @@ static int is_input(const struct dirent *entry)
     return entry->d_name[0] != '.';
 }
 
-static bool load(struct corpus *corpus, const char *folder)
+static void load(struct corpus *corpus, const char *folder)
 {
-    int count = scandir(folder, &corpus->entries, is_input, alphasort);
-    for (int i = 0; i < count && i < MOST_FILES; i++) {
-        struct aob_error error;
-        char *path = aob_path_join(folder, corpus->entries[i]->d_name);
-        struct aob_piece *piece = &corpus->pieces[corpus->count++];
-        piece->bytes = aob_file_read(path, LARGEST, &piece->size, &error);
+    struct dirent **entries = NULL;
+    int count = scandir(folder, &entries, is_input, alphasort);
+    for (int i = 0; i < count; i++) {
+        char *path = aob_path_join(folder, entries[i]->d_name);
+        struct aob_piece *piece = AOB_PUSH(corpus->pieces, corpus->count, corpus->capacity);
+        piece->bytes = aob_file_read(path, LARGEST, &piece->size, NULL);
         fuzz_require(piece->bytes != NULL, "a file of the corpus can be read");
         free(path);
-        free(corpus->entries[i]);
+        free(entries[i]);
     }
-    free(corpus->entries);
-    return corpus->count > 0;
+    free(entries);
+    fuzz_require(count > 0, "a target has a corpus");
 }
 
 /* One change of the bytes, of which there are `size`; gives how many there are then. Never more. */
@@ -120,11 +119,12 @@ int main(int argc, char **argv)
         char *folder = aob_path_join(argv[1], targets[t].name);
         printf("%s; each input lies in %s while it is read\n", targets[t].name, argv[2]);
         fflush(stdout);
-        fuzz_require(load(&corpus, folder), "a target has a corpus");
+        load(&corpus, folder);
         replay(&targets[t], &corpus, argv[2]);
         replay_damaged(&targets[t], &corpus, argv[2]);
         for (size_t i = 0; i < corpus.count; i++)
             free((void *)corpus.pieces[i].bytes);
+        free(corpus.pieces);
         free(folder);
     }
     unlink(argv[2]);
