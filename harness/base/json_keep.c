@@ -1,4 +1,5 @@
 #include "json_keep.h"
+#include <stdbool.h>
 #include <string.h>
 
 enum { MAX_DEPTH = 8 }; /* names of a path */
@@ -28,9 +29,14 @@ static const char *end_of_string(const char *at, const char *end)
     return at < end ? at + 1 : end;
 }
 
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
 static const char *skip_blanks(const char *at, const char *end)
 {
-    while (at < end && (*at == ' ' || *at == '\t'))
+    while (at < end && is_blank(*at))
         at++;
     return at;
 }
@@ -59,7 +65,8 @@ static enum fate judge_by(const struct keeping *c, const char *path)
     for (int i = 0; i < c->depth; i++) {
         const struct slice *name = &c->names[i];
         size_t size = *path == '*' ? 1 : name->size;
-        if (*path != '*' && (*path != *name->text || strncmp(path, name->text, size) != 0))
+        if (*path != '*' && (*path != *name->text || strncmp(path, name->text, size) != 0 ||
+                             memchr(name->text, '.', size))) /* which in a path parts two names */
             return LEFT_OUT;
         path += size;
         if (*path && *path != '.')
@@ -94,7 +101,7 @@ static void leave_out(struct keeping *c, const char *value)
 {
     char *before = c->out;
     c->at = end_of_value(value, c->end);
-    while (before[-1] == ' ' || before[-1] == '\t')
+    while (is_blank(before[-1]))
         before--;
     if (c->at < c->end && *c->at == ',')
         c->at++;

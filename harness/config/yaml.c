@@ -82,6 +82,7 @@ bool aob_yaml_load(struct aob_yaml *yaml, const char *path, const char *text, si
         if (!yaml_parser_initialize(&parser))
             return aob_fail(error, "%s: out of memory", path);
         yaml_parser_set_input_string(&parser, (const unsigned char *)text, size);
+        yaml_parser_set_encoding(&parser, YAML_UTF8_ENCODING); /* in another one no %TAG was looked for */
         ok = pass == 0 ? survey(yaml, &parser)
                        : yaml_parser_load(&parser, &yaml->document) || fail_parser(yaml, &parser);
         yaml_parser_delete(&parser);

@@ -15,7 +15,7 @@ struct aob_yaml {
         visits; /* entries and elements read so far; through aliases they can be far more than the file has */
 };
 /* What no config needs and a hostile one would take minutes or all memory with is refused: besides what passes these
- * bounds, %TAG lines. */
+ * bounds, %TAG lines, and texts that are not UTF-8. */
 enum {
     AOB_YAML_MAX_DEPTH = 32,       /* lists and mappings within each other */
     AOB_YAML_MAX_KEYS = 1000,      /* in a mapping */

@@ -108,10 +108,18 @@ bool aob_mesh_save(const struct aob_mesh *mesh, const char *path, struct aob_err
     return aob_sealed_write(path, pieces, AOB_COUNT(pieces), error);
 }
 
+static bool notes_end(const struct flat_header *header)
+{
+    bool ok = header->note_count <= AOB_MESH_NOTES;
+    for (size_t i = 0; ok && i < header->note_count; i++)
+        ok = memchr(header->notes[i].text, '\0', sizeof header->notes[i].text) != NULL;
+    return ok;
+}
+
 static bool header_fits(const struct flat_header *header, size_t size)
 {
     if (memcmp(header->magic, aob_mesh_flat_version, sizeof header->magic) || header->has_normals > 1 ||
-        header->note_count > AOB_MESH_NOTES)
+        !notes_end(header))
         return false;
     if (header->vertex_count > size || header->triangle_count > size ||
         header->material_count > size) /* so that the sum below cannot wrap */

@@ -101,8 +101,10 @@ static bool read_layers_of_part(struct aob_image_reader *r, const struct layers 
 static bool read_layers(struct aob_image_reader *r, const struct layers *layers, int parts)
 {
     exr_attr_box2i_t display;
-    size_t first = 0;
-    if (!read_display(r, &display) || !aob_image_reader_attributes(r))
+    size_t first = 0, wanted = 0;
+    for (size_t i = 0; i < layers->count; i++)
+        wanted += layers->wanted[i];
+    if (!read_display(r, &display) || !aob_image_reader_fits(r, wanted) || !aob_image_reader_attributes(r))
         return false;
     for (r->part = 0; r->part < parts; r->part++) {
         const exr_attr_chlist_t *list = NULL;

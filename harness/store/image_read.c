@@ -62,18 +62,24 @@ static bool judge_compression(struct aob_image_reader *r)
                     r->path, name);
 }
 
+bool aob_image_reader_fits(struct aob_image_reader *r, size_t channels)
+{
+    size_t pixels = (size_t)r->image->width * (size_t)r->image->height;
+    return (channels > 0 && channels <= VALUE_LIMIT / pixels) ||
+           aob_fail(r->error, "%s: refused: %zu channels of %zu pixels", r->path, channels, pixels);
+}
+
 static bool add_channels(struct aob_image_reader *r)
 {
     const exr_attr_chlist_t *list = NULL;
     if (!aob_image_reader_check(r, exr_get_channels(r->file, r->part, &list), "channels"))
         return false;
     size_t count = list && list->num_channels > 0 ? (size_t)list->num_channels : 0;
-    size_t pixels = (size_t)r->image->width * (size_t)r->image->height;
     size_t wanted = count;
     for (size_t i = 0; r->wanted && i < count; i++)
         wanted -= !r->wanted[i];
-    if (wanted == 0 || wanted > VALUE_LIMIT / pixels)
-        return aob_fail(r->error, "%s: refused: %zu channels of %zu pixels", r->path, wanted, pixels);
+    if (!aob_image_reader_fits(r, wanted))
+        return false;
     r->planes = AOB_NEW_ARRAY(float *, count);
     for (size_t i = 0; i < count; i++) {
         if (r->wanted && !r->wanted[i])

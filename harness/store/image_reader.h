@@ -26,6 +26,10 @@ bool aob_image_reader_open(
 /* False after a line "PATH: cannot read the WHAT: ..." unless rc is success. */
 bool aob_image_reader_check(struct aob_image_reader *r, exr_result_t rc, const char *what);
 
+/* False after a line where `image`, whose size is known, would have no channels, or more pixels x channels than are
+ * read. */
+bool aob_image_reader_fits(struct aob_image_reader *r, size_t channels);
+
 /* Reads the wanted channels of part `part`, in the file's order, and its attributes into `image`, which takes its
  * size from the part. */
 bool aob_image_reader_part(struct aob_image_reader *r);

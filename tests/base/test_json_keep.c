@@ -31,6 +31,9 @@ static void test_places(void **state)
     assert_kept("{\"b\": {\"p\": {\"d\": 1, \"c\": 2}}}", deep, "{\"b\": {\"p\": { \"c\": 2}}}");
     assert_kept("{\"l\":[{\"x\":1},{\"x\":2,\"y\":3}]}", deep, "{\"l\":[{\"x\":1},{\"x\":2}]}");
     assert_kept("{\"b\":{\"c\":1},\"lx\":1,\"l\":null}", deep, "{\"b\":{\"c\":1},\"l\":null}");
+    assert_kept("{\"l.x\":1,\"b.p.c\":1,\"b\":{\"p.c\":1,\"p.q\":{\"c\":2}}}", deep,
+                "{\"b\":{\"p.c\":1,\"p.q\":{\"c\":2}}}");
+    assert_kept("{\"b\"\r\n:1,\r \n\t\"a\"\t\r:\n2\r}", b, "{\"b\"\r\n:1}");
 }
 
 /* A random value; objects have members of few names. */

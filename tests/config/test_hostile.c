@@ -126,6 +126,7 @@ static void test_bytes_that_are_no_text(void **state)
         {"name: t\n\n# \303\251\303\251\a\n", ":3:5: not YAML: control characters"},
         {"\001name: t\n", ":1:1: not YAML: control characters"},
         {"name: t\nscenes: [\377]\n", ":2:10: not YAML: invalid leading UTF-8"},
+        {"\377\376%", ":1:1: not YAML: invalid leading UTF-8"}, /* how UTF-16 begins */
     };
     for (size_t i = 0; i < AOB_COUNT(cases); i++) {
         struct aob_text text = {0};

@@ -214,6 +214,33 @@ static void damaged_files_are_refused(void **state)
     assert_false(aob_mesh_restore(&mesh, path, &error));
 }
 
+/* Whoever may write a file may seal it: a note that runs on to its end must not be read beyond it. */
+static void a_note_without_end_is_refused(void **state)
+{
+    (void)state;
+    char path[64];
+    scratch_path(path);
+    struct aob_mesh mesh = {0}, back;
+    struct aob_error error = {""};
+    aob_mesh_add_quad(&mesh, aob_vec(0, 0, 0), aob_vec(1, 0, 0), aob_vec(0, 1, 0));
+    for (int i = 0; i < AOB_MESH_NOTES; i++)
+        aob_mesh_note(&mesh, "%d", i);
+    assert_true(aob_mesh_save(&mesh, path, &error));
+    assert_true(aob_mesh_restore(&back, path, &error));
+    aob_mesh_finish(&back);
+    struct aob_mesh_note *last = &mesh.notes[AOB_MESH_NOTES - 1];
+    memset(last->text, 'x', sizeof last->text);
+    assert_true(aob_mesh_save(&mesh, path, &error));
+    assert_false(aob_mesh_restore(&back, path, &error));
+    assert_non_null(strstr(error.text, "it is not a flat mesh"));
+    mesh.note_count--;
+    assert_true(aob_mesh_save(&mesh, path, &error));
+    assert_true(aob_mesh_restore(&back, path, &error));
+    aob_mesh_finish(&back);
+    aob_mesh_finish(&mesh);
+    unlink(path);
+}
+
 static void every_procedural_scene_is_sound(void **state)
 {
     (void)state;
@@ -244,15 +271,11 @@ static void every_procedural_scene_is_sound(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(quad_faces_u_cross_v),
-        cmocka_unit_test(box_is_closed_and_turned),
-        cmocka_unit_test(sphere_is_round_and_closed),
-        cmocka_unit_test(disc_faces_its_normal),
-        cmocka_unit_test(check_refuses_bad_meshes),
-        cmocka_unit_test(digest_sees_every_part),
-        cmocka_unit_test(a_saved_mesh_comes_back),
-        cmocka_unit_test(damaged_files_are_refused),
-        cmocka_unit_test(every_procedural_scene_is_sound),
+        cmocka_unit_test(quad_faces_u_cross_v),          cmocka_unit_test(box_is_closed_and_turned),
+        cmocka_unit_test(sphere_is_round_and_closed),    cmocka_unit_test(disc_faces_its_normal),
+        cmocka_unit_test(check_refuses_bad_meshes),      cmocka_unit_test(digest_sees_every_part),
+        cmocka_unit_test(a_saved_mesh_comes_back),       cmocka_unit_test(damaged_files_are_refused),
+        cmocka_unit_test(a_note_without_end_is_refused), cmocka_unit_test(every_procedural_scene_is_sound),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

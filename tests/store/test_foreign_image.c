@@ -136,10 +136,65 @@ static void test_half_and_tiled_files_of_others(void **state)
     unlink(path);
 }
 
+/* One pixel of seven channels, within a display window of 16384 x 2441. */
+static void write_wide(const char *path)
+{
+    static const char *const names[] = {"A", "B", "C", "D", "E", "F", "G"};
+    exr_context_t file = NULL;
+    exr_chunk_info_t chunk;
+    int part;
+    uint16_t half = 0x3c00;
+    struct foreign f = {.width = 1, .height = 1, .half = &half};
+    exr_attr_box2i_t pixel = {.min = {.x = 0, .y = 0}}, display = {.max = {.x = 16383, .y = 2440}};
+    exr_attr_v2f_t centre = {.x = 0, .y = 0};
+    assert_int_equal(exr_start_write(&file, path, EXR_WRITE_FILE_DIRECTLY, NULL), 0);
+    assert_int_equal(exr_add_part(file, "p", EXR_STORAGE_SCANLINE, &part), 0);
+    assert_int_equal(exr_initialize_required_attr(file, part, &display, &pixel, 1, &centre, 1,
+                                                  EXR_LINEORDER_INCREASING_Y, EXR_COMPRESSION_NONE),
+                     0);
+    for (size_t i = 0; i < AOB_COUNT(names); i++)
+        assert_int_equal(exr_add_channel(file, part, names[i], EXR_PIXEL_HALF, EXR_PERCEPTUALLY_LINEAR, 1, 1),
+                         0);
+    assert_int_equal(exr_write_header(file), 0);
+    assert_int_equal(exr_write_scanline_chunk_info(file, 0, 0, &chunk), 0);
+    encode(file, &f, &chunk, 0, 0);
+    assert_int_equal(exr_finish(&file), 0);
+}
+
+static bool choose_last(void *user, const char *const *names, size_t count, bool *wanted,
+                        struct aob_error *error)
+{
+    (void)user;
+    (void)names;
+    (void)error;
+    wanted[count - 1] = true;
+    return true;
+}
+
+/* What the image takes is the display window's, however few pixels the file has: 7 x 39993344 is more than 2^28. */
+static void test_a_display_window_counts(void **state)
+{
+    (void)state;
+    char path[PATH_SIZE];
+    struct aob_image image;
+    struct aob_error error = {0};
+    test_path(path, "wide.exr");
+    write_wide(path);
+    assert_false(aob_image_read_layers(&image, path, choose_all, NULL, &error));
+    assert_contains(error.text, "refused: 7 channels of 39993344 pixels");
+    assert_true(aob_image_read_layers(&image, path, choose_last, NULL, &error));
+    assert_true(image.width == 16384 && image.height == 2441 && image.channel_count == 1);
+    const float *pixels = aob_image_channel(&image, "G");
+    assert_true(pixels[0] == 1 && isnan(pixels[1]));
+    aob_image_finish(&image);
+    unlink(path);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_half_and_tiled_files_of_others),
+        cmocka_unit_test(test_a_display_window_counts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
