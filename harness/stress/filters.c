@@ -1,0 +1,104 @@
+#include <math.h>
+#include <stdlib.h>
+#include "base/memory.h"
+#include "resolution.h"
+#include "sets.h"
+
+/* The mean of 16 images of a box whose middles lie at each place of a tile of 4 x 4 pixels. */
+enum { WINDOW = 40, HALF = WINDOW / 2 };
+struct window {
+    float mean[WINDOW][WINDOW];
+    bool counts[WINDOW][WINDOW]; /* the wall, where it is dark */
+};
+
+static bool add_place(struct aob_trial *trial, int place, struct window *window, struct aob_shot *shot,
+                      const float **image)
+{
+    int width = 66 + 2 * (place % 4), height = 66 + 2 * (place / 4);
+    *shot = (struct aob_shot){.exhibit = aob_resolution_box(trial, width, height), .radius = 0.5};
+    *image = aob_trial_draw(trial, shot);
+    for (int y = 0; *image && y < WINDOW; y++)
+        for (int x = 0; x < WINDOW; x++) {
+            size_t i = (size_t)((y + height / 2 - HALF) * width + x + width / 2 - HALF);
+            struct aob_vec3 p = aob_exhibit_position(shot->exhibit, i);
+            window->mean[y][x] += (*image)[i] / 16;
+            window->counts[y][x] = p.z < 0.01 && fmax(fabs(p.x), fabs(p.y)) < 0.25 + 0.9 * shot->radius;
+        }
+    return *image;
+}
+
+/* RMSE between the window and what it is after an exchange: 0 of left and right, 1 of top and bottom, 2 of x and y. */
+static double unlike(const struct window *window, int exchange)
+{
+    double square = 0, count = 0;
+    for (int y = 0; y < WINDOW; y++)
+        for (int x = 0; x < WINDOW; x++) {
+            int u = exchange == 0 ? WINDOW - 1 - x : exchange == 1 ? x : y,
+                v = exchange == 0 ? y : exchange == 1 ? WINDOW - 1 - y : x;
+            if (!window->counts[y][x] || !window->counts[v][u])
+                continue;
+            double d = (double)window->mean[y][x] - (double)window->mean[v][u];
+            square += d * d;
+            count++;
+        }
+    return count > 0 ? sqrt(square / count) : NAN;
+}
+
+void aob_ask_impulse_centred(struct aob_trial *trial)
+{
+    static const char *const names[] = {"left and right", "top and bottom", "rows and columns"};
+    struct window *window = AOB_NEW(struct window);
+    struct aob_shot shot;
+    const float *image = NULL;
+    bool ok = true;
+    for (int place = 0; ok && place < 16; place++)
+        ok = add_place(trial, place, window, &shot, &image);
+    for (int k = 0; ok && k < 3; k++)
+        aob_trial_take(trial, unlike(window, k), &(struct aob_seen){&shot, image, NULL}, "%s exchanged",
+                       names[k]);
+    free(window);
+}
+
+/* How far an image leaves the range of another one's values. */
+static double beyond(const struct aob_exhibit *exhibit, const float *image, const float *raw)
+{
+    double low = INFINITY, high = 0, most = 0;
+    for (size_t i = 0; i < aob_exhibit_pixels(exhibit); i++) {
+        low = fmin(low, (double)raw[i]);
+        high = fmax(high, (double)raw[i]);
+    }
+    for (size_t i = 0; i < aob_exhibit_pixels(exhibit); i++)
+        most = fmax(most, fmax(low - (double)image[i], (double)image[i] - high));
+    return most;
+}
+
+/* The mean of what lies so far from the border that no filter has less to read there. */
+static double inner_mean(struct aob_trial *trial, const struct aob_exhibit *exhibit, const float *image)
+{
+    enum { BORDER = 24 };
+    bool *inner = aob_trial_mask(trial, exhibit);
+    for (int y = BORDER; y < exhibit->height - BORDER; y++)
+        for (int x = BORDER; x < exhibit->width - BORDER; x++)
+            inner[y * exhibit->width + x] = true;
+    return aob_mean_of(exhibit, image, inner);
+}
+
+void aob_ask_constant_kept(struct aob_trial *trial)
+{
+    static const char *const sets[] = {"blur=33 blur_passes=4 composite=on",
+                                       "blur=33 blur_passes=4 composite=on divisor=4"};
+    size_t set_count = aob_subject_has(trial->subject, "divisor") ? 2 : 1;
+    struct aob_plane_desc plane = {.width = 96, .height = 80};
+    struct aob_shot open = {.exhibit = aob_set_plane(trial, &plane), .radius = 0.5, .set = "blur=0 divisor=1"};
+    const float *raw = aob_trial_draw(trial, &open);
+    for (size_t s = 0; raw && s < set_count; s++) {
+        struct aob_shot shot = {.exhibit = open.exhibit, .radius = 0.5, .set = sets[s]};
+        const float *image = aob_trial_draw(trial, &shot);
+        if (!image)
+            return;
+        double out = beyond(open.exhibit, image, raw),
+               change = fabs(inner_mean(trial, open.exhibit, image) - inner_mean(trial, open.exhibit, raw));
+        aob_trial_take(trial, fmax(out, change), &(struct aob_seen){&shot, image, raw},
+                       "%s: %.5f beyond the unfiltered values, mean off by %.5f", sets[s], out, change);
+    }
+}
