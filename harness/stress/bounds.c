@@ -17,7 +17,7 @@ const struct aob_bound aob_bounds[] = {
     {"quarter_size_mean", 0.02, 0.02, "At most three pixels of 49 have theirs from one beside; the source's 2 %."},
     {"half_size_drift", 0.5, 0.5, "A wrong centre is 1, a right one 0, and there is noise."},
     {"phantom_depth", 1.0 / 255, 1.0 / 255, "Neither surface occludes the other; one step of an 8-bit image."},
-    {"upsampled_edge", 0.02, 0.02, "Noise of 0.25 a pixel in the mean of some 150 pixels."},
+    {"upsampled_edge", 0.02, 0.02, "Noise of 0.25 a pixel in the means of columns of 66 low pixels."},
     {"levels_in_pixels", 0.5, 0.5, "Of 96 pixels most lie beyond any offset; squared spacing leaves a third within 10."},
     {"taps_follow_radius", 0.1, 0.1, "Half a pixel of a mean of five at the edge; a wrong unit halves or doubles it."},
     {"impulse_centred", 0.02, 0.02, "Noise of 0.25 a pixel over 16 images and 25 taps, twice: 0.018."},
