@@ -20,9 +20,10 @@ const struct aob_bound aob_bounds[] = {
     {"upsampled_edge", 0.02, 0.02, "Noise of 0.25 a pixel in the means of columns of 66 low pixels."},
     {"levels_in_pixels", 0.5, 0.5, "Of 96 pixels most lie beyond any offset; squared spacing leaves a third within 10."},
     {"taps_follow_radius", 0.1, 0.1, "Half a pixel of a mean of five at the edge; a wrong unit halves or doubles it."},
-    {"impulse_centred", 0.02, 0.02, "Noise of 0.25 a pixel over 16 images and 25 taps, twice: 0.018."},
+    {"impulse_centred", 0.1, 0.1, "A filter that is its own mirror image moves nothing; a tenth of a pixel is noise's."},
+    {"impulse_transposed", 0.02, 0.02, "Noise of 0.25 a pixel over 16 images and 25 taps, twice: 0.018."},
     {"constant_kept", 0.001, 0.001, "A target of half floats rounds to 1/2048 below 1."},
-    {"resolution_invariant", 0.02, 0.02, "PLACEHOLDER."},
+    {"resolution_invariant", 1, 1, "Half a pixel along all rims; noise of 0.25 a pixel over 25 taps, twice."},
     {"size_continuous", 0.01, 0.01, "Rims move by at most half a pixel: 200 of 4000 pixels change by a quarter of 0.3."},
     /* --- edges --- */
     /* --- relations --- */

@@ -58,14 +58,10 @@ struct aob_exhibit *aob_resolution_box(struct aob_trial *trial, int width, int h
                                                            .height = height});
 }
 
-/* The middle of the wall's darkness within a radius of the box, pixels from the middle of the image. */
-struct middle {
-    double x, y, dark;
-};
-static struct middle middle_of(const struct aob_shot *shot, const float *image)
+struct aob_resolution_middle aob_resolution_middle_of(const struct aob_shot *shot, const float *image)
 {
     const struct aob_exhibit *exhibit = shot->exhibit;
-    struct middle m = {0, 0, 0};
+    struct aob_resolution_middle m = {0, 0, 0};
     double open = 0, count = 0;
     for (int round = 0; round < 2; round++)
         for (size_t i = 0; i < aob_exhibit_pixels(exhibit); i++) {
@@ -99,7 +95,7 @@ static struct aob_exhibit *box_at(struct aob_trial *trial, int place)
 void aob_ask_half_size_drift(struct aob_trial *trial)
 {
     static const char *const sets[] = {"divisor=1", "divisor=2", "divisor=4"};
-    struct middle sums[AOB_COUNT(sets)] = {{0, 0, 0}};
+    struct aob_resolution_middle sums[AOB_COUNT(sets)] = {{0, 0, 0}};
     struct aob_shot shot;
     const float *image = NULL;
     for (int k = 0; k < 16; k++) {
@@ -109,7 +105,7 @@ void aob_ask_half_size_drift(struct aob_trial *trial)
             image = aob_trial_draw(trial, &shot);
             if (!image)
                 return;
-            struct middle m = middle_of(&shot, image);
+            struct aob_resolution_middle m = aob_resolution_middle_of(&shot, image);
             if (!(m.dark >= 1))
                 aob_trial_excuse(trial, "nothing is dark beside a box");
             sums[s].x += m.x / 16;

@@ -4,58 +4,82 @@
 #include "resolution.h"
 #include "sets.h"
 
-/* The mean of 16 images of a box whose middles lie at each place of a tile of 4 x 4 pixels. */
-enum { WINDOW = 40, HALF = WINDOW / 2 };
-struct window {
-    float mean[WINDOW][WINDOW];
-    bool counts[WINDOW][WINDOW]; /* the wall, where it is dark */
-};
-
-static bool add_place(struct aob_trial *trial, int place, struct window *window, struct aob_shot *shot,
-                      const float **image)
+/* The boxes' middles lie at each place of a tile of 4 x 4 pixels, so that noise which repeats cancels. */
+static const float *draw_place(struct aob_trial *trial, int place, const char *set, struct aob_shot *shot)
 {
-    int width = 66 + 2 * (place % 4), height = 66 + 2 * (place / 4);
-    *shot = (struct aob_shot){.exhibit = aob_resolution_box(trial, width, height), .radius = 0.5};
-    *image = aob_trial_draw(trial, shot);
-    for (int y = 0; *image && y < WINDOW; y++)
-        for (int x = 0; x < WINDOW; x++) {
-            size_t i = (size_t)((y + height / 2 - HALF) * width + x + width / 2 - HALF);
-            struct aob_vec3 p = aob_exhibit_position(shot->exhibit, i);
-            window->mean[y][x] += (*image)[i] / 16;
-            window->counts[y][x] = p.z < 0.01 && fmax(fabs(p.x), fabs(p.y)) < 0.25 + 0.9 * shot->radius;
-        }
-    return *image;
-}
-
-/* RMSE between the window and what it is after an exchange: 0 of left and right, 1 of top and bottom, 2 of x and y. */
-static double unlike(const struct window *window, int exchange)
-{
-    double square = 0, count = 0;
-    for (int y = 0; y < WINDOW; y++)
-        for (int x = 0; x < WINDOW; x++) {
-            int u = exchange == 0 ? WINDOW - 1 - x : exchange == 1 ? x : y,
-                v = exchange == 0 ? y : exchange == 1 ? WINDOW - 1 - y : x;
-            if (!window->counts[y][x] || !window->counts[v][u])
-                continue;
-            double d = (double)window->mean[y][x] - (double)window->mean[v][u];
-            square += d * d;
-            count++;
-        }
-    return count > 0 ? sqrt(square / count) : NAN;
+    *shot = (struct aob_shot){.exhibit = aob_resolution_box(trial, 66 + 2 * (place % 4), 66 + 2 * (place / 4)),
+                              .radius = 0.5,
+                              .set = set};
+    return aob_trial_draw(trial, shot);
 }
 
 void aob_ask_impulse_centred(struct aob_trial *trial)
 {
-    static const char *const names[] = {"left and right", "top and bottom", "rows and columns"};
+    static const char *const sets[] = {NULL, "blur=0"};
+    struct aob_shot shot;
+    const float *image = NULL;
+    double x = 0, y = 0;
+    for (int k = 0; k < 32; k++) {
+        image = draw_place(trial, k / 2, sets[k % 2], &shot);
+        if (!image)
+            return;
+        struct aob_resolution_middle m = aob_resolution_middle_of(&shot, image);
+        if (!(m.dark >= 1))
+            aob_trial_excuse(trial, "nothing is dark beside a box");
+        x += (k % 2 ? -m.x : m.x) / 16;
+        y += (k % 2 ? -m.y : m.y) / 16;
+    }
+    aob_trial_take(trial, fmax(fabs(x), fabs(y)), &(struct aob_seen){&shot, image, NULL},
+                   "filters move it by (%.3f, %.3f) pixels on average", x, y);
+}
+
+enum { WINDOW = 40, HALF = WINDOW / 2 };
+struct window {
+    float mean[WINDOW][WINDOW]; /* of 16 images, the box in the middle */
+    bool counts[WINDOW][WINDOW]; /* the wall, where it is dark */
+};
+
+static void add_place(const struct aob_shot *shot, const float *image, struct window *window)
+{
+    int width = shot->exhibit->width, height = shot->exhibit->height;
+    for (int y = 0; y < WINDOW; y++)
+        for (int x = 0; x < WINDOW; x++) {
+            size_t i = (size_t)((y + height / 2 - HALF) * width + x + width / 2 - HALF);
+            struct aob_vec3 p = aob_exhibit_position(shot->exhibit, i);
+            window->mean[y][x] += image[i] / 16;
+            window->counts[y][x] = p.z < 0.01 && fmax(fabs(p.x), fabs(p.y)) < 0.25 + 0.9 * shot->radius;
+        }
+}
+
+/* RMSE between the window and its transpose. */
+static double unlike_transpose(const struct window *window)
+{
+    double square = 0, count = 0;
+    for (int y = 0; y < WINDOW; y++)
+        for (int x = 0; x < WINDOW; x++) {
+            double d = (double)window->mean[y][x] - (double)window->mean[x][y];
+            square += window->counts[y][x] ? d * d : 0;
+            count += window->counts[y][x];
+        }
+    return sqrt(square / count);
+}
+
+/* Each filter is as wide as it gets, so that one which works along one axis only shows. */
+void aob_ask_impulse_transposed(struct aob_trial *trial)
+{
     struct window *window = AOB_NEW(struct window);
     struct aob_shot shot;
     const float *image = NULL;
     bool ok = true;
-    for (int place = 0; ok && place < 16; place++)
-        ok = add_place(trial, place, window, &shot, &image);
-    for (int k = 0; ok && k < 3; k++)
-        aob_trial_take(trial, unlike(window, k), &(struct aob_seen){&shot, image, NULL}, "%s exchanged",
-                       names[k]);
+    for (int place = 0; ok && place < 16; place++) {
+        image = draw_place(trial, place, "blur=33 blur_passes=4 composite=on", &shot);
+        ok = image;
+        if (ok)
+            add_place(&shot, image, window);
+    }
+    if (ok)
+        aob_trial_take(trial, unlike_transpose(window), &(struct aob_seen){&shot, image, NULL},
+                       "the mean of 16 images against its transpose");
     free(window);
 }
 

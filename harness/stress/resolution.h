@@ -20,6 +20,7 @@ void aob_ask_upsampled_edge(struct aob_trial *trial);
 
 /* filters.c: blurs. */
 void aob_ask_impulse_centred(struct aob_trial *trial);
+void aob_ask_impulse_transposed(struct aob_trial *trial);
 void aob_ask_constant_kept(struct aob_trial *trial);
 
 /* levels.c: levels of depth. */
@@ -33,6 +34,13 @@ struct aob_camera aob_resolution_camera(int height);
 void aob_resolution_wall(struct aob_mesh *mesh);
 /* A box 0.5 wide and high and 0.25 deep that stands on that wall, in the middle of the image. */
 struct aob_exhibit *aob_resolution_box(struct aob_trial *trial, int width, int height);
+
+/* The middle of the wall's darkness within a radius of that box, pixels from the middle of the image, and how much darkness
+ * there is: the middle is of no use where that is not 1 or more. */
+struct aob_resolution_middle {
+    double x, y, dark;
+};
+struct aob_resolution_middle aob_resolution_middle_of(const struct aob_shot *shot, const float *image);
 
 /* The least value of an image's surfaces. */
 double aob_resolution_darkest(const struct aob_exhibit *exhibit, const float *image, const bool *mask);
