@@ -10,10 +10,11 @@ static double draw_band(struct aob_trial *trial, const char *set, struct aob_sho
 {
     struct aob_mesh mesh = {0};
     aob_set_corner(&mesh, 20);
-    const struct aob_exhibit_desc desc = {.mesh = &mesh,
-                                        .camera = {.eye = {0, 1.5, 1.5}, .target = {0, 0.2, 0.2}, .fov_deg = 50},
-                                        .width = 256,
-                                        .height = 192};
+    const struct aob_exhibit_desc desc = {
+        .mesh = &mesh,
+        .camera = {.eye = {0, 1.5, 1.5}, .target = {0, 0.2, 0.2}, .fov_deg = 50},
+        .width = 256,
+        .height = 192};
     *shot = (struct aob_shot){.exhibit = aob_trial_exhibit(trial, &desc), .radius = 0.5, .set = set};
     *image = aob_trial_draw(trial, shot);
     if (!*image)
@@ -52,10 +53,9 @@ struct aob_exhibit *aob_resolution_box(struct aob_trial *trial, int width, int h
     struct aob_mesh mesh = {0};
     aob_resolution_wall(&mesh);
     aob_mesh_add_box(&mesh, aob_vec(-0.25, -0.25, 0), aob_vec(0.25, 0.25, 0.25), 0);
-    return aob_trial_exhibit(trial, &(struct aob_exhibit_desc){.mesh = &mesh,
-                                                           .camera = aob_resolution_camera(height),
-                                                           .width = width,
-                                                           .height = height});
+    return aob_trial_exhibit(
+        trial, &(struct aob_exhibit_desc){
+                   .mesh = &mesh, .camera = aob_resolution_camera(height), .width = width, .height = height});
 }
 
 struct aob_resolution_middle aob_resolution_middle_of(const struct aob_shot *shot, const float *image)
@@ -127,8 +127,8 @@ static struct aob_exhibit *plates(struct aob_trial *trial, double gap)
     struct aob_mesh mesh = {0};
     aob_resolution_wall(&mesh);
     for (int k = 0; k < 8; k++)
-        aob_mesh_add_quad(&mesh, aob_vec(-1.6 + 0.85 * (k % 4), k / 4 ? -0.73 : 0.21, gap), aob_vec(0.45, 0, 0),
-                          aob_vec(0, 0.45, 0));
+        aob_mesh_add_quad(&mesh, aob_vec(-1.6 + 0.85 * (k % 4), k / 4 ? -0.73 : 0.21, gap),
+                          aob_vec(0.45, 0, 0), aob_vec(0, 0.45, 0));
     return aob_trial_exhibit(
         trial, &(struct aob_exhibit_desc){
                    .mesh = &mesh, .camera = aob_resolution_camera(66), .width = 98, .height = 66});
@@ -171,12 +171,12 @@ static struct aob_exhibit *bars(struct aob_trial *trial)
         double x = (13 * k - 0.25) * bars_pixel;
         aob_mesh_add_box(&mesh, aob_vec(x, -5, 0), aob_vec(x + 5 * bars_pixel, 5, high), 0);
     }
-    return aob_trial_exhibit(
-        trial, &(struct aob_exhibit_desc){
-                   .mesh = &mesh,
-                   .camera = {.eye = {0, 0, bars_distance}, .fov_deg = 2 * atan(half) * 180 / M_PI},
-                   .width = BARS_WIDTH,
-                   .height = BARS_HEIGHT});
+    return aob_trial_exhibit(trial,
+                             &(struct aob_exhibit_desc){.mesh = &mesh,
+                                                        .camera = {.eye = {0, 0, bars_distance},
+                                                                   .fov_deg = 2 * atan(half) * 180 / M_PI},
+                                                        .width = BARS_WIDTH,
+                                                        .height = BARS_HEIGHT});
 }
 
 /* Means of the columns, which all rows share. */

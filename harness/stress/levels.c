@@ -44,7 +44,8 @@ static bool begin(void *self, const struct aob_trace_frame *frame, const struct 
 }
 
 /* The plane of a texel that has finer or coarser ones beside it; NULL: it has none. `finest`: it has no finer one. */
-static const struct aob_trace_plane *find_plane(const struct aob_trace_pass *pass, uint32_t texel, bool *finest)
+static const struct aob_trace_plane *find_plane(const struct aob_trace_pass *pass, uint32_t texel,
+                                                bool *finest)
 {
     const struct aob_trace_plane *own = NULL;
     int levels = 0;
@@ -117,7 +118,8 @@ static double share_of_finest(struct aob_trial *trial, const struct aob_shot *sh
     if (!shot->exhibit || *trial->error.text || *trial->excuse.text)
         return NAN;
     bool ok = aob_subject_values(trial->subject, shot, values, &options, &error);
-    bool made = ok && aob_screen_init(&screen, trial->subject->gpu, &shot->exhibit->gbuffer, &options, &error);
+    bool made =
+        ok && aob_screen_init(&screen, trial->subject->gpu, &shot->exhibit->gbuffer, &options, &error);
     unfit = ok && !made && screen.unfit;
     ok = made && run_trace(trial->subject, shot, &screen, &options, values, &tally, &unfit, &error);
     if (made)
@@ -140,5 +142,6 @@ void aob_ask_levels_in_pixels(struct aob_trial *trial)
         shares[k] = share_of_finest(trial, &shot);
     }
     aob_trial_take(trial, shares[1] / shares[0], &(struct aob_seen){&shot, NULL, NULL},
-                   "of reads %.3f are of the finest level at a radius of 3 pixels, %.3f at 96", shares[0], shares[1]);
+                   "of reads %.3f are of the finest level at a radius of 3 pixels, %.3f at 96", shares[0],
+                   shares[1]);
 }

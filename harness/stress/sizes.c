@@ -24,7 +24,8 @@ double aob_resolution_darkest(const struct aob_exhibit *exhibit, const float *im
 }
 
 /* A tilted plane, so that a read of another texel than the one that was meant shows. */
-static float *draw_plane(struct aob_trial *trial, int width, int height, const char *set, struct aob_shot *shot)
+static float *draw_plane(struct aob_trial *trial, int width, int height, const char *set,
+                         struct aob_shot *shot)
 {
     struct aob_plane_desc plane = {.width = width,
                                    .height = height,
@@ -130,9 +131,9 @@ static double stands_out(const struct aob_exhibit *exhibit, const float *image, 
     double middle = 0, elsewhere = 0;
     for (int k = BORDER; k < lines - BORDER; k++) {
         double away = fabs(k + 0.5 - 0.5 * lines);
-        double out = fabs(line_mean(exhibit, image, column, k) -
-                          0.5 * (line_mean(exhibit, image, column, k - TILE) +
-                                 line_mean(exhibit, image, column, k + TILE)));
+        double out =
+            fabs(line_mean(exhibit, image, column, k) - 0.5 * (line_mean(exhibit, image, column, k - TILE) +
+                                                               line_mean(exhibit, image, column, k + TILE)));
         middle = away <= 1 ? fmax(middle, out) : middle;
         elsewhere = away > TILE + 1 ? fmax(elsewhere, out) : elsewhere;
     }
@@ -161,10 +162,11 @@ static struct aob_exhibit *still_life(struct aob_trial *trial, int width, int he
 {
     struct aob_mesh mesh = {0};
     aob_set_still_life(&mesh, 1, aob_vec(0, 0, 0));
-    return aob_trial_exhibit(trial, &(struct aob_exhibit_desc){.mesh = &mesh,
-                                                           .camera = aob_still_life_camera(1, aob_vec(0, 0, 0)),
-                                                           .width = width,
-                                                           .height = height});
+    return aob_trial_exhibit(trial,
+                             &(struct aob_exhibit_desc){.mesh = &mesh,
+                                                        .camera = aob_still_life_camera(1, aob_vec(0, 0, 0)),
+                                                        .width = width,
+                                                        .height = height});
 }
 
 /* Both sides grow by a pixel, so that the frustum stays. */
@@ -182,8 +184,8 @@ void aob_ask_size_continuous(struct aob_trial *trial)
             double mean = aob_mean_of(shot.exhibit, image, NULL);
             if (n > 65)
                 aob_trial_take(trial, fabs(mean - before), &(struct aob_seen){&shot, image, NULL},
-                               "%dx%d %s: mean %.4f, %.4f a pixel smaller", n, n, sets[s] ? sets[s] : "", mean,
-                               before);
+                               "%dx%d %s: mean %.4f, %.4f a pixel smaller", n, n, sets[s] ? sets[s] : "",
+                               mean, before);
             before = mean;
         }
     }
@@ -192,7 +194,8 @@ void aob_ask_size_continuous(struct aob_trial *trial)
 enum { SMALL_WIDTH = 96, SMALL_HEIGHT = 64 };
 
 /* The image averaged down to the small size. `mask` loses the pixels whose block holds a depth edge. */
-static void average_down(const struct aob_exhibit *big, const float *image, int times, float *small, bool *mask)
+static void average_down(const struct aob_exhibit *big, const float *image, int times, float *small,
+                         bool *mask)
 {
     for (int p = 0; p < SMALL_WIDTH * SMALL_HEIGHT; p++) {
         double sum = 0, nearest = INFINITY, farthest = 0;
@@ -228,7 +231,8 @@ void aob_ask_resolution_invariant(struct aob_trial *trial)
         average_down(big.exhibit, image, times, down, mask);
         struct aob_difference d = aob_difference_of(one.exhibit, down, wanted, mask);
         aob_trial_take(trial, fmax(fabs(d.mean) / 0.01, d.rmse / 0.1), &(struct aob_seen){&one, down, wanted},
-                       "%d times the size, averaged down: mean differs by %.4f, RMSE %.4f", times, d.mean, d.rmse);
+                       "%d times the size, averaged down: mean differs by %.4f, RMSE %.4f", times, d.mean,
+                       d.rmse);
     }
 }
 
@@ -276,7 +280,7 @@ void aob_ask_taps_follow_radius(struct aob_trial *trial)
         if (isnan(reaches[k]))
             aob_trial_excuse(trial, "nothing is dark beside a slab");
         aob_trial_take(trial, fabs(reaches[k] / reaches[0] - 1), &(struct aob_seen){&shot, image, NULL},
-                       "%dx%d, field of view %.1f degrees: darkness reaches %.4f units, not %.4f", views[k].width,
-                       views[k].height, desc.camera.fov_deg, reaches[k], reaches[0]);
+                       "%dx%d, field of view %.1f degrees: darkness reaches %.4f units, not %.4f",
+                       views[k].width, views[k].height, desc.camera.fov_deg, reaches[k], reaches[0]);
     }
 }
