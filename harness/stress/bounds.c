@@ -12,6 +12,32 @@ const struct aob_bound aob_bounds[] = {
     /* --- near --- */
     /* --- normals --- */
     /* --- resolution --- */
+    {"sizes_thin", 1.0 / 255, 1.0 / 255,
+     "A filter is a mean, so nothing is darker; one step of an 8-bit image."},
+    {"sizes_half", 1.0 / 255, 1.0 / 255,
+     "A filter is a mean, so nothing is darker; one step of an 8-bit image."},
+    {"centre_line", 1.0 / 255, 1.0 / 255,
+     "What does not stand out elsewhere does not in the middle; one 8-bit step."},
+    {"half_size_mean", 0.02, 0.02,
+     "At most a pixel of 49 has its value from one beside it; the source's 2 %."},
+    {"quarter_size_mean", 0.02, 0.02,
+     "At most three pixels of 49 have theirs from one beside; the source's 2 %."},
+    {"half_size_drift", 0.5, 0.5, "A wrong centre is 1, a right one 0, and there is noise."},
+    {"phantom_depth", 1.0 / 255, 1.0 / 255,
+     "Neither surface occludes the other; one step of an 8-bit image."},
+    {"upsampled_edge", 0.02, 0.02, "Noise of 0.25 a pixel in the means of columns of 66 low pixels."},
+    {"levels_in_pixels", 0.5, 0.5,
+     "Of 96 pixels most lie beyond any offset; squared spacing leaves a third within 10."},
+    {"taps_follow_radius", 0.1, 0.1,
+     "Half a pixel of a mean of five at the edge; a wrong unit halves or doubles it."},
+    {"impulse_centred", 0.1, 0.1,
+     "A filter that is its own mirror image moves nothing; a tenth of a pixel is noise's."},
+    {"impulse_transposed", 2, 2,
+     "Four taps along one axis alone make it 3; two axes one after the other are no exact transpose."},
+    {"constant_kept", 0.001, 0.001, "A target of half floats rounds to 1/2048 below 1."},
+    {"resolution_invariant", 1, 1, "Half a pixel along all rims; noise of 0.25 a pixel over 25 taps, twice."},
+    {"size_continuous", 0.01, 0.01,
+     "Rims move by at most half a pixel: 200 of 4000 pixels change by a quarter of 0.3."},
     /* --- edges --- */
     /* --- relations --- */
     /* --- instruments --- */
