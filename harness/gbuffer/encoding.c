@@ -6,6 +6,7 @@
 #include <string.h>
 #include "base/half.h"
 #include "base/memory.h"
+#include "facing.h"
 #include "gpu/gpu.h"
 
 static bool is_device(enum aob_depth_encoding depth)
@@ -138,9 +139,16 @@ static unsigned char unorm8(float x)
     return (unsigned char)(clamp((double)x * 0.5 + 0.5, 0, 1) * 255 + 0.5);
 }
 
-static void *packed_texels(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer,
-                           const float *normal)
+/* The caller frees them. */
+static float *normals_of(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
 {
+    return aob_facing_normals(gbuffer,
+                              encoding->normals == AOB_NORMALS_SHADING ? gbuffer->shading : gbuffer->normal);
+}
+
+static void *packed_texels(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
+{
+    float *normal = normals_of(encoding, gbuffer);
     unsigned char *texels = aob_alloc(pixel_count(gbuffer), 4);
     for (size_t i = 0; i < pixel_count(gbuffer); i++) {
         uint16_t depth = unorm16(encoding, gbuffer->depth[i]);
@@ -149,19 +157,15 @@ static void *packed_texels(const struct aob_encoding *encoding, const struct aob
         texels[4 * i + 2] = (unsigned char)(depth >> 8);
         texels[4 * i + 3] = (unsigned char)(depth & 255);
     }
+    free(normal);
     return texels;
-}
-
-static const float *normals_of(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
-{
-    return encoding->normals == AOB_NORMALS_SHADING ? gbuffer->shading : gbuffer->normal;
 }
 
 void *aob_encoding_depth_texels(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
 {
     size_t count = pixel_count(gbuffer);
     if (encoding->depth == AOB_DEPTH_PACKED16)
-        return packed_texels(encoding, gbuffer, normals_of(encoding, gbuffer));
+        return packed_texels(encoding, gbuffer);
     float *whole = AOB_NEW_ARRAY(float, count);
     uint16_t *half = (uint16_t *)(void *)whole;
     for (size_t i = 0; i < count; i++) {
@@ -253,15 +257,16 @@ static void write_normal(enum aob_normal_encoding encoding, const float n[4], vo
 
 void *aob_encoding_normal_texels(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
 {
-    const float *normal = normals_of(encoding, gbuffer);
     size_t count = pixel_count(gbuffer), size = aob_gpu_texel_size(aob_encoding_normal_format(encoding));
     if (encoding->normals == AOB_NORMALS_FROM_DEPTH)
         return NULL;
     if (encoding->normal == AOB_NORMAL_PACKED8)
-        return packed_texels(encoding, gbuffer, normal);
+        return packed_texels(encoding, gbuffer);
+    float *normal = normals_of(encoding, gbuffer);
     unsigned char *texels = aob_alloc(count, size);
     for (size_t i = 0; i < count; i++)
         write_normal(encoding->normal, &normal[4 * i], texels + i * size);
+    free(normal);
     return texels;
 }
 
