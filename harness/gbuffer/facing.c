@@ -23,7 +23,8 @@ static struct aob_vec3 point(const struct aob_gbuffer *gbuffer, int x, int y)
 static struct aob_vec3 step_along(const struct pixel *p, int dx, int dy)
 {
     const struct aob_projection *view = &p->gbuffer->projection;
-    bool has_before = p->x >= dx && p->y >= dy, has_after = p->x + dx < view->width && p->y + dy < view->height;
+    bool has_before = p->x >= dx && p->y >= dy,
+         has_after = p->x + dx < view->width && p->y + dy < view->height;
     struct aob_vec3 c = point(p->gbuffer, p->x, p->y),
                     before = has_before ? point(p->gbuffer, p->x - dx, p->y - dy) : c,
                     after = has_after ? point(p->gbuffer, p->x + dx, p->y + dy) : c;

@@ -15,7 +15,8 @@ const struct aob_property aob_properties_normals[] = {
      .group = AOB_GROUP_NORMALS,
      .ask = aob_ask_encodings_image},
     {.name = "zero_normal",
-     .sentence = "Where normals are zero those of the depth serve; a pixel's harms nothing that it does not reach.",
+     .sentence =
+         "Where normals are zero those of the depth serve; a pixel's harms nothing that it does not reach.",
      .measure = "RMSE against normals from the depth, or largest difference of a pixel out of reach",
      .source = "https://github.com/f3d-app/f3d/issues/1553",
      .group = AOB_GROUP_NORMALS,
@@ -40,7 +41,8 @@ const struct aob_property aob_properties_normals[] = {
      .group = AOB_GROUP_NORMALS,
      .ask = aob_ask_unnormalised_normal},
     {.name = "axial_normals",
-     .sentence = "Walls whose normals are the axes of view space are alike, to the left, the right, above and below.",
+     .sentence =
+         "Walls whose normals are the axes of view space are alike, to the left, the right, above and below.",
      .measure = "largest difference of the means of two walls of a square corridor",
      .source = "N8AO makes its tangent from (0, 1, 0), which (0, -1, 0) leaves without a direction",
      .group = AOB_GROUP_NORMALS,
@@ -65,7 +67,8 @@ const struct aob_property aob_properties_normals[] = {
      .group = AOB_GROUP_NORMALS,
      .ask = aob_ask_derived_at_step},
     {.name = "derived_at_border",
-     .sentence = "With normals from the depth the border of the image is what it is with normals of the triangles.",
+     .sentence =
+         "With normals from the depth the border of the image is what it is with normals of the triangles.",
      .measure = "RMSE of the outermost pixels of a plane",
      .source = "https://github.com/turanszkij/WickedEngine/issues/926",
      .group = AOB_GROUP_NORMALS,

@@ -5,8 +5,8 @@
 
 /* The same exhibit with normals from the depth against those of the triangles. On flat faces the two are the same vector but
  * for rounding, wherever of a pixel's neighbours one along each axis lies on its own face. */
-static void compare(struct aob_trial *trial, const struct aob_exhibit *exhibit, double radius, const bool *mask,
-                    const char *where, double degrees)
+static void compare(struct aob_trial *trial, const struct aob_exhibit *exhibit, double radius,
+                    const bool *mask, const char *where, double degrees)
 {
     struct aob_shot shot = {.exhibit = exhibit, .radius = radius};
     const float *wanted = aob_trial_draw(trial, &shot);
@@ -27,24 +27,29 @@ static struct aob_exhibit *make_board(struct aob_trial *trial, double degrees)
     struct aob_vec3 u = aob_vec(1.6 * cos(t), 0, -1.6 * sin(t)), v = aob_vec(0, 1.2, 0);
     aob_mesh_add_quad(&mesh, aob_vec(-50, -50, -1), aob_vec(100, 0, 0), aob_vec(0, 100, 0));
     aob_mesh_add_quad(&mesh, aob_vec_scale(aob_vec_add(u, v), -0.5), u, v);
-    return aob_trial_exhibit(trial, &(struct aob_exhibit_desc){.mesh = &mesh,
-                                                               .camera = {.eye = {0, 0, 3}, .fov_deg = 50},
-                                                               .width = 96,
-                                                               .height = 64});
+    return aob_trial_exhibit(
+        trial, &(struct aob_exhibit_desc){
+                   .mesh = &mesh, .camera = {.eye = {0, 0, 3}, .fov_deg = 50}, .width = 96, .height = 64});
 }
 
-/* The board's pixels beside its outline, up to two away along an axis. */
+/* The board's pixels beside its outline, up to two away along an axis, but for those of its corners that have no neighbour of
+ * the board along one: nothing in the depth tells how the board runs on there. */
 static const bool *near_side(struct aob_trial *trial, const struct aob_exhibit *exhibit)
 {
-    static const int aside[][2] = {{1, 0}, {2, 0}, {-1, 0}, {-2, 0}, {0, 1}, {0, 2}, {0, -1}, {0, -2}};
     bool *mask = aob_trial_mask(trial, exhibit);
     const uint32_t *primitive = exhibit->hits.primitive;
     for (int y = 2; y < exhibit->height - 2; y++)
-        for (int x = 2; x < exhibit->width - 2; x++)
-            for (size_t k = 0; k < AOB_COUNT(aside); k++) {
-                int i = y * exhibit->width + x, j = i + aside[k][1] * exhibit->width + aside[k][0];
-                mask[i] |= primitive[i] >= 2 && primitive[j] < 2;
+        for (int x = 2; x < exhibit->width - 2; x++) {
+            int i = y * exhibit->width + x, aside = 0;
+            bool told = primitive[i] >= 2;
+            for (int axis = 0; axis < 2; axis++) {
+                int step = axis ? exhibit->width : 1;
+                bool before = primitive[i - step] >= 2, after = primitive[i + step] >= 2;
+                told = told && (before || after);
+                aside += !before + !after + (primitive[i - 2 * step] < 2) + (primitive[i + 2 * step] < 2);
             }
+            mask[i] = told && aside > 0;
+        }
     return mask;
 }
 

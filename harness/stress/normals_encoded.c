@@ -10,9 +10,9 @@ static const struct {
     const char *set;
     double degrees;
 } encodings[] = {
-    {"normal_encoding=rgba16f", 0.0243},  {"normal_encoding=sphere_rg16f", 0.056},
+    {"normal_encoding=rgba16f", 0.0243},   {"normal_encoding=sphere_rg16f", 0.056},
     {"normal_encoding=oct_rg16f", 0.0594}, {"normal_encoding=rgb10", 0.0971},
-    {"normal_encoding=rgba8", 0.3892},    {"normal_encoding=oct_rg8", 0.9533},
+    {"normal_encoding=rgba8", 0.3892},     {"normal_encoding=oct_rg8", 0.9533},
     {"normal_encoding=packed8", 1.263},
 };
 static const double lean_deg = 75;
@@ -40,8 +40,8 @@ void aob_ask_encodings_plane(struct aob_trial *trial)
                 return;
             double off = fabs(aob_difference_of(shot.exhibit, image, wanted, NULL).mean);
             aob_trial_take(trial, fmax(0, off - effect_of(encodings[e].degrees)),
-                           &(struct aob_seen){&shot, image, wanted}, "%s, tilt %g degrees: the mean is off by %.4f",
-                           shot.set, tilts[t], off);
+                           &(struct aob_seen){&shot, image, wanted},
+                           "%s, tilt %g degrees: the mean is off by %.4f", shot.set, tilts[t], off);
         }
     }
 }

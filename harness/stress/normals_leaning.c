@@ -16,11 +16,10 @@ static struct aob_exhibit *make_corridor(struct aob_trial *trial)
         corner = aob_vec(-corner.y, corner.x, near);
     }
     aob_mesh_add_quad(&mesh, aob_vec(-1, -1, far), aob_vec(2, 0, 0), aob_vec(0, 2, 0));
-    struct aob_exhibit *exhibit =
-        aob_trial_exhibit(trial, &(struct aob_exhibit_desc){.mesh = &mesh,
-                                                            .camera = {.target = {0, 0, -1}, .fov_deg = 75},
-                                                            .width = 96,
-                                                            .height = 96});
+    struct aob_exhibit *exhibit = aob_trial_exhibit(
+        trial,
+        &(struct aob_exhibit_desc){
+            .mesh = &mesh, .camera = {.target = {0, 0, -1}, .fov_deg = 75}, .width = 96, .height = 96});
     for (size_t i = 0; exhibit && i < 4 * aob_exhibit_pixels(exhibit); i++)
         exhibit->gbuffer.normal[i] = roundf(exhibit->gbuffer.normal[i]);
     return exhibit;
@@ -109,10 +108,9 @@ static struct aob_exhibit *make_ball(struct aob_trial *trial, int segments)
     mesh.normals = AOB_NEW_ARRAY(struct aob_vec3, mesh.vertex_count);
     for (size_t i = 0; i < mesh.vertex_count; i++)
         mesh.normals[i] = aob_vec_normalize(mesh.positions[i]);
-    return aob_trial_exhibit(trial, &(struct aob_exhibit_desc){.mesh = &mesh,
-                                                               .camera = {.eye = {0, 0, 3}, .fov_deg = 50},
-                                                               .width = 64,
-                                                               .height = 64});
+    return aob_trial_exhibit(
+        trial, &(struct aob_exhibit_desc){
+                   .mesh = &mesh, .camera = {.eye = {0, 0, 3}, .fov_deg = 50}, .width = 64, .height = 64});
 }
 
 /* Its middle: what faces the camera within 60 degrees. */

@@ -76,8 +76,8 @@ static void ask_same(struct aob_trial *trial, enum share share, float factor, co
     if (!image || !wanted)
         return;
     struct aob_difference d = aob_difference_of(right.exhibit, image, wanted, NULL);
-    aob_trial_take(trial, d.rmse, &(struct aob_seen){&odd, image, wanted}, "%s times %g: the mean is off by %.4f",
-                   share_names[share], (double)factor, d.mean);
+    aob_trial_take(trial, d.rmse, &(struct aob_seen){&odd, image, wanted},
+                   "%s times %g: the mean is off by %.4f", share_names[share], (double)factor, d.mean);
 }
 
 void aob_ask_flipped_normal(struct aob_trial *trial)
