@@ -72,12 +72,13 @@ void aob_ask_leaning_normals(struct aob_trial *trial)
     const float *upright = aob_trial_draw(trial, &shot);
     shot.set = "normals=shading";
     for (size_t a = 0; upright && a < AOB_COUNT(angles); a++) {
-        lean(exhibit, angles[a], false);
+        double angle = lean(exhibit, angles[a], false);
         const float *image = aob_trial_draw(trial, &shot);
         if (!image)
             return;
         double mean = aob_difference_of(exhibit, image, upright, NULL).mean;
-        aob_trial_take(trial, fmax(0, mean), &(struct aob_seen){&shot, image, upright},
+        aob_trial_take(trial, fmax(fmax(0, mean), -mean - 4 / M_PI * angle),
+                       &(struct aob_seen){&shot, image, upright},
                        "normals that lean %g degrees: the mean is off by %.4f", angles[a], mean);
     }
 }
