@@ -49,7 +49,8 @@ const struct aob_property aob_properties_normals[] = {
      .quick = true,
      .ask = aob_ask_axial_normals},
     {.name = "leaning_normals",
-     .sentence = "Shading normals that lean up to the horizon make a plane no more open, nor darker than they can.",
+     .sentence =
+         "Shading normals that lean up to the horizon make a plane no more open, nor darker than they can.",
      .measure = "what the mean rises by, or falls by beyond 4/pi of the angle",
      .source = "https://github.com/JuliaPlots/GLMakie.jl/pull/130",
      .group = AOB_GROUP_NORMALS,

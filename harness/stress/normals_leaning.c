@@ -27,7 +27,7 @@ static struct aob_exhibit *make_corridor(struct aob_trial *trial)
 
 void aob_ask_axial_normals(struct aob_trial *trial)
 {
-    struct aob_shot shot = {.exhibit = make_corridor(trial), .radius = 0.5};
+    struct aob_shot shot = {.exhibit = make_corridor(trial), .radius = 1.5};
     const float *image = aob_trial_draw(trial, &shot);
     double low = INFINITY, high = -INFINITY;
     for (uint32_t wall = 0; image && wall < 4; wall++) {
