@@ -6,6 +6,8 @@
 #include <string.h>
 #include "base/half.h"
 #include "base/memory.h"
+#include "facing.h"
+#include "gpu/gpu.h"
 
 static bool is_device(enum aob_depth_encoding depth)
 {
@@ -80,10 +82,11 @@ enum aob_format aob_encoding_depth_format(const struct aob_encoding *encoding)
 
 enum aob_format aob_encoding_normal_format(const struct aob_encoding *encoding)
 {
-    static const enum aob_format formats[] = {[AOB_NORMAL_RGBA32F] = AOB_RGBA32F,
-                                              [AOB_NORMAL_OCT_RG16F] = AOB_RG16F,
-                                              [AOB_NORMAL_RGBA8] = AOB_RGBA8,
-                                              [AOB_NORMAL_PACKED8] = AOB_RGBA8};
+    static const enum aob_format formats[] = {
+        [AOB_NORMAL_RGBA32F] = AOB_RGBA32F, [AOB_NORMAL_OCT_RG16F] = AOB_RG16F,
+        [AOB_NORMAL_RGBA8] = AOB_RGBA8,     [AOB_NORMAL_PACKED8] = AOB_RGBA8,
+        [AOB_NORMAL_RGBA16F] = AOB_RGBA16F, [AOB_NORMAL_OCT_RG8] = AOB_RG8,
+        [AOB_NORMAL_RGB10] = AOB_RGBA8,     [AOB_NORMAL_SPHERE_RG16F] = AOB_RG16F};
     return formats[encoding->normal];
 }
 
@@ -93,9 +96,10 @@ bool aob_encoding_is_shared(const struct aob_encoding *encoding)
            encoding->normals != AOB_NORMALS_FROM_DEPTH;
 }
 
+/* What is no number is `low`, as a device makes it 0. */
 static double clamp(double x, double low, double high)
 {
-    return x < low ? low : x > high ? high : x;
+    return !(x >= low) ? low : x > high ? high : x;
 }
 
 /* The last value is the sky's. */
@@ -135,9 +139,16 @@ static unsigned char unorm8(float x)
     return (unsigned char)(clamp((double)x * 0.5 + 0.5, 0, 1) * 255 + 0.5);
 }
 
-static void *packed_texels(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer,
-                           const float *normal)
+/* The caller frees them. */
+static float *normals_of(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
 {
+    return aob_facing_normals(gbuffer,
+                              encoding->normals == AOB_NORMALS_SHADING ? gbuffer->shading : gbuffer->normal);
+}
+
+static void *packed_texels(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
+{
+    float *normal = normals_of(encoding, gbuffer);
     unsigned char *texels = aob_alloc(pixel_count(gbuffer), 4);
     for (size_t i = 0; i < pixel_count(gbuffer); i++) {
         uint16_t depth = unorm16(encoding, gbuffer->depth[i]);
@@ -146,19 +157,15 @@ static void *packed_texels(const struct aob_encoding *encoding, const struct aob
         texels[4 * i + 2] = (unsigned char)(depth >> 8);
         texels[4 * i + 3] = (unsigned char)(depth & 255);
     }
+    free(normal);
     return texels;
-}
-
-static const float *normals_of(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
-{
-    return encoding->normals == AOB_NORMALS_SHADING ? gbuffer->shading : gbuffer->normal;
 }
 
 void *aob_encoding_depth_texels(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
 {
     size_t count = pixel_count(gbuffer);
     if (encoding->depth == AOB_DEPTH_PACKED16)
-        return packed_texels(encoding, gbuffer, normals_of(encoding, gbuffer));
+        return packed_texels(encoding, gbuffer);
     float *whole = AOB_NEW_ARRAY(float, count);
     uint16_t *half = (uint16_t *)(void *)whole;
     for (size_t i = 0; i < count; i++) {
@@ -176,36 +183,91 @@ void *aob_encoding_depth_texels(const struct aob_encoding *encoding, const struc
 }
 
 /* Meyer, Suessmuth, Sussner, Stamminger, Greiner: On Floating-Point Normal Vectors, EGSR 2010. */
-static void octahedral(const float n[3], uint16_t into[2])
+static void octahedral(const float n[3], float into[2])
 {
     float sum = fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]);
     float x = sum > 0 ? n[0] / sum : 0, y = sum > 0 ? n[1] / sum : 0;
-    float folded_x = n[2] >= 0 ? x : copysignf(1 - fabsf(y), x);
-    float folded_y = n[2] >= 0 ? y : copysignf(1 - fabsf(x), y);
-    into[0] = aob_half_from_float(folded_x);
-    into[1] = aob_half_from_float(folded_y);
+    into[0] = n[2] >= 0 ? x : copysignf(1 - fabsf(y), x);
+    into[1] = n[2] >= 0 ? y : copysignf(1 - fabsf(x), y);
+}
+
+/* Lambert's azimuthal equal-area map about +Z, onto the unit disc: the distance from its middle is the sine of half the
+ * angle to +Z. Mittring: A bit more Deferred - CryEngine 3, 2009. All of the rim is -Z; that takes (1, 0). */
+static void equal_area(const float n[3], float into[2])
+{
+    double x = (double)n[0], y = (double)n[1], z = (double)n[2];
+    double across = hypot(x, y), length = hypot(across, z);
+    double middle = length > 0 ? sqrt((length - z) / (2 * length)) : 0;
+    into[0] = (float)(across > 0 ? x / across * middle : middle);
+    into[1] = (float)(across > 0 ? y / across * middle : 0);
+}
+
+/* Ten bits in the lower byte of x, y, z, and two in w for each. */
+static void ten_bits(const float n[3], unsigned char into[4])
+{
+    into[3] = 0;
+    for (int c = 0; c < 3; c++) {
+        unsigned k = (unsigned)(clamp((double)n[c] * 0.5 + 0.5, 0, 1) * 1023 + 0.5);
+        into[c] = (unsigned char)(k & 255);
+        into[3] = (unsigned char)(into[3] | k >> 8 << 2 * c);
+    }
+}
+
+static void half_floats(const float *from, size_t count, uint16_t *into)
+{
+    for (size_t c = 0; c < count; c++)
+        into[c] = aob_half_from_float(from[c]);
+}
+
+static void unorm_bytes(const float *from, size_t count, unsigned char *into)
+{
+    for (size_t c = 0; c < count; c++)
+        into[c] = unorm8(from[c]);
+}
+
+static void write_normal(enum aob_normal_encoding encoding, const float n[4], void *texel)
+{
+    float map[2];
+    switch (encoding) {
+    case AOB_NORMAL_OCT_RG16F:
+        octahedral(n, map);
+        half_floats(map, 2, texel);
+        return;
+    case AOB_NORMAL_OCT_RG8:
+        octahedral(n, map);
+        unorm_bytes(map, 2, texel);
+        return;
+    case AOB_NORMAL_SPHERE_RG16F:
+        equal_area(n, map);
+        half_floats(map, 2, texel);
+        return;
+    case AOB_NORMAL_RGBA8:
+        unorm_bytes(n, 4, texel);
+        return;
+    case AOB_NORMAL_RGBA16F:
+        half_floats(n, 4, texel);
+        return;
+    case AOB_NORMAL_RGB10:
+        ten_bits(n, texel);
+        return;
+    default:
+        memcpy(texel, n, 4 * sizeof *n);
+    }
 }
 
 void *aob_encoding_normal_texels(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
 {
-    const float *normal = normals_of(encoding, gbuffer);
-    size_t count = pixel_count(gbuffer);
+    size_t count = pixel_count(gbuffer), size = aob_gpu_texel_size(aob_encoding_normal_format(encoding));
     if (encoding->normals == AOB_NORMALS_FROM_DEPTH)
         return NULL;
     if (encoding->normal == AOB_NORMAL_PACKED8)
-        return packed_texels(encoding, gbuffer, normal);
-    float *whole = AOB_NEW_ARRAY(float, 4 * count);
-    unsigned char *bytes = (unsigned char *)whole;
-    uint16_t *half = (uint16_t *)(void *)whole;
-    if (encoding->normal == AOB_NORMAL_RGBA32F)
-        memcpy(whole, normal, 4 * count * sizeof(float));
-    for (size_t i = 0; i < count; i++) {
-        if (encoding->normal == AOB_NORMAL_OCT_RG16F)
-            octahedral(&normal[4 * i], &half[2 * i]);
-        for (size_t c = 0; c < 4 && encoding->normal == AOB_NORMAL_RGBA8; c++)
-            bytes[4 * i + c] = unorm8(normal[4 * i + c]);
-    }
-    return whole;
+        return packed_texels(encoding, gbuffer);
+    float *normal = normals_of(encoding, gbuffer);
+    unsigned char *texels = aob_alloc(count, size);
+    for (size_t i = 0; i < count; i++)
+        write_normal(encoding->normal, &normal[4 * i], texels + i * size);
+    free(normal);
+    return texels;
 }
 
 void aob_encoding_write_depth(const struct aob_encoding *encoding, struct aob_text *text)

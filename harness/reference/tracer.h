@@ -39,9 +39,9 @@ struct aob_hits {
 
 /* A shading normal that leans away from the camera, as interpolated and bump-mapped ones do where a surface is seen at a
  * flat angle, is bent in the plane of the two until its cosine with the direction to the camera is this, or the
- * geometric normal's cosine if that is less. Turning it round would point it into the surface. The value is above the
- * rounding of every encoding of the G-buffer (sqrt(3) / 255 for 8 bits), so that the normal faces the camera as it is
- * read, too. */
+ * geometric normal's cosine if that is less. Turning it round would point it into the surface. The value is above what
+ * three components of 8 bits are rounded by (sqrt(3) / 255), so that the normal faces the camera as it is read, too. The
+ * options oct_rg8 (sqrt(18) / 255) and packed8 turn a normal by more, as in the renderers that have them. */
 #define AOB_LEAST_FACING 0x1p-6
 
 /* Embree decides which triangle is hit; the place on it, depth, normals and velocity are computed in double precision

@@ -13,7 +13,8 @@ static const char *const depth_names[] = {"r32f",
                                           "device32_reversed",
                                           "device32_infinite",
                                           NULL};
-static const char *const normal_names[] = {"rgba32f", "oct_rg16f", "rgba8", "packed8", NULL};
+static const char *const normal_names[] = {"rgba32f", "oct_rg16f", "rgba8",        "packed8", "rgba16f",
+                                           "oct_rg8", "rgb10",     "sphere_rg16f", NULL};
 static const char *const normals_names[] = {"geometric", "shading", "from_depth", NULL};
 static const char *const gbuffer_names[] = {"canonical", "raster", NULL};
 

@@ -24,6 +24,10 @@ enum aob_normal_encoding {
     AOB_NORMAL_OCT_RG16F, /* octahedral map (Meyer et al. 2010), half floats */
     AOB_NORMAL_RGBA8,     /* n/2 + 1/2 in 8 bits each, normalised when read */
     AOB_NORMAL_PACKED8, /* x and y so, z >= 0 from them: StarCraft II's; normals that face away from +Z are lost */
+    AOB_NORMAL_RGBA16F, /* half floats, normalised when read */
+    AOB_NORMAL_OCT_RG8, /* the octahedral map in 8 bits each */
+    AOB_NORMAL_RGB10,   /* n/2 + 1/2 in 10 bits each, in four bytes as RGB10A2 is; normalised when read */
+    AOB_NORMAL_SPHERE_RG16F, /* equal-area map about +Z (CryEngine 3, Mittring 2009), half floats; -Z is its rim */
 };
 enum aob_normals {
     AOB_NORMALS_GEOMETRIC,

@@ -125,10 +125,11 @@ void main()
     }
     /* A point in the triangle's plane, up to the rounding of places and of the plane over its extent, lies in a crease
      * if the triangle rises above it: it sees what a point just before the plane sees. Else it is of the same surface
-     * and sees nothing of it. */
+     * and sees nothing of it, though a normal in 8 bits leans by up to 1 degree and makes one half of the plane rise. */
     float rounding = 1e-6 * sqrt(extent);
     float rise = max(above.x, max(above.y, above.z));
-    bool before = x.h > rounding ? rise > 0.0 : x.h > -rounding && rise > 10.0 * rounding;
+    bool crease = length(x.n.xy) > 0.03 && rise > 10.0 * rounding;
+    bool before = x.h > rounding ? rise > 0.0 : x.h > -rounding && crease;
     bool counts = before && x.h < param.radius && !aob_surface_is_sky(aob_pixel);
     x.h = max(x.h, rounding);
     clip_to_tangent(p, above, q);

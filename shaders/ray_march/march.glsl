@@ -1,7 +1,8 @@
 /* Bavoil and Sainz, ShaderX7 6.2, with ray marching: rays in the hemisphere about the normal, even steps in space from
  * P to the end at distance R; the first sample below the height field counts. A sample of the depth under P's tangent
  * plane cannot stop a ray that rises from it: without that test the half pixel between a step and its texel's centre
- * darkens tilted planes. Outside the image there is nothing. */
+ * darkens tilted planes. The plane is raised by a degree, since a normal of 8 bits leans by as much. Outside the image
+ * there is nothing. */
 #include "common/frame.glsl"
 #include "common/noise.glsl"
 
@@ -16,7 +17,7 @@ float occlusion_along(vec3 position, vec3 normal, vec3 d)
         vec3 s = aob_position(q);
         vec3 v = s - position;
         float l = length(v), r = l / param.radius;
-        bool above_plane = dot(v, normal) > 1e-5 * l - 1e-6 * position.z;
+        bool above_plane = dot(v, normal) > 0.02 * l - 1e-6 * position.z;
         if (x.z < s.z && r <= 1.0 && above_plane)
             return 1.0 - param.attenuation * r * r;
     }

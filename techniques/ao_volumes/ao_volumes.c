@@ -82,7 +82,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    ao_volumes, .title = "Ambient occlusion volumes", .revision = 5, .shaders = aob_shaders_ao_volumes,
+    ao_volumes, .title = "Ambient occlusion volumes", .revision = 6, .shaders = aob_shaders_ao_volumes,
     .summary = "The scene's triangles themselves, not the depth buffer, occlude: each is clipped to the "
                "pixel's tangent plane and to the radius, and its form factor is added in closed form.",
     .notes =

@@ -51,7 +51,7 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    ray_march, .title = "Ray marching of the depth buffer", .revision = 1, .shaders = aob_shaders_ray_march,
+    ray_march, .title = "Ray marching of the depth buffer", .revision = 2, .shaders = aob_shaders_ray_march,
     .summary =
         "Rays in the hemisphere about the normal, marched in even steps; the first step below the depth "
         "buffer, taken as a height field, is a hit and counts by its distance. With many of each it is "

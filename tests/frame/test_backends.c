@@ -96,6 +96,10 @@ static const char *const encodings[] = {
     "depth_encoding=device32 normal_encoding=packed8",
     "depth_encoding=device32_reversed normals=from_depth",
     "depth_encoding=device32_infinite normal_encoding=rgba8 normals=shading",
+    "normal_encoding=rgba16f",
+    "normal_encoding=oct_rg8 normals=shading",
+    "normal_encoding=rgb10",
+    "normal_encoding=sphere_rg16f normals=shading",
 };
 
 static void test_backends_agree_on_encodings(void **state)

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include "base/half.h"
 #include "base/memory.h"
+#include "random.h"
 #include "rig.h"
 #include "technique/param.h"
 
@@ -144,50 +145,141 @@ static void test_depth_within_its_step(void **state)
     }
 }
 
-static double angle_deg(const float *read, const float *truth)
+/* Radians. By the sine as well as the cosine, which says nothing of small angles. */
+static double angle_between(const float *a, const float *b)
 {
-    double dot = 0, length = 0;
+    struct aob_vec3 v = aob_vec((double)a[0], (double)a[1], (double)a[2]),
+                    w = aob_vec((double)b[0], (double)b[1], (double)b[2]);
+    return atan2(aob_vec_length(aob_vec_cross(v, w)), aob_vec_dot(v, w));
+}
+
+/* The normals that a shader reads, three floats a pixel; the caller frees. */
+static float *read_normals(const struct aob_rig *rig, const char *backend, const struct aob_options *options)
+{
+    float component[W * H], *normals = AOB_NEW_ARRAY(float, 3 * W * H);
     for (int c = 0; c < 3; c++) {
-        dot += (double)read[c] * (double)truth[c];
-        length += (double)read[c] * (double)read[c];
+        probe(rig, backend, "normal", c, options, component);
+        for (int i = 0; i < W * H; i++)
+            normals[3 * i + c] = component[i];
     }
-    return acos(fmin(1, dot / sqrt(length))) * 180 / M_PI;
+    return normals;
 }
 
-/* Greatest angle between the normal that a shader reads and the true one; `facing`: only where n.z > 0.1. */
-static double normal_error(const struct aob_rig *rig, const struct aob_options *options, const float *truth,
-                           bool facing)
+/* Greatest angle in degrees between the normal that a shader reads of a surface and the true one. */
+static double normal_error(const struct aob_rig *rig, const struct aob_options *options, const float *truth)
 {
-    float c[3][W * H];
+    float *normals = read_normals(rig, "gl-egl", options);
     double worst = 0;
-    for (int k = 0; k < 3; k++)
-        probe(rig, "gl-egl", "normal", k, options, c[k]);
-    for (int i = 0; i < W * H; i++) {
-        const float *n = &truth[4 * i];
-        if (rig->hits.depth[i] <= 0 || (facing && n[2] < 0.1f))
-            continue;
-        worst = fmax(worst, angle_deg((float[3]){c[0][i], c[1][i], c[2][i]}, n));
-    }
-    return worst;
+    for (int i = 0; i < W * H; i++)
+        if (rig->hits.depth[i] > 0)
+            worst = fmax(worst, angle_between(&normals[3 * i], &truth[4 * i]));
+    free(normals);
+    return worst * 180 / M_PI;
 }
 
-/* Bounds: half a step of 1/127.5 in each of three (two) components; half floats' 2^-11 of the octahedron. */
+/* What an encoding does to a direction: components of a vector, of the point of the octahedron, or of a point of a disc are
+ * each off by up to half a step. Half floats below 1 have steps of 2^-11, and the point 1 itself is one. */
+enum kind { VECTOR, OCTAHEDRON, DISC_OF_SINE, DISC_OF_HALF_SINE };
+struct encoding_row {
+    const char *name;
+    enum kind kind;
+    double half_step;
+};
+static const struct encoding_row encoding_rows[] = {
+    {"rgba32f", VECTOR, 0},
+    {"rgba16f", VECTOR, 0x1p-12},
+    {"rgba8", VECTOR, 1 / 255.0},
+    {"rgb10", VECTOR, 1 / 1023.0},
+    {"oct_rg16f", OCTAHEDRON, 0x1p-12},
+    {"oct_rg8", OCTAHEDRON, 1 / 255.0},
+    {"packed8", DISC_OF_SINE, 1 / 255.0},
+    {"sphere_rg16f", DISC_OF_HALF_SINE, 0x1p-12},
+};
+
+/* The greatest angle between the points of the unit sphere over two points of its disc, one at the distance r from the
+ * middle and the other at most d from it: of all of those, the two differ most in height at the distances r - d and r + d. */
+static double lifted_angle(double r, double d)
+{
+    double z = sqrt(fmax(0, 1 - r * r)), low = fmax(0, r - d), high = fmin(1, r + d);
+    double rise = fmax(sqrt(1 - low * low) - z, z - sqrt(1 - high * high));
+    return 2 * asin(hypot(d, rise) / 2);
+}
+
+/* The greatest angle that this can make, radians.
+ * A vector of length 1 that moves by d turns by at most asin d, and d is at most the half step times the root of 3.
+ * Along a face of the octahedron z follows from x and y, so that a point moves by at most h sqrt(1 + 1 + 4); its length is at
+ * least the root of 1/3.
+ * Four units of single precision are for the arithmetic of the shader. */
+static double greatest_angle(const struct encoding_row *row, const float *n)
+{
+    double h = row->half_step, u = 0x1p-24;
+    switch (row->kind) {
+    case VECTOR:
+        return asin(h * sqrt(3)) + 4 * u;
+    case OCTAHEDRON:
+        return h * sqrt(18) + 4 * u;
+    case DISC_OF_SINE:
+        return lifted_angle(hypot((double)n[0], (double)n[1]), h * sqrt(2) + 4 * u);
+    default: /* angles are halved on the disc */
+        return 2 * lifted_angle(sqrt(fmax(0, 1 - (double)n[2]) / 2), h * sqrt(2) + 4 * u);
+    }
+}
+
+/* A plane seen with a field of view of 170 degrees, so that directions up to 177 degrees from +Z face the camera somewhere.
+ * Each pixel has another one that does; some lie at the edges of the octahedron. */
+static void scatter_normals(struct aob_rig *rig)
+{
+    uint32_t state = 7;
+    const struct aob_projection *view = &rig->gbuffer.projection;
+    aob_rig_plane(rig, &(struct aob_rig_plane){.fov_deg = 170, .width = W, .height = H});
+    for (int i = 0; i < W * H; i++) {
+        double x = (i % W + 0.5 - view->cx) * view->sx, y = (i / W + 0.5 - view->cy) * view->sy;
+        struct aob_vec3 v, to_camera = aob_vec_normalize(aob_vec(-x, y, 1));
+        do {
+            v = aob_vec(random_normal(&state), random_normal(&state), random_normal(&state));
+            v = aob_vec_normalize(i < W ? aob_vec(v.x, v.y, i % 2 ? 1e-4 : -1e-4) : v);
+        } while (aob_vec_dot(v, to_camera) < 0.01);
+        const float n[4] = {(float)v.x, (float)v.y, (float)v.z, 0};
+        memcpy(&rig->gbuffer.normal[4 * i], n, sizeof n);
+    }
+}
+
+static void check_encoding(const struct aob_rig *rig, const char *backend, const struct encoding_row *row)
+{
+    struct aob_options options = {.fetch = strcmp(backend, "vulkan") == 0};
+    double worst = 0, share = 0, length = 0;
+    set_option(&options, "normal_encoding", row->name);
+    float *normals = read_normals(rig, backend, &options);
+    for (int i = 0; i < W * H; i++) {
+        const float *n = &rig->gbuffer.normal[4 * i], *r = &normals[3 * i];
+        double size = aob_vec_length(aob_vec((double)r[0], (double)r[1], (double)r[2]));
+        length = fmax(length, fabs(size - 1));
+        if (row->kind == DISC_OF_SINE && n[2] < 0)
+            continue; /* these are lost */
+        double angle = angle_between(r, n), most = greatest_angle(row, n);
+        if (angle > most)
+            fail_msg("%s on %s: (%.9g, %.9g, %.9g) is read %.3g radians away, at most %.3g", row->name,
+                     backend, (double)n[0], (double)n[1], (double)n[2], angle, most);
+        worst = fmax(worst, angle);
+        share = fmax(share, angle / most);
+    }
+    printf("%s: normals as %s: greatest angle %.4f degrees, %.3f of what it may be; length within %.1e\n",
+           backend, row->name, worst * 180 / M_PI, share, length);
+    assert_true(length < 1e-6);
+    /* an encoding that is not applied at all would pass the bounds above */
+    assert_true(row->half_step == 0 || share > 0.5);
+    free(normals);
+}
+
+/* Through a sampler on one backend and as a storage image on the other. */
 static void test_normals_within_their_step(void **state)
 {
     (void)state;
-    static const struct {
-        const char *encoding;
-        double bound_deg;
-    } rows[] = {{"rgba32f", 0.03}, {"oct_rg16f", 0.06}, {"rgba8", 0.4}, {"packed8", 3.5}};
     struct aob_rig rig;
-    rig_of(&rig, 0);
-    for (size_t r = 0; r < AOB_COUNT(rows); r++) {
-        struct aob_options options = {0};
-        set_option(&options, "normal_encoding", rows[r].encoding);
-        double error = normal_error(&rig, &options, rig.gbuffer.normal, r == 3);
-        printf("normals as %s: greatest angle %.4f degrees\n", rows[r].encoding, error);
-        assert_true(error <= rows[r].bound_deg);
-        assert_true(r == 0 || error > 1e-3);
+    scatter_normals(&rig);
+    for (size_t r = 0; r < AOB_COUNT(encoding_rows); r++) {
+        check_encoding(&rig, "gl-egl", &encoding_rows[r]);
+        check_encoding(&rig, "vulkan", &encoding_rows[r]);
     }
     aob_rig_finish(&rig);
 }
@@ -199,19 +291,18 @@ static void test_shading_and_derived_normals(void **state)
     struct aob_options shading = {.normals = AOB_NORMALS_SHADING},
                        derived = {.normals = AOB_NORMALS_FROM_DEPTH};
     rig_of(&rig, 0);
-    assert_true(normal_error(&rig, &shading, rig.gbuffer.shading, false) < 0.03);
+    assert_true(normal_error(&rig, &shading, rig.gbuffer.shading) < 0.03);
     aob_rig_finish(&rig);
     /* Flat walls give their exact normal but for the rounding of single precision, at the image's edge too. */
     aob_rig_scene(&rig, "corner", "front", W, H, 0);
-    double worst = normal_error(&rig, &derived, rig.gbuffer.normal, false);
+    double worst = normal_error(&rig, &derived, rig.gbuffer.normal);
     printf("normals from depth on flat walls: greatest angle %.4f degrees\n", worst);
     assert_true(worst < 46); /* in the crease itself a pixel's neighbours lie on the other wall */
-    float c[3][W * H];
+    float *normals = read_normals(&rig, "gl-egl", &derived);
     size_t wrong = 0;
-    for (int k = 0; k < 3; k++)
-        probe(&rig, "gl-egl", "normal", k, &derived, c[k]);
     for (int i = 0; i < W * H; i++)
-        wrong += angle_deg((float[3]){c[0][i], c[1][i], c[2][i]}, &rig.gbuffer.normal[4 * i]) > 0.1;
+        wrong += angle_between(&normals[3 * i], &rig.gbuffer.normal[4 * i]) > 0.1 * M_PI / 180;
+    free(normals);
     printf("normals from depth: %zu of %d pixels beyond 0.1 degrees\n", wrong, W * H);
     assert_true(wrong <= W); /* a row at the crease */
     aob_rig_finish(&rig);
