@@ -15,8 +15,8 @@ static bool trace_image(const struct aob_exhibit *exhibit, const struct aob_visi
                         struct aob_visibility *traced, struct aob_error *error)
 {
     const struct aob_bound_desc thin = {.kind = AOB_BOUND_THIN};
-    struct aob_bound *bound = aob_bound_create(&exhibit->camera, &exhibit->gbuffer.projection,
-                                               &exhibit->hits, &thin, error);
+    struct aob_bound *bound =
+        aob_bound_create(&exhibit->camera, &exhibit->gbuffer.projection, &exhibit->hits, &thin, error);
     bool ok = bound && aob_bound_visibility(bound, desc, traced, error);
     aob_bound_destroy(bound);
     return ok;
@@ -60,7 +60,8 @@ float *aob_claim_trace(struct aob_trial *trial, const struct aob_shot *shot, enu
         return NULL;
     float *pixels = aob_trial_image(trial, shot->exhibit);
     for (size_t i = 0; i < aob_exhibit_pixels(shot->exhibit); i++)
-        pixels[i] = technique->definition.map ? technique->definition.map(values, traced.ao[i]) : traced.ao[i];
+        pixels[i] =
+            technique->definition.map ? technique->definition.map(values, traced.ao[i]) : traced.ao[i];
     aob_visibility_finish(&traced);
     return pixels;
 }

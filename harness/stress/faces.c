@@ -13,7 +13,8 @@ static void ask_planes_alike(struct aob_trial *trial)
     const float *images[AZIMUTHS];
     double means[AZIMUTHS], all = 0;
     for (int i = 0; i < AZIMUTHS; i++) {
-        const struct aob_plane_desc plane = {.tilt_deg = 40, .azimuth_deg = 45 * i, .width = 64, .height = 64};
+        const struct aob_plane_desc plane = {
+            .tilt_deg = 40, .azimuth_deg = 45 * i, .width = 64, .height = 64};
         shots[i] = (struct aob_shot){.exhibit = aob_set_plane(trial, &plane), .radius = 0.5};
         images[i] = aob_trial_draw(trial, &shots[i]);
         if (!images[i])
@@ -23,8 +24,8 @@ static void ask_planes_alike(struct aob_trial *trial)
     }
     for (int i = 0; i < AZIMUTHS; i++)
         aob_trial_take(trial, fabs(means[i] - all), &(struct aob_seen){&shots[i], images[i], NULL},
-                       "plane tilted by 40 degrees towards azimuth %d: mean %.4f, of all azimuths %.4f", 45 * i,
-                       means[i], all);
+                       "plane tilted by 40 degrees towards azimuth %d: mean %.4f, of all azimuths %.4f",
+                       45 * i, means[i], all);
 }
 
 /* The pixels of a ball, in sectors about its middle, which is the image's. */
@@ -160,8 +161,9 @@ static void ask_tessellated(struct aob_trial *trial)
 
 const struct aob_property aob_properties_faces[] = {
     {.name = "faces_alike",
-     .sentence = "A surface is not darkened by where it faces: planes and the sides of a ball are alike at every "
-                 "azimuth.",
+     .sentence =
+         "A surface is not darkened by where it faces: planes and the sides of a ball are alike at every "
+         "azimuth.",
      .measure = "largest distance of an azimuth's mean from the mean of all",
      .source = "https://github.com/mrdoob/three.js/issues/8576",
      .group = AOB_GROUP_EDGES,

@@ -10,8 +10,9 @@ enum { WIDTH = 96, HEIGHT = 64 };
 /* A wall z = 0, four units before the camera, and before it bars at z = gap: closed, so that techniques which draw triangles
  * see them, and reaching over the image from top to bottom. A sheet is one bar that ends in the middle. */
 struct bars {
-    double gap, width, period; /* scene units; without a period it is the sheet, without a gap the wall alone */
-    bool whole;                /* the sheet fills the image */
+    double gap, width,
+        period; /* scene units; without a period it is the sheet, without a gap the wall alone */
+    bool whole; /* the sheet fills the image */
 };
 
 static void add_bar(struct aob_mesh *mesh, double left, double right, double gap)
@@ -137,10 +138,12 @@ static void ask_in_reach(struct aob_trial *trial)
 
 /* --- A pillar, and the far away ------------------------------------------------------------------------------ */
 
-enum { PLAN = 192 }; /* pixels of the pillar's image in both directions; 32 a unit, so that its sides lie between pixels */
+enum {
+    PLAN = 192
+}; /* pixels of the pillar's image in both directions; 32 a unit, so that its sides lie between pixels */
 
-static double mean_beside(struct aob_trial *trial, const struct aob_exhibit *plan, const float *image, int side,
-                          int reach)
+static double mean_beside(struct aob_trial *trial, const struct aob_exhibit *plan, const float *image,
+                          int side, int reach)
 {
     bool *mask = aob_trial_mask(trial, plan);
     for (int i = 0; i < reach; i++)
@@ -157,10 +160,8 @@ static void ask_pillar(struct aob_trial *trial)
     struct aob_mesh mesh = {0};
     aob_mesh_add_quad(&mesh, aob_vec(-40, 0, 40), aob_vec(80, 0, 0), aob_vec(0, 0, -80));
     aob_mesh_add_box(&mesh, aob_vec(-1, 0, -1), aob_vec(1, 0.5, 1), 0);
-    const struct aob_exhibit_desc desc = {.mesh = &mesh,
-                                          .camera = {.eye = {0, 10, 0}, .ortho_height = 6},
-                                          .width = PLAN,
-                                          .height = PLAN};
+    const struct aob_exhibit_desc desc = {
+        .mesh = &mesh, .camera = {.eye = {0, 10, 0}, .ortho_height = 6}, .width = PLAN, .height = PLAN};
     struct aob_shot shot = {.exhibit = aob_trial_exhibit(trial, &desc), .radius = 1};
     const float *image = aob_trial_draw(trial, &shot);
     double mean[4], all = 0;
@@ -246,14 +247,16 @@ const struct aob_property aob_properties_halos[] = {
      .excuse = aob_excuse_no_radius,
      .ask = ask_in_reach},
     {.name = "pillar_round",
-     .sentence = "The floor around a square pillar, seen from straight above, is equally dark on its four sides.",
+     .sentence =
+         "The floor around a square pillar, seen from straight above, is equally dark on its four sides.",
      .measure = "largest distance of a side's mean from the mean of all",
      .source = "https://github.com/o3de/sig-graphics-audio/issues/124",
      .group = AOB_GROUP_EDGES,
      .ask = ask_pillar},
     {.name = "distant_terrain",
-     .sentence = "Hills so far away that the radius is less than a pixel are no darker than the technique claims: "
-                 "nearly open.",
+     .sentence =
+         "Hills so far away that the radius is less than a pixel are no darker than the technique claims: "
+         "nearly open.",
      .measure = "darkening of the mean, from the traced claim",
      .source = "https://github.com/frostbone25/ShaderInjector/issues/79",
      .group = AOB_GROUP_EDGES,
