@@ -31,10 +31,11 @@ static void crop(struct aob_exhibit *small, const struct aob_exhibit *large)
     to->projection.height = small->height;
 }
 
+/* The camera looks past the still life, which stands in the top left part of the image: that is what is compared. */
 static struct aob_exhibit *show_still_life(struct aob_trial *trial, int width, int height)
 {
     struct aob_mesh mesh = {0};
-    struct aob_camera camera = aob_still_life_camera(1, aob_vec(0, 0, 0));
+    const struct aob_camera camera = {.eye = {1.2, 1.7, 3.6}, .target = {1.3, -0.3, 0}, .fov_deg = 50};
     aob_set_still_life(&mesh, 1, aob_vec(0, 0, 0));
     return show(trial, &mesh, &camera, width, height);
 }
@@ -57,8 +58,8 @@ static bool *inner_pixels(struct aob_trial *trial, const struct aob_exhibit *sma
 
 static void ask_crop(struct aob_trial *trial)
 {
-    struct aob_shot whole = {.exhibit = show_still_life(trial, 256, 192), .radius = 0.25}, part = whole;
-    struct aob_exhibit *small = show_still_life(trial, 176, 144);
+    struct aob_shot whole = {.exhibit = show_still_life(trial, 288, 216), .radius = 0.25}, part = whole;
+    struct aob_exhibit *small = show_still_life(trial, 224, 180);
     if (!whole.exhibit || !small)
         return;
     crop(small, whole.exhibit);
