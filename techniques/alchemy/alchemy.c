@@ -79,6 +79,18 @@ static bool build(struct aob_graph *graph, const void *values)
                       aob_step_cross5(graph, .tex = raw, .taps = v->composite ? 5 : 0));
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"approach_crease",
+     "Section 1: \"under-obscurance due to unseen occluders ... outside the field of view\"; it samples the "
+     "whole disc of radius r, of which the image then holds a small part."},
+    {"closer_than_radius",
+     "Section 1: \"under-obscurance due to unseen occluders ... outside the field of view\"; it samples the "
+     "whole disc of radius r, of which the image then holds a small part."},
+    {"inside_box", "Section 1: \"under-obscurance due to unseen occluders ... outside the field of view\"; "
+                   "it samples the whole disc of radius r, of which the image then holds a small part."},
+    {0},
+};
+
 AOB_TECHNIQUE(
     alchemy, .title = "Alchemy ambient obscurance", .revision = 5, .shaders = aob_shaders_alchemy,
     .citation = "McGuire, Osman, Bukowski, Hennessy: The Alchemy Screen-Space Ambient Obscurance "
@@ -97,4 +109,4 @@ AOB_TECHNIQUE(
         "random points.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .map = map},
-    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .build = build);
+    .by_definition = by_definition, .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .build = build);

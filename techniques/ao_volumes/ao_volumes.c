@@ -81,6 +81,15 @@ static bool build(struct aob_graph *graph, const void *values)
     return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = low, .divisor = v->divisor));
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"coincident_faces",
+     "Algorithm: \"Where many thin objects are stacked, the volumes can interpenetrate and produce darker "
+     "results than ray tracing\"; a face that lies twice has two volumes."},
+    {"inverted_faces", "Algorithm: a volume is its polygon \"extruded along its face normal\", so that "
+                       "nothing lies before a face that is turned away."},
+    {0},
+};
+
 AOB_TECHNIQUE(
     ao_volumes, .title = "Ambient occlusion volumes", .revision = 6, .shaders = aob_shaders_ao_volumes,
     .summary = "The scene's triangles themselves, not the depth buffer, occlude: each is clipped to the "
@@ -97,4 +106,5 @@ AOB_TECHNIQUE(
         "The text gives the signed area of a disc's segment; here it is Lambert's sum, with angles by atan2.",
     .citation = "McGuire: Ambient Occlusion Volumes, text of two pages (2010)", .params = params,
     .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
-    .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .distance = distance}, .build = build);
+    .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .distance = distance},
+    .by_definition = by_definition, .build = build);

@@ -143,6 +143,26 @@ static bool build(struct aob_graph *graph, const void *values)
     return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = raw, .divisor = v->divisor));
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"border_is_open",
+     "Overview: \"depth values of a scene behind the edges of the screen are very similar to the values "
+     "right at the border\", so reads return the edge, which bends a tilted plane."},
+    {"step_edge_halo",
+     "Listing, fRangeIsValid: a nearer surface is faded out by its difference as a share of its own depth, "
+     "whatever the radius; to one that is nearer by less than its depth it is an occluder."},
+    {"thin_fence",
+     "Listing, fRangeIsValid: a nearer surface is faded out by its difference as a share of its own depth, "
+     "whatever the radius; to one that is nearer by less than its depth it is an occluder."},
+    {"approach_crease", "Overview: \"geometry outside of the camera frustum does not cast occlusion\"; of "
+                        "the offsets, as long as ever, most then lie there, and read the edge's depth."},
+    {"closer_than_radius",
+     "Overview: \"geometry outside of the camera frustum does not cast occlusion\"; of the offsets, as long "
+     "as ever, most then lie there, and pixels on an edge \"appear brighter\"."},
+    {"inside_box", "Overview: \"geometry outside of the camera frustum does not cast occlusion\"; of the "
+                   "offsets, as long as ever, most then lie there, and read the edge's depth."},
+    {0},
+};
+
 AOB_TECHNIQUE(
     crytek_ssao, .title = "Crytek screen-space ambient occlusion", .revision = 2,
     .shaders = aob_shaders_crytek_ssao,
@@ -157,4 +177,5 @@ AOB_TECHNIQUE(
              "than 24 samples turn the further cubes as well.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .radius = definition_radius, .falloff = falloff, .map = map},
-    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+    .by_definition = by_definition, .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check,
+    .build = build);

@@ -100,6 +100,15 @@ static bool build(struct aob_graph *graph, const void *values)
     return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = raw, .divisor = v->divisor));
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"approach_crease",
+     "Directions and jittering: the radius is projected, and its size \"subdivided into N_s steps of uniform "
+     "lengths\", which leave the image where it is larger than that."},
+    {"inside_box", "Directions and jittering: the radius is projected, and its size \"subdivided into N_s "
+                   "steps of uniform lengths\", which leave the image where it is larger than that."},
+    {0},
+};
+
 AOB_TECHNIQUE(
     hbao, .title = "Horizon-based ambient occlusion", .revision = 4, .shaders = aob_shaders_hbao,
     .summary =
@@ -119,4 +128,4 @@ AOB_TECHNIQUE(
     .citation = "Bavoil, Sainz: Image-Space Horizon-Based Ambient Occlusion, ShaderX7 (2009), 6.2",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff, .map = map},
-    .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .build = build);
+    .by_definition = by_definition, .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .build = build);

@@ -50,6 +50,14 @@ static bool build(struct aob_graph *graph, const void *values)
            aob_output(graph, AOB_OUT_VISIBILITY, visibility);
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"approach_crease", "Ray marching: rays step from P to E, \"at distance R from P\", \"with a uniform "
+                        "step size\", which leaves the image where R is much larger than what it shows."},
+    {"inside_box", "Ray marching: rays step from P to E, \"at distance R from P\", \"with a uniform step "
+                   "size\", which leaves the image where R is much larger than what it shows."},
+    {0},
+};
+
 AOB_TECHNIQUE(
     ray_march, .title = "Ray marching of the depth buffer", .revision = 2, .shaders = aob_shaders_ray_march,
     .summary =
@@ -64,5 +72,5 @@ AOB_TECHNIQUE(
     .citation = "Bavoil, Sainz: Image-Space Horizon-Based Ambient Occlusion, ShaderX7 (2009), 6.2, with ray "
                 "marching",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
-    .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff},
+    .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff}, .by_definition = by_definition,
     .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .build = build);

@@ -196,6 +196,16 @@ static bool build(struct aob_graph *graph, const void *values)
     return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = raw, .divisor = v->divisor));
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"step_edge_halo", "1.2, figure 1.2.4: the no-occlusion threshold counts from the sample, up to a radius "
+                       "before the surface, so that a surface within twice the radius may occlude."},
+    {"thin_fence", "1.2, figure 1.2.4: the no-occlusion threshold counts from the sample, up to a radius "
+                   "before the surface, so that a surface within twice the radius may occlude."},
+    {"approach_crease", "1.2, edge cases: \"samples outside the screen return a large depth value, ensuring "
+                        "they would never occlude\"; offsets are at least half as long as the radius."},
+    {0},
+};
+
 AOB_TECHNIQUE(
     starcraft2_ssao, .title = "StarCraft II ambient occlusion", .revision = 3,
     .shaders = aob_shaders_starcraft2_ssao,
@@ -215,5 +225,5 @@ AOB_TECHNIQUE(
              "is 256 pixels "
              "wide, its depth a quarter size; the cap of the screen radius shrinks the sphere.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
-    .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff},
+    .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff}, .by_definition = by_definition,
     .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);

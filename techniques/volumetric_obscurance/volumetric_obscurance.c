@@ -90,6 +90,20 @@ static bool build(struct aob_graph *graph, const void *values)
                       aob_step_blur(graph, .tex = raw, .taps = v->blur, .divisor = 1));
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"step_edge_halo", "Alchemy, 1.1, of this technique: it \"tends to produce black halos\"; what a line "
+                       "meets is solid however far before the surface."},
+    {"thin_fence", "Alchemy, 1.1, of this technique: it \"tends to produce black halos\"; what a line meets "
+                   "is solid however far before the surface."},
+    {"approach_crease", "Alchemy, 1.1, of this technique: \"unseen space is empty\"; its lines fill the "
+                        "whole sphere, of which the image then holds a small part."},
+    {"closer_than_radius", "Alchemy, 1.1, of this technique: \"unseen space is empty\"; its lines fill the "
+                           "whole sphere, of which the image then holds a small part."},
+    {"inside_box", "Alchemy, 1.1, of this technique: \"unseen space is empty\"; its lines fill the whole "
+                   "sphere, of which the image then holds a small part."},
+    {0},
+};
+
 AOB_TECHNIQUE(
     volumetric_obscurance, .title = "Volumetric obscurance", .revision = 3,
     .shaders = aob_shaders_volumetric_obscurance,
@@ -109,4 +123,5 @@ AOB_TECHNIQUE(
                 "Screen-Space Ambient Obscurance Algorithm, HPG 2011",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff, .map = map},
-    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+    .by_definition = by_definition, .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check,
+    .build = build);
