@@ -13,7 +13,7 @@ const struct aob_bound aob_bounds[] = {
     {"radius_enormous", 1.0 / 255, 1.0 / 255, "The truth is the same; one step of an 8-bit image."},
     {"falloff_ends", 1.0 / 255, 1.0 / 255, "A millionth of the radius or of the weight takes in a tap of an image at most; one step of 8 bits."},
     {"parameter_ends", 0, 0, "An image is finite and in 0..1 or it is not."},
-    {"gradation", 1.0 / 255, 1.0 / 255, "An image of 8 bits has steps of 1/255; no technique has coarser ones to give."},
+    {"gradation", 0.004, 0.004, "An image of 8 bits has steps of 1/255, rounded up; none has coarser ones to give."},
     {"distinct_taps", 0.1, 0.1, "Chance is what a careless pattern reaches; a tenth is left to samples of one direction that share its pixels."},
     {"optical_axis", 1.0 / 255, 1.0 / 255, "The plane is the same in all pixels; places are rounded otherwise."},
     {"filter_contains_nan", 0, 0, "A pixel that does not read the changed one computes what it did."},

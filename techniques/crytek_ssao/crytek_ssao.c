@@ -143,8 +143,15 @@ static bool build(struct aob_graph *graph, const void *values)
     return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = raw, .divisor = v->divisor));
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"radius_below_pixel", "The listing's last line squares a pixel's share of open samples before anything is blurred "
+                           "(A*A + A, 6.1): noise makes it brighter, and there is none below a pixel."},
+    {"radius_enormous", "A few samples at fixed shares of the radius (6.1, the listing); beyond the image the depth is the "
+                        "edge's (Geometry outside of the camera frustum), and before the eye all is open."},
+    {0}};
+
 AOB_TECHNIQUE(
-    crytek_ssao, .title = "Crytek screen-space ambient occlusion", .revision = 2,
+    crytek_ssao, .title = "Crytek screen-space ambient occlusion", .revision = 3,
     .shaders = aob_shaders_crytek_ssao,
     .citation = "Kajalin: Screen-Space Ambient Occlusion, ShaderX7 (2009), 6.1",
     .summary = "The share of a sphere about the surface point that lies in front of the depth buffer, "
@@ -157,4 +164,5 @@ AOB_TECHNIQUE(
              "than 24 samples turn the further cubes as well.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .radius = definition_radius, .falloff = falloff, .map = map},
-    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .by_definition = by_definition, .check = check,
+    .build = build);

@@ -50,6 +50,11 @@ static bool build(struct aob_graph *graph, const void *values)
            aob_output(graph, AOB_OUT_VISIBILITY, visibility);
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"radius_enormous", "Ray-marching algorithms step from P to E, at distance R, with a uniform step size (6.2, Ray "
+                        "Marching): a few steps of a long ray pass over all that is near."},
+    {0}};
+
 AOB_TECHNIQUE(
     ray_march, .title = "Ray marching of the depth buffer", .revision = 1, .shaders = aob_shaders_ray_march,
     .summary =
@@ -65,4 +70,4 @@ AOB_TECHNIQUE(
                 "marching",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff},
-    .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .build = build);
+    .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .by_definition = by_definition, .build = build);

@@ -196,6 +196,11 @@ static bool build(struct aob_graph *graph, const void *values)
     return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = raw, .divisor = v->divisor));
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"radius_enormous", "Samples lie at fixed shares of the radius, and those outside the screen return a large depth, so "
+                        "that they never occlude (1.2, Sample randomization)."},
+    {0}};
+
 AOB_TECHNIQUE(
     starcraft2_ssao, .title = "StarCraft II ambient occlusion", .revision = 3,
     .shaders = aob_shaders_starcraft2_ssao,
@@ -216,4 +221,5 @@ AOB_TECHNIQUE(
              "wide, its depth a quarter size; the cap of the screen radius shrinks the sphere.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff},
-    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .by_definition = by_definition, .check = check,
+    .build = build);
