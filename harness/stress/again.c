@@ -18,11 +18,11 @@ static struct aob_exhibit *make_scaled(struct aob_trial *trial, double scale)
 {
     struct aob_mesh mesh = {0};
     aob_set_still_life(&mesh, scale, aob_vec(0, 0, 0));
-    return aob_trial_exhibit(trial,
-                             &(struct aob_exhibit_desc){.mesh = &mesh,
-                                                    .camera = aob_still_life_camera(scale, aob_vec(0, 0, 0)),
-                                                    .width = 96,
-                                                    .height = 64});
+    return aob_trial_exhibit(
+        trial, &(struct aob_exhibit_desc){.mesh = &mesh,
+                                          .camera = aob_still_life_camera(scale, aob_vec(0, 0, 0)),
+                                          .width = 96,
+                                          .height = 64});
 }
 
 /* Half floats end at 65504: squares of lengths of 256 and depths of 1e5 lie beyond. The scale is a power of two, so that the
@@ -49,9 +49,8 @@ void aob_ask_half_overflow(struct aob_trial *trial)
 void aob_ask_repeats_itself(struct aob_trial *trial)
 {
     struct aob_shot shot = {.exhibit = aob_set_default(trial), .radius = 0.8},
-                    plane = {.exhibit = aob_set_plane(trial, &(struct aob_plane_desc){.tilt_deg = 60,
-                                                                                     .width = 96,
-                                                                                     .height = 64}),
+                    plane = {.exhibit = aob_set_plane(
+                                 trial, &(struct aob_plane_desc){.tilt_deg = 60, .width = 96, .height = 64}),
                              .radius = 2};
     const float *wanted = aob_trial_draw(trial, &shot);
     take_same(trial, &shot, aob_trial_draw(trial, &shot), wanted, "drawn twice");
@@ -103,17 +102,23 @@ void aob_ask_drawn_at_all(struct aob_trial *trial)
             square += v * v;
         }
     aob_trial_take(trial, fmax(0, 1 - both / square), &(struct aob_seen){&shot, image, truth},
-                   "%.0f %% of the truth's contrast; its mean is %.4f, the truth's %.4f", 100 * both / square, mean,
-                   open);
+                   "%.0f %% of the truth's contrast; its mean is %.4f, the truth's %.4f", 100 * both / square,
+                   mean, open);
 }
 
 /* In the crease of a corner, close before a wall, alone under the sky, and in images of one pixel and of one row. */
 static struct aob_exhibit *make_set(struct aob_trial *trial, size_t k)
 {
-    static const struct aob_plane_desc planes[] = {
-        {.tilt_deg = 0}, {.tilt_deg = 60}, {.tilt_deg = 85, .azimuth_deg = 90}, {.distance = 0.01},
-        {.distance = 1e4}, {.width = 1, .height = 1}, {.width = 37, .height = 1}, {.width = 2, .height = 53},
-        {.fov_deg = 150}, {.fov_deg = 1}};
+    static const struct aob_plane_desc planes[] = {{.tilt_deg = 0},
+                                                   {.tilt_deg = 60},
+                                                   {.tilt_deg = 85, .azimuth_deg = 90},
+                                                   {.distance = 0.01},
+                                                   {.distance = 1e4},
+                                                   {.width = 1, .height = 1},
+                                                   {.width = 37, .height = 1},
+                                                   {.width = 2, .height = 53},
+                                                   {.fov_deg = 150},
+                                                   {.fov_deg = 1}};
     struct aob_mesh mesh = {0};
     struct aob_exhibit_desc desc = {.mesh = &mesh, .width = 96, .height = 64};
     if (k < AOB_COUNT(planes))

@@ -10,7 +10,8 @@
 /* Adds " name=value" with the value nearest to `value` that keeps the parameter's rule. */
 static void add_word(struct aob_text *set, const struct aob_param *param, double value)
 {
-    for (int i = 0; i < 64 && param->type == AOB_INT && !param->choices && !aob_param_obeys(param, value); i++)
+    for (int i = 0; i < 64 && param->type == AOB_INT && !param->choices && !aob_param_obeys(param, value);
+         i++)
         value = value > param->min ? value - 1 : param->max;
     aob_text_add(set, " %s=", param->name);
     aob_param_print(param, value, set);
@@ -55,11 +56,10 @@ void aob_ask_parameter_ends(struct aob_trial *trial)
     const struct aob_technique *technique = trial->subject->technique;
     struct aob_mesh mesh = {0};
     aob_set_still_life(&mesh, 1, aob_vec(0, 0, 0));
-    struct aob_exhibit *exhibit =
-        aob_trial_exhibit(trial, &(struct aob_exhibit_desc){.mesh = &mesh,
-                                                        .camera = aob_still_life_camera(1, aob_vec(0, 0, 0)),
-                                                        .width = 48,
-                                                        .height = 32});
+    struct aob_exhibit *exhibit = aob_trial_exhibit(
+        trial,
+        &(struct aob_exhibit_desc){
+            .mesh = &mesh, .camera = aob_still_life_camera(1, aob_vec(0, 0, 0)), .width = 48, .height = 32});
     ask_set(trial, exhibit, "");
     for (int upper = 0; upper < 2; upper++) {
         struct aob_text together = {0};

@@ -25,7 +25,8 @@ static void set_normals(struct aob_exhibit *exhibit, bool edge_on, double turn, 
         struct aob_vec3 v = aob_vec_scale(aob_vec_normalize(ray_of(exhibit, i)), -1);
         struct aob_vec3 side = aob_vec_normalize(aob_vec_cross(up, v));
         double a = edge_on ? M_PI / 2 - turn : turn;
-        struct aob_vec3 n = aob_vec_add(aob_vec_scale(v, a == M_PI / 2 ? 0 : cos(a)), aob_vec_scale(side, sin(a)));
+        struct aob_vec3 n =
+            aob_vec_add(aob_vec_scale(v, a == M_PI / 2 ? 0 : cos(a)), aob_vec_scale(side, sin(a)));
         exhibit->gbuffer.normal[4 * i] = (float)n.x;
         exhibit->gbuffer.normal[4 * i + 1] = (float)n.y;
         exhibit->gbuffer.normal[4 * i + 2] = (float)n.z;
@@ -37,11 +38,10 @@ static struct aob_exhibit *make_bowl(struct aob_trial *trial, bool edge_on)
 {
     struct aob_mesh mesh = {0};
     aob_mesh_add_sphere(&mesh, aob_vec(0, 0, 0), 1, 24);
-    struct aob_exhibit *exhibit =
-        aob_trial_exhibit(trial, &(struct aob_exhibit_desc){.mesh = &mesh,
-                                                        .camera = {.target = {0, 0, -1}, .fov_deg = 60},
-                                                        .width = 49,
-                                                        .height = 33});
+    struct aob_exhibit *exhibit = aob_trial_exhibit(
+        trial,
+        &(struct aob_exhibit_desc){
+            .mesh = &mesh, .camera = {.target = {0, 0, -1}, .fov_deg = 60}, .width = 49, .height = 33});
     for (size_t i = 0; exhibit && i < aob_exhibit_pixels(exhibit); i++) {
         struct aob_vec3 d = ray_of(exhibit, i);
         exhibit->gbuffer.depth[i] = edge_on ? 1 : (float)(1 / sqrt(aob_vec_dot(d, d)));
@@ -209,7 +209,7 @@ void aob_ask_gradation(struct aob_trial *trial)
     if (!shot.exhibit)
         return;
     size_t pixels = aob_exhibit_pixels(shot.exhibit), drawn = 0;
-    float *values = AOB_NEW_ARRAY(float, RADII * pixels);
+    float *values = AOB_NEW_ARRAY(float, RADII *pixels);
     for (const float *image; drawn < RADII; drawn++) {
         shot.radius = 0.3 * pow(2, (double)drawn / 16);
         image = aob_trial_draw(trial, &shot);

@@ -12,7 +12,7 @@ static const size_t places[] = {20 * 96 + 20, 40 * 96 + 30, 63 * 96 + 0}; /* the
 struct site {
     struct aob_shot shot;
     const float *clean;
-    float *depth;            /* of the exhibit; what it was is in `kept` */
+    float *depth; /* of the exhibit; what it was is in `kept` */
     float *kept;
     int reach[AOB_COUNT(places)]; /* pixels to either side */
 };

@@ -112,7 +112,8 @@ static bool end(void *self, struct aob_error *error)
     double chance = distinct_by_chance(taps), distinct = taps->distinct / taps->invocations,
            taken = taps->all / taps->invocations;
     aob_trial_take(taps->trial, fmax(0, 1 - distinct / chance), &(struct aob_seen){taps->shot, NULL, NULL},
-                   "pass %s: %.1f taps of %.1f texels, %.1f by chance", taps->pass.name, taken, distinct, chance);
+                   "pass %s: %.1f taps of %.1f texels, %.1f by chance", taps->pass.name, taken, distinct,
+                   chance);
     return true;
 }
 
@@ -127,10 +128,9 @@ static bool trace(struct taps *taps, const struct aob_shot *shot, bool *unfit, s
         return false;
     struct aob_trace *trace = AOB_NEW(struct aob_trace);
     const struct aob_trace_sink sink = {taps, begin, band, end};
-    bool ok = aob_trace_init(trace,
-                             &(struct aob_trace_desc){
-                                 .screen = &screen, .technique = subject->technique, .values = values},
-                             error);
+    bool ok = aob_trace_init(
+        trace, &(struct aob_trace_desc){.screen = &screen, .technique = subject->technique, .values = values},
+        error);
     *unfit = trace->unfit;
     taps->graph = &trace->frame.graph;
     ok = ok && aob_trace_run(trace, &sink, error);
@@ -147,10 +147,10 @@ void aob_ask_distinct_taps(struct aob_trial *trial)
         aob_trial_excuse(trial, "it reads the scene's triangles, not pixels about its own");
         return;
     }
-    const struct aob_shot shot = {.exhibit = aob_set_plane(trial, &(struct aob_plane_desc){.fov_deg = 53.13,
-                                                                                       .width = SIZE,
-                                                                                       .height = SIZE}),
-                                  .radius = 1};
+    const struct aob_shot shot = {
+        .exhibit =
+            aob_set_plane(trial, &(struct aob_plane_desc){.fov_deg = 53.13, .width = SIZE, .height = SIZE}),
+        .radius = 1};
     struct aob_error error = {{0}};
     bool unfit = false;
     struct taps *taps = AOB_NEW(struct taps);

@@ -21,11 +21,12 @@ mat3 cube_turn(int cube)
                 1.0 - t.x * q.x - t.y * q.y);
 }
 
-/* Length of the longest offset at depth z. */
+/* Length of the longest offset at depth z. At least some thousand roundings of a place, a tenth of a pixel or less: else the
+ * depths that are compared are often the same number. */
 float reach(float z)
 {
 #if SIZE == 0
-    return param.radius;
+    return max(param.radius, 1e-4 * z);
 #else
     return 2.0 * z * param.screen_radius;
 #endif
@@ -39,10 +40,8 @@ float access_of(vec3 position, vec3 normal, vec3 offset)
     s.z = min(s.z, 1e-3 * position.z); /* not behind the eye, where nothing projects */
     ivec2 q = ivec2(floor(aob_project(s)));
     float z = aob_view_z(q);
-    /* Differences of depths, which are exact where the sample lies next to the centre; its own depth may be the same number. */
-    float nearer = -position.z - z;
-    float open = nearer < offset.z ? 1.0 : 0.0;
-    float other = clamp(nearer / (z * param.range), 0.0, 1.0);
+    float open = z > -s.z ? 1.0 : 0.0;
+    float other = clamp((-position.z - z) / (z * param.range), 0.0, 1.0);
     float a = mix(open, param.range_default, other);
 #if HEMISPHERE == 1
     /* What does not rise above the tangent plane hides nothing of this half: only its pixel makes it seem to. */

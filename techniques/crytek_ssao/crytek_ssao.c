@@ -144,10 +144,12 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 static const struct aob_by_definition by_definition[] = {
-    {"radius_below_pixel", "The listing's last line squares a pixel's share of open samples before anything is blurred "
-                           "(A*A + A, 6.1): noise makes it brighter, and there is none below a pixel."},
-    {"radius_enormous", "A few samples at fixed shares of the radius (6.1, the listing); beyond the image the depth is the "
-                        "edge's (Geometry outside of the camera frustum), and before the eye all is open."},
+    {"radius_below_pixel",
+     "The listing's last line squares a pixel's share of open samples before anything is blurred "
+     "(A*A + A, 6.1): noise makes it brighter, and there is none below a pixel."},
+    {"radius_enormous",
+     "A few samples at fixed shares of the radius (6.1, the listing); beyond the image the depth is the "
+     "edge's (Geometry outside of the camera frustum), and before the eye all is open."},
     {0}};
 
 AOB_TECHNIQUE(

@@ -51,8 +51,9 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 static const struct aob_by_definition by_definition[] = {
-    {"radius_enormous", "Ray-marching algorithms step from P to E, at distance R, with a uniform step size (6.2, Ray "
-                        "Marching): a few steps of a long ray pass over all that is near."},
+    {"radius_enormous",
+     "Ray-marching algorithms step from P to E, at distance R, with a uniform step size (6.2, Ray "
+     "Marching): a few steps of a long ray pass over all that is near."},
     {0}};
 
 AOB_TECHNIQUE(

@@ -197,8 +197,9 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 static const struct aob_by_definition by_definition[] = {
-    {"radius_enormous", "Samples lie at fixed shares of the radius, and those outside the screen return a large depth, so "
-                        "that they never occlude (1.2, Sample randomization)."},
+    {"radius_enormous",
+     "Samples lie at fixed shares of the radius, and those outside the screen return a large depth, so "
+     "that they never occlude (1.2, Sample randomization)."},
     {0}};
 
 AOB_TECHNIQUE(
