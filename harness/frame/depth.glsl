@@ -16,7 +16,14 @@ float aob_view_z(ivec2 p, int level) {
     return aob_view_z(p);
 #endif
 }
-bool aob_is_sky(ivec2 p) { return aob_view_z(p) >= 0.5 * AOB_SKY_Z; }
+/* Not a surface's depth: the sky's, or what is no depth at all. Of floats the bits of 1e-15 to those below the sky's rise
+ * with them; outside lie what is not above 0, what is so small that its square is 0, infinity and NaN, whatever a device
+ * makes of comparing those. */
+bool aob_no_depth(float z) {
+    const uint least = floatBitsToUint(1e-15);
+    return floatBitsToUint(z) - least >= floatBitsToUint(0.5 * AOB_SKY_Z) - least;
+}
+bool aob_is_sky(ivec2 p) { return aob_no_depth(aob_view_z(p)); }
 vec3 aob_position(ivec2 p) { return aob_position_at(vec2(p) + 0.5, aob_view_z(p)); }
 vec2 aob_image(ivec2 p) {
     return AOB_DIVISOR == AOB_DEPTH_DIVISOR ? vec2(p) + 0.5
@@ -31,5 +38,5 @@ float aob_surface_z(ivec2 p) {
     return AOB_BORDER_FAR == 0 || q == p ? z : AOB_SKY_Z;
 #endif
 }
-bool aob_surface_is_sky(ivec2 p) { return aob_surface_z(p) >= 0.5 * AOB_SKY_Z; }
+bool aob_surface_is_sky(ivec2 p) { return aob_no_depth(aob_surface_z(p)); }
 vec3 aob_surface(ivec2 p) { return aob_position_at(aob_image(p), aob_surface_z(p)); }

@@ -1,11 +1,11 @@
-/* The depth along the view axis that a texel holds; AOB_SKY_Z for the sky. AOB_DEPTH_ENCODING is the place in enum
+/* The depth along the view axis that a texel holds; AOB_SKY_Z for the sky, and by every comparison for what is no number. AOB_DEPTH_ENCODING is the place in enum
  * aob_depth_encoding (technique/option.h); param.aob_range.xy are the planes near and far. */
 #if AOB_DEPTH_ENCODING == 0 /* r32f */
 float aob_decode_depth(float d) { return d; }
 #elif AOB_DEPTH_ENCODING == 1 /* r16f: its greatest value stands for all that is farther */
-float aob_decode_depth(float d) { return d > 65504.0 ? AOB_SKY_Z : d; }
+float aob_decode_depth(float d) { return d <= 65504.0 ? d : AOB_SKY_Z; }
 #elif AOB_DEPTH_ENCODING == 2 /* unorm16 */
-float aob_decode_depth(float d) { return d >= 1.0 ? AOB_SKY_Z : d * param.aob_range.y; }
+float aob_decode_depth(float d) { return d < 1.0 ? d * param.aob_range.y : AOB_SKY_Z; }
 #elif AOB_DEPTH_ENCODING == 3 /* packed16: the high and the low byte, beside a normal */
 float aob_decode_depth(vec4 d)
 {
@@ -16,14 +16,14 @@ float aob_decode_depth(vec4 d)
 float aob_decode_depth(float d)
 {
     float n = param.aob_range.x, f = param.aob_range.y;
-    return d >= 1.0 ? AOB_SKY_Z : AOB_PERSPECTIVE == 1 ? n * f / (f - d * (f - n)) : n + d * (f - n);
+    return !(d < 1.0) ? AOB_SKY_Z : AOB_PERSPECTIVE == 1 ? n * f / (f - d * (f - n)) : n + d * (f - n);
 }
 #elif AOB_DEPTH_ENCODING == 5 || AOB_DEPTH_ENCODING == 8 /* device, reversed */
 float aob_decode_depth(float d)
 {
     float n = param.aob_range.x, f = param.aob_range.y;
-    return d <= 0.0 ? AOB_SKY_Z : AOB_PERSPECTIVE == 1 ? n * f / (n + d * (f - n)) : f - d * (f - n);
+    return !(d > 0.0) ? AOB_SKY_Z : AOB_PERSPECTIVE == 1 ? n * f / (n + d * (f - n)) : f - d * (f - n);
 }
 #else /* device, the far plane at infinity */
-float aob_decode_depth(float d) { return d <= 0.0 ? AOB_SKY_Z : param.aob_range.x / d; }
+float aob_decode_depth(float d) { return d > 0.0 ? param.aob_range.x / d : AOB_SKY_Z; }
 #endif

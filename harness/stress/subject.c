@@ -112,7 +112,7 @@ static bool draw_frame(struct aob_subject *subject, const struct aob_shot *shot,
     screen->geometry = triangles ? &geometry : NULL;
     ok = ok && aob_frame_init_desc(frame, screen, desc, error);
     *unfit = frame->unfit;
-    ok = ok && aob_frame_run(frame, 1, NULL, error) &&
+    ok = ok && aob_frame_run(frame, shot->runs > 0 ? shot->runs : 1, NULL, error) &&
          aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, error);
     aob_frame_finish(frame);
     aob_gpu_texture_destroy(subject->gpu, geometry.texture);

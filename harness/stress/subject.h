@@ -32,6 +32,7 @@ struct aob_shot {
      * by default. A parameter that it has not is left out, so that one text serves all techniques; a number out of its
      * bounds is moved to the nearest bound. NULL: nothing. */
     const char *set;
+    int runs; /* how often the frame is drawn, over itself, before it is read; 0: once */
 };
 
 /* What a shot makes of the technique's values struct (4 * AOB_MAX_PARAM bytes) and of the options. False after a line if a

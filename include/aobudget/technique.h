@@ -221,13 +221,14 @@ struct aob_graph {
  *   vec3  aob_surface(ivec2 p)               its view-space point
  *   vec3  aob_surface_normal(ivec2 p)        unit, view space, towards the camera
  *   float aob_surface_z(ivec2 p)             its depth, scene units; AOB_SKY_Z where there is no surface
- *   bool  aob_surface_is_sky(ivec2 p)
+ *   bool  aob_surface_is_sky(ivec2 p)        no surface: sky, or a depth that is not above 0 and finite. What is read
+ *                                            about such a pixel may be no number: phrase tests of a tap so that NaN fails
  *   vec2  aob_image(ivec2 p)                 where it lies among the pixels of the depth below (centres at +.5)
  * The depth that the pass reads: the G-buffer's, or `depth`. Where its divisor is the outputs', p means the same
  * pixel in both.
  *   ivec2 aob_size              its pixels, guard band included
  *   float aob_view_z(ivec2 p)   depth of the surface in pixel p, scene units; AOB_SKY_Z where there is none
- *   bool  aob_is_sky(ivec2 p)
+ *   bool  aob_is_sky(ivec2 p)                likewise
  *   vec3  aob_position(ivec2 p)              view-space point of the surface in pixel p, at the pixel's centre
  *   vec3  aob_position_at(vec2 q, float z)   the same at image position q and depth z
  *   vec3  aob_normal(ivec2 p)                unit, view space, towards the camera

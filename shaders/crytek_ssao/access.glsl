@@ -21,11 +21,12 @@ mat3 cube_turn(int cube)
                 1.0 - t.x * q.x - t.y * q.y);
 }
 
-/* Length of the longest offset at depth z. */
+/* Length of the longest offset at depth z. At least some thousand roundings of a place, a tenth of a pixel or less: else the
+ * depths that are compared are often the same number. */
 float reach(float z)
 {
 #if SIZE == 0
-    return param.radius;
+    return max(param.radius, 1e-4 * z);
 #else
     return 2.0 * z * param.screen_radius;
 #endif

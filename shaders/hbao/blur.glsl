@@ -8,7 +8,8 @@ void main()
     for (int i = -(BLUR / 2); i <= BLUR / 2; i++) {
         ivec2 q = p + (AXIS == 0 ? ivec2(i, 0) : ivec2(0, i));
         float near = float(i) / sigma, delta = (aob_surface_z(q) - depth) / param.blur_depth;
-        float w = i == 0 ? 0.0 : exp(-0.5 * (near * near + delta * delta));
+        float apart = near * near + delta * delta;
+        float w = apart > 0.0 ? exp(-0.5 * apart) : 0.0; /* nor the centre again, nor what has no depth */
         sum += w * aob_fetch_raw(q);
         weights += w;
     }

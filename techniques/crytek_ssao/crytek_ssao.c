@@ -160,11 +160,17 @@ static const struct aob_by_definition by_definition[] = {
      "as ever, most then lie there, and pixels on an edge \"appear brighter\"."},
     {"inside_box", "Overview: \"geometry outside of the camera frustum does not cast occlusion\"; of the "
                    "offsets, as long as ever, most then lie there, and read the edge's depth."},
+    {"radius_below_pixel",
+     "The listing's last line squares a pixel's share of open samples before anything is blurred "
+     "(A*A + A, 6.1): noise makes it brighter, and there is none below a pixel."},
+    {"radius_enormous",
+     "A few samples at fixed shares of the radius (6.1, the listing); beyond the image the depth is the "
+     "edge's (Geometry outside of the camera frustum), and before the eye all is open."},
     {0},
 };
 
 AOB_TECHNIQUE(
-    crytek_ssao, .title = "Crytek screen-space ambient occlusion", .revision = 2,
+    crytek_ssao, .title = "Crytek screen-space ambient occlusion", .revision = 3,
     .shaders = aob_shaders_crytek_ssao,
     .citation = "Kajalin: Screen-Space Ambient Occlusion, ShaderX7 (2009), 6.1",
     .summary = "The share of a sphere about the surface point that lies in front of the depth buffer, "

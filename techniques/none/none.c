@@ -11,8 +11,11 @@ static bool build(struct aob_graph *graph, const void *values)
            aob_output(graph, AOB_OUT_VISIBILITY, visibility);
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"drawn_at_all", "No ambient occlusion is what it is for: it writes 1 everywhere."}, {0}};
+
 AOB_TECHNIQUE(none, .title = "No ambient occlusion", .revision = 1, .shaders = aob_shaders_none,
-              .build = build,
+              .build = build, .by_definition = by_definition,
               .summary = "Writes 1 everywhere after one depth read: what no technique can be cheaper than.",
               .citation = "the row 'No AO' of Bavoil and Sainz, ShaderX7 (2009), table 6.2.1",
               .values_size = sizeof(int32_t));

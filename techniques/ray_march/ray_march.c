@@ -55,6 +55,9 @@ static const struct aob_by_definition by_definition[] = {
                         "step size\", which leaves the image where R is much larger than what it shows."},
     {"inside_box", "Ray marching: rays step from P to E, \"at distance R from P\", \"with a uniform step "
                    "size\", which leaves the image where R is much larger than what it shows."},
+    {"radius_enormous",
+     "Ray-marching algorithms step from P to E, at distance R, with a uniform step size (6.2, Ray "
+     "Marching): a few steps of a long ray pass over all that is near."},
     {0},
 };
 

@@ -203,6 +203,9 @@ static const struct aob_by_definition by_definition[] = {
                    "before the surface, so that a surface within twice the radius may occlude."},
     {"approach_crease", "1.2, edge cases: \"samples outside the screen return a large depth value, ensuring "
                         "they would never occlude\"; offsets are at least half as long as the radius."},
+    {"radius_enormous",
+     "Samples lie at fixed shares of the radius, and those outside the screen return a large depth, so "
+     "that they never occlude (1.2, Handling Edge Cases)."},
     {0},
 };
 
