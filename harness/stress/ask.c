@@ -29,10 +29,10 @@ static bool open_subject(struct aob_worker *worker, struct asking *asking, struc
         return false;
     aob_subject_init(&asking->subject, technique, asking->gpu);
     asking->has_subject = true;
-    aob_worker_reply(worker, aob_stress_answer_to_json(&(struct aob_stress_answer){
-                                 .message = AOB_STRESS_OPENED,
-                                 .device = asking->gpu->info.device,
-                                 .driver = asking->gpu->info.driver}));
+    aob_worker_reply(
+        worker, aob_stress_answer_to_json(&(struct aob_stress_answer){.message = AOB_STRESS_OPENED,
+                                                                      .device = asking->gpu->info.device,
+                                                                      .driver = asking->gpu->info.driver}));
     return true;
 }
 
@@ -68,15 +68,15 @@ static void ask(struct aob_worker *worker, struct asking *asking, const struct a
     char *image = answer.outcome == AOB_FAILS || answer.outcome == AOB_BY_DEFINITION
                       ? write_sight(asking, property->name, &trial.sight)
                       : NULL;
-    aob_worker_reply(worker, aob_stress_answer_to_json(&(struct aob_stress_answer){
-                                 .message = AOB_STRESS_ANSWERED,
-                                 .property = property->name,
-                                 .outcome = aob_outcome_word(answer.outcome),
-                                 .worst = answer.worst,
-                                 .bound = answer.bound,
-                                 .declared = answer.declared,
-                                 .reason = answer.reason,
-                                 .image = image}));
+    aob_worker_reply(worker, aob_stress_answer_to_json(
+                                 &(struct aob_stress_answer){.message = AOB_STRESS_ANSWERED,
+                                                             .property = property->name,
+                                                             .outcome = aob_outcome_word(answer.outcome),
+                                                             .worst = answer.worst,
+                                                             .bound = answer.bound,
+                                                             .declared = answer.declared,
+                                                             .reason = answer.reason,
+                                                             .image = image}));
     free(image);
     aob_trial_finish(&trial);
 }

@@ -104,11 +104,11 @@ static json_t *cell_to_json(const struct aob_stress_row *row, const struct aob_s
 {
     struct aob_text command = {0};
     aob_stress_command(row, cell, &command);
-    json_t *object = json_pack("{s:s, s:s, s:o, s:o, s:b, s:o, s:s?, s:s}", "property", cell->property->name,
-                               "outcome", aob_outcome_word(cell->outcome), "worst",
-                               aob_json_number(cell->worst), "bound", aob_json_number(cell->bound), "declared",
-                               cell->declared, "reason", aob_json_text(cell->reason ? cell->reason : ""),
-                               "image", cell->image, "command", command.data);
+    json_t *object = json_pack(
+        "{s:s, s:s, s:o, s:o, s:b, s:o, s:s?, s:s}", "property", cell->property->name, "outcome",
+        aob_outcome_word(cell->outcome), "worst", aob_json_number(cell->worst), "bound",
+        aob_json_number(cell->bound), "declared", cell->declared, "reason",
+        aob_json_text(cell->reason ? cell->reason : ""), "image", cell->image, "command", command.data);
     aob_text_finish(&command);
     return object;
 }
@@ -119,9 +119,9 @@ static json_t *row_to_json(const struct aob_stress_row *row)
     for (size_t i = 0; i < row->cell_count; i++)
         json_array_append_new(cells, cell_to_json(row, &row->cells[i]));
     const struct aob_technique_info *t = row->technique;
-    return json_pack("{s:s?, s:s?, s:s?, s:s?, s:s?, s:s?, s:s?, s:o}", "technique", t ? t->name : NULL, "module",
-                     t ? t->module : NULL, "digest", t ? t->digest : NULL, "backend", row->backend, "device",
-                     row->device, "driver", row->driver, "missing", row->missing, "cells", cells);
+    return json_pack("{s:s?, s:s?, s:s?, s:s?, s:s?, s:s?, s:s?, s:o}", "technique", t ? t->name : NULL,
+                     "module", t ? t->module : NULL, "digest", t ? t->digest : NULL, "backend", row->backend,
+                     "device", row->device, "driver", row->driver, "missing", row->missing, "cells", cells);
 }
 
 json_t *aob_stress_to_json(const struct aob_stress_row *rows, size_t count, bool quick)

@@ -95,8 +95,8 @@ static size_t environment(const struct aob_stress_row *row, const char *env[32])
     size_t used = 0;
     env[used++] = "LP_NUM_THREADS=1";
     env[used++] = "OMP_NUM_THREADS=1";
-    for (const char *const *e = row->backend ? aob_gpu_find(row->backend)->environment : NULL; e && *e && used < 31;
-         e++)
+    for (const char *const *e = row->backend ? aob_gpu_find(row->backend)->environment : NULL;
+         e && *e && used < 31; e++)
         env[used++] = *e;
     env[used] = NULL;
     return used;

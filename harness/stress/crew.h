@@ -8,7 +8,8 @@
 
 struct aob_crew_desc {
     const struct aob_dispatch *dispatch;
-    struct aob_stress_row *rows; /* filled in; cells that nobody could ask stay not applicable, with the reason */
+    struct aob_stress_row
+        *rows; /* filled in; cells that nobody could ask stay not applicable, with the reason */
     size_t count;
     bool quick;
     const char *images; /* folder; NULL: none */

@@ -2,16 +2,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool aob_exhibit_init(struct aob_exhibit *exhibit, const struct aob_exhibit_desc *desc, struct aob_error *error)
+bool aob_exhibit_init(struct aob_exhibit *exhibit, const struct aob_exhibit_desc *desc,
+                      struct aob_error *error)
 {
     struct aob_projection projection =
         aob_camera_projection(&desc->camera, desc->width, desc->height, desc->guard);
     projection.sx *= desc->squeeze > 0 ? desc->squeeze : 1;
     *exhibit = (struct aob_exhibit){.mesh = *desc->mesh,
-                                .camera = desc->camera,
-                                .width = desc->width,
-                                .height = desc->height,
-                                .guard = desc->guard};
+                                    .camera = desc->camera,
+                                    .width = desc->width,
+                                    .height = desc->height,
+                                    .guard = desc->guard};
     *desc->mesh = (struct aob_mesh){0};
     exhibit->tracer = aob_tracer_create(&exhibit->mesh, error);
     if (!exhibit->tracer) {
@@ -65,7 +66,7 @@ struct aob_vec3 aob_exhibit_position(const struct aob_exhibit *exhibit, size_t i
 }
 
 bool aob_exhibit_trace(const struct aob_exhibit *exhibit, double radius, int spp, float *visibility,
-                     struct aob_error *error)
+                       struct aob_error *error)
 {
     struct aob_visibility_term term = {.radius = radius};
     struct aob_visibility_desc desc = {.terms = &term,

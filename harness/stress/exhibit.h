@@ -26,7 +26,8 @@ struct aob_exhibit {
 };
 
 /* False after one line; then there is nothing to finish, and the mesh is gone as well. */
-bool aob_exhibit_init(struct aob_exhibit *exhibit, const struct aob_exhibit_desc *desc, struct aob_error *error);
+bool aob_exhibit_init(struct aob_exhibit *exhibit, const struct aob_exhibit_desc *desc,
+                      struct aob_error *error);
 void aob_exhibit_finish(struct aob_exhibit *exhibit); /* of a zeroed one too */
 
 /* Pixels of the image, and whether pixel i of it, counted from the top left without the guard band, shows a surface. */
@@ -41,5 +42,5 @@ size_t aob_exhibit_place(const struct aob_exhibit *exhibit, size_t i);
 /* The traced visibility of the image's pixels, cosine-weighted with a hard cutoff at `radius` (INFINITY allowed), into
  * width x height floats; sky is 1. `spp` rays a pixel, an even number. */
 bool aob_exhibit_trace(const struct aob_exhibit *exhibit, double radius, int spp, float *visibility,
-                     struct aob_error *error);
+                       struct aob_error *error);
 #endif

@@ -54,7 +54,8 @@ static void print_worst(const struct aob_property *property, const struct aob_st
     struct aob_text who = {0};
     if (at)
         add_subject(at, &who);
-    aob_text_add_line(out, "%-24s %3zu pass %3zu fail %3zu by definition %3zu n/a  worst pass %.4g of %.4g  %s",
+    aob_text_add_line(out,
+                      "%-24s %3zu pass %3zu fail %3zu by definition %3zu n/a  worst pass %.4g of %.4g  %s",
                       property->name, by[AOB_PASSES], by[AOB_FAILS], by[AOB_BY_DEFINITION],
                       by[AOB_NOT_APPLICABLE], at ? worst : NAN, bound, at ? who.data : "");
     aob_text_finish(&who);

@@ -24,7 +24,7 @@ struct aob_property {
     const char *measure;  /* what the number is: "largest difference of a pixel" */
     const char *source;   /* where somebody got it wrong, or a text proves it */
     enum aob_property_group group;
-    bool quick;       /* it needs few programs: stress --quick asks it too */
+    bool quick; /* it needs few programs: stress --quick asks it too */
     /* Why it is not asked of this subject, one sentence; NULL: it is. May be missing. */
     const char *(*excuse)(const struct aob_subject *subject);
     void (*ask)(struct aob_trial *trial);
@@ -42,7 +42,7 @@ struct aob_bound {
     double software, gpu;
     const char *reason; /* why it is as large as it is: one sentence */
 };
-extern const struct aob_bound aob_bounds[]; /* ended by a NULL property */
+extern const struct aob_bound aob_bounds[];                   /* ended by a NULL property */
 const struct aob_bound *aob_bound_find(const char *property); /* NULL: none, which a test finds */
 
 enum aob_outcome { AOB_PASSES, AOB_FAILS, AOB_BY_DEFINITION, AOB_NOT_APPLICABLE };

@@ -12,13 +12,13 @@ struct aob_exhibit *aob_set_plane(struct aob_trial *trial, const struct aob_plan
     aob_mesh_add_quad(&mesh, aob_vec_scale(aob_vec_add(u, v), -size / 2), aob_vec_scale(u, size),
                       aob_vec_scale(v, size));
     const struct aob_exhibit_desc desc = {.mesh = &mesh,
-                                        .camera = {.eye = {0, 0, distance},
-                                                   .fov_deg = plane->fov_deg > 0 ? plane->fov_deg : 60,
-                                                   .ortho_height = plane->ortho_height,
-                                                   .shift = {plane->shift[0], plane->shift[1]}},
-                                        .width = plane->width ? plane->width : 48,
-                                        .height = plane->height ? plane->height : 32,
-                                        .guard = plane->guard};
+                                          .camera = {.eye = {0, 0, distance},
+                                                     .fov_deg = plane->fov_deg > 0 ? plane->fov_deg : 60,
+                                                     .ortho_height = plane->ortho_height,
+                                                     .shift = {plane->shift[0], plane->shift[1]}},
+                                          .width = plane->width ? plane->width : 48,
+                                          .height = plane->height ? plane->height : 32,
+                                          .guard = plane->guard};
     return aob_trial_exhibit(trial, &desc);
 }
 
@@ -50,10 +50,10 @@ struct aob_exhibit *aob_set_default(struct aob_trial *trial)
 {
     struct aob_mesh mesh = {0};
     aob_set_still_life(&mesh, 1, aob_vec(0, 0, 0));
-    return aob_trial_exhibit(trial, &(struct aob_exhibit_desc){.mesh = &mesh,
-                                                           .camera = aob_still_life_camera(1, aob_vec(0, 0, 0)),
-                                                           .width = 96,
-                                                           .height = 64});
+    return aob_trial_exhibit(
+        trial,
+        &(struct aob_exhibit_desc){
+            .mesh = &mesh, .camera = aob_still_life_camera(1, aob_vec(0, 0, 0)), .width = 96, .height = 64});
 }
 
 void aob_set_corner(struct aob_mesh *mesh, double size)

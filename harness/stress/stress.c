@@ -22,8 +22,9 @@ void aob_stress_list(struct aob_text *out)
             const struct aob_bound *bound = aob_bound_find(p->name);
             aob_text_add_line(out, "%s (%s%s): %s", p->name, aob_property_group_name(p->group),
                               p->quick ? ", quick" : "", p->sentence);
-            aob_text_add_line(out, "    %s, at most %g (GPU: %g). %s", p->measure, bound ? bound->software : 0,
-                              bound ? bound->gpu : 0, bound ? bound->reason : "");
+            aob_text_add_line(out, "    %s, at most %g (GPU: %g). %s", p->measure,
+                              bound ? bound->software : 0, bound ? bound->gpu : 0,
+                              bound ? bound->reason : "");
             aob_text_add_line(out, "    %s", p->source);
         }
 }
@@ -59,8 +60,8 @@ static bool is_subject(const struct stress *stress, const struct aob_technique_i
     if (desc->technique)
         return strcmp(desc->technique, technique->name) == 0 &&
                (!desc->dispatch.modules.count || technique->module ||
-                !aob_technique_list_find(&stress->techniques, desc->dispatch.modules.names[0], desc->technique,
-                                         NULL));
+                !aob_technique_list_find(&stress->techniques, desc->dispatch.modules.names[0],
+                                         desc->technique, NULL));
     return !desc->dispatch.modules.count || technique->module;
 }
 

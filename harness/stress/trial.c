@@ -67,8 +67,8 @@ bool *aob_trial_mask(struct aob_trial *trial, const struct aob_exhibit *exhibit)
 static void look_through(struct aob_trial *trial, const struct aob_shot *shot, const float *pixels)
 {
     for (size_t i = 0; i < aob_exhibit_pixels(shot->exhibit); i++) {
-        bool fine = aob_exhibit_is_surface(shot->exhibit, i) ? pixels[i] >= 0 && pixels[i] <= 1
-                                                          : isfinite(pixels[i]);
+        bool fine =
+            aob_exhibit_is_surface(shot->exhibit, i) ? pixels[i] >= 0 && pixels[i] <= 1 : isfinite(pixels[i]);
         if (fine || trial->broken)
             continue;
         int x = (int)(i % (size_t)shot->exhibit->width), y = (int)(i / (size_t)shot->exhibit->width);

@@ -52,8 +52,7 @@ void aob_trial_take(struct aob_trial *trial, double badness, const struct aob_se
                     ...) __attribute__((format(printf, 4, 5)));
 
 /* It cannot be asked here, for this reason. */
-void aob_trial_excuse(struct aob_trial *trial, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+void aob_trial_excuse(struct aob_trial *trial, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* How two images of an exhibit differ over its surfaces. Where `mask` is given, only pixels count that it holds true for. */
 struct aob_difference {

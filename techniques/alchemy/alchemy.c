@@ -79,6 +79,13 @@ static bool build(struct aob_graph *graph, const void *values)
                       aob_step_cross5(graph, .tex = raw, .taps = v->composite ? 5 : 0));
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"ortho_slides", "The bias is beta times the depth: \"We scale it by z\" (2.3, equation 10), so "
+                     "that it grows with the "
+                     "distance of the camera."},
+    {0},
+};
+
 AOB_TECHNIQUE(
     alchemy, .title = "Alchemy ambient obscurance", .revision = 5, .shaders = aob_shaders_alchemy,
     .citation = "McGuire, Osman, Bukowski, Hennessy: The Alchemy Screen-Space Ambient Obscurance "
@@ -97,4 +104,4 @@ AOB_TECHNIQUE(
         "random points.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .map = map},
-    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .build = build);
+    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .by_definition = by_definition, .build = build);

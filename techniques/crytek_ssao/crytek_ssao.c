@@ -143,6 +143,22 @@ static bool build(struct aob_graph *graph, const void *values)
     return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = raw, .divisor = v->divisor));
 }
 
+static const struct aob_by_definition by_definition[] = {
+    {"plane_is_open", "\"In the case of a flat wall ... the visibility ratio is approximately 0.5\" (6.1, "
+                      "figure 6.1.4), which is "
+                      ".75 amplified."},
+    {"tilted_plane", "Occlusion from points \"having a too big depth difference compared to the center\" is "
+                     "replaced by a default "
+                     "(6.1, Depth Range Check), and a steep plane has such differences within the sphere."},
+    {"more_radius_darkens", "\"Pixels on the edge appear brighter than on the rest of the object\" (6.1, "
+                            "figure 6.1.4, right), and a "
+                            "larger sphere meets more edges."},
+    {"ortho_slides", "The depth range check of the listing (fRangeIsValid) divides by the depth, so that "
+                     "what is out of range "
+                     "depends on the distance of the camera."},
+    {0},
+};
+
 AOB_TECHNIQUE(
     crytek_ssao, .title = "Crytek screen-space ambient occlusion", .revision = 2,
     .shaders = aob_shaders_crytek_ssao,
@@ -157,4 +173,5 @@ AOB_TECHNIQUE(
              "than 24 samples turn the further cubes as well.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .radius = definition_radius, .falloff = falloff, .map = map},
-    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .by_definition = by_definition, .check = check,
+    .build = build);
