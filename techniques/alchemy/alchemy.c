@@ -80,6 +80,8 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 static const struct aob_by_definition by_definition[] = {
+    {"ortho_slides", "The bias is beta times the depth: \"We scale it by z\" (2.3, equation 10), so that it "
+                     "grows with the distance of the camera."},
     {"approach_crease",
      "Section 1: \"under-obscurance due to unseen occluders ... outside the field of view\"; it samples the "
      "whole disc of radius r, of which the image then holds a small part."},

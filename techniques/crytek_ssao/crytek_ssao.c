@@ -144,6 +144,15 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 static const struct aob_by_definition by_definition[] = {
+    {"plane_is_open", "\"In the case of a flat wall ... the visibility ratio is approximately 0.5\" (6.1, "
+                      "figure 6.1.4), which is .75 amplified."},
+    {"tilted_plane", "Occlusion from points \"having a too big depth difference compared to the center\" is "
+                     "replaced by a default (6.1, Depth Range Check), and a steep plane has such differences "
+                     "within the sphere."},
+    {"more_radius_darkens", "\"Pixels on the edge appear brighter than on the rest of the object\" (6.1, "
+                            "figure 6.1.4, right), and a larger sphere meets more edges."},
+    {"ortho_slides", "The depth range check of the listing (fRangeIsValid) divides by the depth, so that "
+                     "what is out of range depends on the distance of the camera."},
     {"border_is_open",
      "Overview: \"depth values of a scene behind the edges of the screen are very similar to the values "
      "right at the border\", so reads return the edge, which bends a tilted plane."},
