@@ -185,7 +185,8 @@ static void draw_all(struct fuzz *fuzz, struct aob_fuzz_sums *sums)
     sums->seconds = (double)(aob_clock_wall_ns() - start) * 1e-9;
 }
 
-static bool write_documents(const struct fuzz *fuzz, const struct aob_fuzz_sums *sums, struct aob_error *error)
+static bool write_documents(const struct fuzz *fuzz, const struct aob_fuzz_sums *sums,
+                            struct aob_error *error)
 {
     const struct aob_fuzz_desc *desc = fuzz->desc;
     json_t *document = aob_fuzz_to_json(desc, fuzz->rows, fuzz->row_count, sums);

@@ -42,7 +42,8 @@ static bool open_artist(struct fuzzing *fuzzing, struct aob_error *error)
     return true;
 }
 
-static void add_channels(struct aob_image *image, const float *pixels, size_t stride, const char *const *names)
+static void add_channels(struct aob_image *image, const float *pixels, size_t stride,
+                         const char *const *names)
 {
     size_t count = (size_t)image->width * (size_t)image->height;
     for (size_t c = 0; names[c]; c++) {
@@ -63,12 +64,14 @@ static void write_image(struct aob_image *image, const char *stem, const char *e
     aob_text_finish(&path);
 }
 
-static void write_images(const struct aob_fuzz_frame *frame, const struct aob_fuzz_sight *sight, const char *stem)
+static void write_images(const struct aob_fuzz_frame *frame, const struct aob_fuzz_sight *sight,
+                         const char *stem)
 {
-    static const char *const normal[] = {"N.X", "N.Y", "N.Z", NULL}, *const shading[] = {"S.X", "S.Y", "S.Z", NULL},
-                             *const depth[] = {"Z", NULL}, *const ao[] = {"technique.AO", NULL},
-                             *const again[] = {"again.AO", NULL};
-    struct aob_image seen = {.width = frame->gbuffer.projection.width, .height = frame->gbuffer.projection.height};
+    static const char *const normal[] = {"N.X", "N.Y", "N.Z", NULL},
+                             *const shading[] = {"S.X", "S.Y", "S.Z", NULL}, *const depth[] = {"Z", NULL},
+                             *const ao[] = {"technique.AO", NULL}, *const again[] = {"again.AO", NULL};
+    struct aob_image seen = {.width = frame->gbuffer.projection.width,
+                             .height = frame->gbuffer.projection.height};
     struct aob_image drawn = {.width = aob_fuzz_frame_width(frame), .height = aob_fuzz_frame_height(frame)};
     add_channels(&seen, frame->gbuffer.depth, 1, depth);
     add_channels(&seen, frame->gbuffer.normal, 4, normal);

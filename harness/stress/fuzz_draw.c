@@ -119,11 +119,13 @@ static void judge(const struct aob_fuzz_frame *frame, struct aob_fuzz_sight *sig
     }
 }
 
-void aob_fuzz_draw(struct aob_fuzz_artist *artist, const struct aob_fuzz_frame *frame, struct aob_fuzz_sight *sight)
+void aob_fuzz_draw(struct aob_fuzz_artist *artist, const struct aob_fuzz_frame *frame,
+                   struct aob_fuzz_sight *sight)
 {
     struct aob_error error = {{0}};
     size_t count = (size_t)aob_fuzz_frame_width(frame) * (size_t)aob_fuzz_frame_height(frame);
-    *sight = (struct aob_fuzz_sight){.image = AOB_NEW_ARRAY(float, count), .again = AOB_NEW_ARRAY(float, count)};
+    *sight =
+        (struct aob_fuzz_sight){.image = AOB_NEW_ARRAY(float, count), .again = AOB_NEW_ARRAY(float, count)};
     sight->fault = draw(artist, frame, sight, &error);
     if (sight->fault == AOB_FUZZ_FINE)
         judge(frame, sight);

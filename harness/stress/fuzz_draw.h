@@ -30,6 +30,7 @@ struct aob_fuzz_sight {
     char sentence[240];   /* what was seen, and where */
     float *image, *again; /* width x height of the frame; allocated, NULL without an image */
 };
-void aob_fuzz_draw(struct aob_fuzz_artist *artist, const struct aob_fuzz_frame *frame, struct aob_fuzz_sight *sight);
+void aob_fuzz_draw(struct aob_fuzz_artist *artist, const struct aob_fuzz_frame *frame,
+                   struct aob_fuzz_sight *sight);
 void aob_fuzz_sight_finish(struct aob_fuzz_sight *sight);
 #endif

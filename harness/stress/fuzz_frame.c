@@ -48,7 +48,8 @@ static void draw_projection(struct aob_fuzz_frame *frame, struct aob_chance *cha
 {
     struct aob_camera camera = {.target = {0, 0, -1}, .fov_deg = 60};
     int guard = (int)aob_chance_below(chance, AOB_FUZZ_GUARD + 1);
-    int width = draw_side(chance, guard, shared->powers[0]), height = draw_side(chance, guard, shared->powers[1]);
+    int width = draw_side(chance, guard, shared->powers[0]),
+        height = draw_side(chance, guard, shared->powers[1]);
     if (!shared->perspective)
         camera.ortho_height = scale * aob_chance_log(chance, 1e-3, 1e3);
     else if (!aob_chance_once_in(chance, 3))
@@ -185,9 +186,10 @@ static json_t *triangles_to_json(const struct aob_fuzz_frame *frame)
 json_t *aob_fuzz_frame_to_json(const struct aob_fuzz_frame *frame)
 {
     const struct aob_projection *p = &frame->gbuffer.projection;
-    json_t *view = json_pack("{s:b, s:i, s:i, s:i, s:f, s:f, s:f, s:f}", "perspective", p->perspective,
-                             "width", aob_fuzz_frame_width(frame), "height", aob_fuzz_frame_height(frame),
-                             "guard", frame->gbuffer.guard, "sx", p->sx, "sy", p->sy, "cx", p->cx, "cy", p->cy);
+    json_t *view =
+        json_pack("{s:b, s:i, s:i, s:i, s:f, s:f, s:f, s:f}", "perspective", p->perspective, "width",
+                  aob_fuzz_frame_width(frame), "height", aob_fuzz_frame_height(frame), "guard",
+                  frame->gbuffer.guard, "sx", p->sx, "sy", p->sy, "cx", p->cx, "cy", p->cy);
     return json_pack("{s:o, s:o, s:o, s:I, s:o}", "params",
                      values_to_json(frame->technique->params, frame->technique->param_count, frame->params),
                      "options", values_to_json(aob_option_params, AOB_OPTION_COUNT, frame->options), "view",

@@ -16,8 +16,8 @@ struct aob_fuzz_frame {
     const struct aob_technique *technique;
     double params[AOB_MAX_PARAM], options[AOB_OPTION_COUNT];
     struct aob_gbuffer gbuffer;
-    unsigned char *pixels;             /* enum aob_fuzz_pixel of each, guard band included */
-    float *calm_depth, *calm_normal;   /* the G-buffer before anything hostile was put in */
+    unsigned char *pixels;                          /* enum aob_fuzz_pixel of each, guard band included */
+    float *calm_depth, *calm_normal;                /* the G-buffer before anything hostile was put in */
     struct aob_vec3 corners[AOB_FUZZ_TRIANGLES][3]; /* view space; the view is the world */
     size_t triangle_count;
 };

@@ -67,7 +67,8 @@ static void put(float *into, struct aob_vec3 n)
     into[3] = 0;
 }
 
-static void fill_pixel(struct aob_fuzz_frame *frame, struct aob_chance *chance, const struct surface *s, size_t i)
+static void fill_pixel(struct aob_fuzz_frame *frame, struct aob_chance *chance, const struct surface *s,
+                       size_t i)
 {
     const struct aob_projection *p = &frame->gbuffer.projection;
     double x = (double)(i % (size_t)p->width) + 0.5, y = (double)(i / (size_t)p->width) + 0.5;
@@ -77,10 +78,11 @@ static void fill_pixel(struct aob_fuzz_frame *frame, struct aob_chance *chance, 
         depth *= aob_chance_log(chance, 1, 1 + 30 * s->height);
         n = aob_chance_direction(chance);
     }
-    struct aob_vec3 to_eye = p->perspective ? aob_vec_normalize(aob_vec_scale(position(p, x, y, depth), -1))
-                                            : aob_vec(0, 0, 1);
+    struct aob_vec3 to_eye =
+        p->perspective ? aob_vec_normalize(aob_vec_scale(position(p, x, y, depth), -1)) : aob_vec(0, 0, 1);
     n = faced(n, to_eye);
-    struct aob_vec3 leaning = aob_vec_normalize(aob_vec_add(n, aob_vec_scale(aob_chance_direction(chance), 0.3)));
+    struct aob_vec3 leaning =
+        aob_vec_normalize(aob_vec_add(n, aob_vec_scale(aob_chance_direction(chance), 0.3)));
     frame->gbuffer.depth[i] = (float)depth;
     put(&frame->gbuffer.normal[4 * i], n);
     put(&frame->gbuffer.shading[4 * i], faced(leaning, to_eye));
@@ -96,9 +98,9 @@ static void fill_sky(struct aob_fuzz_frame *frame, size_t i)
 
 static void spoil_depth(float *depth, struct aob_chance *chance)
 {
-    const float values[] = {NAN,     -NAN,          INFINITY,       -INFINITY, 0,    -0.0f,
-                            -*depth, FLT_TRUE_MIN, -FLT_TRUE_MIN, FLT_MIN,   1e8f, 4.9e8f,
-                            1e20f,   FLT_MAX,      -FLT_MAX};
+    const float values[] = {NAN,   -NAN,    INFINITY,     -INFINITY,     0,
+                            -0.0f, -*depth, FLT_TRUE_MIN, -FLT_TRUE_MIN, FLT_MIN,
+                            1e8f,  4.9e8f,  1e20f,        FLT_MAX,       -FLT_MAX};
     *depth = values[aob_chance_below(chance, AOB_COUNT(values))];
 }
 

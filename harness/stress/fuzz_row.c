@@ -81,11 +81,11 @@ static json_t *finding_to_json(const struct aob_fuzz_desc *desc, const struct ao
 {
     struct aob_text command = {0};
     add_command(desc, row, finding, &command);
-    json_t *object = json_pack("{s:s, s:b, s:I, s:I, s:o, s:O?, s:o}", "fault",
-                               aob_fuzz_fault_word(finding->fault), "hostile", finding->hostile, "frames",
-                               (json_int_t)finding->count, "index", (json_int_t)finding->index, "sentence",
-                               aob_json_text(finding->sentence), "smallest", finding->smallest, "command",
-                               aob_json_text(command.data));
+    json_t *object =
+        json_pack("{s:s, s:b, s:I, s:I, s:o, s:O?, s:o}", "fault", aob_fuzz_fault_word(finding->fault),
+                  "hostile", finding->hostile, "frames", (json_int_t)finding->count, "index",
+                  (json_int_t)finding->index, "sentence", aob_json_text(finding->sentence), "smallest",
+                  finding->smallest, "command", aob_json_text(command.data));
     aob_text_finish(&command);
     return object;
 }

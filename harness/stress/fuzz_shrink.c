@@ -144,7 +144,8 @@ static bool shrink_values(struct shrinking *s)
     const struct aob_technique *t = s->frame->technique;
     bool any = false;
     for (uint32_t i = 0; i < t->param_count; i++)
-        any = try_default(s, &t->params[i], offsetof(struct aob_fuzz_frame, params) + i * sizeof(double)) || any;
+        any = try_default(s, &t->params[i], offsetof(struct aob_fuzz_frame, params) + i * sizeof(double)) ||
+              any;
     for (size_t i = 0; i < AOB_OPTION_COUNT; i++)
         any = try_default(s, &aob_option_params[i],
                           offsetof(struct aob_fuzz_frame, options) + i * sizeof(double)) ||
@@ -174,7 +175,8 @@ static bool shrink_surface(struct shrinking *s)
 static bool shrink_triangles(struct shrinking *s)
 {
     bool any = false;
-    for (size_t i = s->frame->triangle_count; s->artist->triangles && i-- > 0 && s->frame->triangle_count > 1;) {
+    for (size_t i = s->frame->triangle_count;
+         s->artist->triangles && i-- > 0 && s->frame->triangle_count > 1;) {
         struct aob_fuzz_frame candidate;
         aob_fuzz_frame_copy(&candidate, s->frame);
         memmove(candidate.corners[i], candidate.corners[i + 1],
@@ -186,7 +188,8 @@ static bool shrink_triangles(struct shrinking *s)
 }
 
 /* What costs no compiling first. The flat surface is tried once: it is always another frame. */
-void aob_fuzz_shrink(struct aob_fuzz_artist *artist, struct aob_fuzz_frame *frame, struct aob_fuzz_sight *sight)
+void aob_fuzz_shrink(struct aob_fuzz_artist *artist, struct aob_fuzz_frame *frame,
+                     struct aob_fuzz_sight *sight)
 {
     struct shrinking s = {artist, frame, sight, 0};
     shrink_surface(&s);

@@ -5,5 +5,6 @@
 #include "fuzz_draw.h"
 
 /* Changes the frame and what is seen of it. `sight` is the frame's. */
-void aob_fuzz_shrink(struct aob_fuzz_artist *artist, struct aob_fuzz_frame *frame, struct aob_fuzz_sight *sight);
+void aob_fuzz_shrink(struct aob_fuzz_artist *artist, struct aob_fuzz_frame *frame,
+                     struct aob_fuzz_sight *sight);
 #endif

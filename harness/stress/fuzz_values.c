@@ -70,8 +70,8 @@ static double draw(struct aob_chance *chance, const struct aob_param *param, dou
     if (param->choices)
         return (double)aob_chance_below(chance, choice_count(param));
     for (int i = 0; i < TRIES; i++) {
-        double value = param->stage == AOB_UNIFORM ? free_number(chance, param, scale)
-                                                   : fixed_number(chance, param);
+        double value =
+            param->stage == AOB_UNIFORM ? free_number(chance, param, scale) : fixed_number(chance, param);
         if (aob_param_obeys(param, value))
             return value;
     }
@@ -111,7 +111,8 @@ static void set_option(struct aob_fuzz_frame *frame, const char *name, size_t va
 /* Half of the frames have the default encodings, where no loss of the encoding hides what a technique does. */
 static void draw_options(struct aob_fuzz_frame *frame, struct aob_chance *chance)
 {
-    size_t depth = aob_chance_once_in(chance, 2) ? 0 : aob_chance_below(chance, AOB_DEPTH_DEVICE32_INFINITE + 1);
+    size_t depth =
+        aob_chance_once_in(chance, 2) ? 0 : aob_chance_below(chance, AOB_DEPTH_DEVICE32_INFINITE + 1);
     bool infinite = depth == AOB_DEPTH_DEVICE24_INFINITE || depth == AOB_DEPTH_DEVICE32_INFINITE;
     if (infinite && !frame->gbuffer.projection.perspective)
         depth = AOB_DEPTH_DEVICE32;
