@@ -82,6 +82,7 @@ static bool shrink_size(struct shrinking *s)
     return any;
 }
 
+/* Without its guard band, or else with that as a part of the image, which can be cropped then. */
 static bool shrink_guard(struct shrinking *s)
 {
     struct aob_fuzz_frame candidate;
@@ -91,6 +92,10 @@ static bool shrink_guard(struct shrinking *s)
     aob_fuzz_frame_copy(&candidate, s->frame);
     candidate.gbuffer.guard = 0;
     crop(&candidate, guard, guard, aob_fuzz_frame_width(s->frame), aob_fuzz_frame_height(s->frame));
+    if (keep_if_alike(s, &candidate))
+        return true;
+    aob_fuzz_frame_copy(&candidate, s->frame);
+    candidate.gbuffer.guard = 0;
     return keep_if_alike(s, &candidate);
 }
 
@@ -194,8 +199,8 @@ void aob_fuzz_shrink(struct aob_fuzz_artist *artist, struct aob_fuzz_frame *fram
     struct shrinking s = {artist, frame, sight, 0};
     shrink_surface(&s);
     for (bool any = true; any && s.drawings < MOST_DRAWINGS;) {
-        any = shrink_size(&s);
-        any = shrink_guard(&s) || any;
+        any = shrink_guard(&s);
+        any = shrink_size(&s) || any;
         any = shrink_hostile(&s) || any;
         any = shrink_triangles(&s) || any;
         any = shrink_values(&s) || any;

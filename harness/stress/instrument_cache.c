@@ -15,8 +15,10 @@ static void make_accesses(int kind, uint32_t *numbers)
     struct aob_chance chance = aob_chance_of(names[kind]);
     uint32_t last = 0;
     for (uint32_t i = 0; i < ACCESSES; i++) {
-        uint32_t lot = (uint32_t)aob_chance_below(&chance, LINES), near = (uint32_t)aob_chance_below(&chance, 5);
-        const uint32_t next[KINDS] = {lot, i % 37, (i / 7 + i % 3 * 16) % LINES, (last + near + LINES - 2) % LINES};
+        uint32_t lot = (uint32_t)aob_chance_below(&chance, LINES),
+                 near = (uint32_t)aob_chance_below(&chance, 5);
+        const uint32_t next[KINDS] = {lot, i % 37, (i / 7 + i % 3 * 16) % LINES,
+                                      (last + near + LINES - 2) % LINES};
         numbers[i] = last = next[kind];
     }
 }
@@ -70,8 +72,8 @@ void aob_ask_cache_cold(struct aob_trial *trial)
             seen[numbers[i]] = true;
         }
         size_t misses = misses_of(&desc, numbers, NULL);
-        aob_trial_take(trial, distance(misses, distinct), NULL, "%zu misses of %zu lines, kind %d", misses, distinct,
-                       kind);
+        aob_trial_take(trial, distance(misses, distinct), NULL, "%zu misses of %zu lines, kind %d", misses,
+                       distinct, kind);
     }
 }
 
@@ -85,8 +87,8 @@ void aob_ask_cache_one_line(struct aob_trial *trial)
         for (size_t i = 1; i < ACCESSES; i++)
             changes += numbers[i] != numbers[i - 1];
         size_t misses = misses_of(&desc, numbers, NULL);
-        aob_trial_take(trial, distance(misses, changes), NULL, "%zu misses, the line changes %zu times, kind %d",
-                       misses, changes, kind);
+        aob_trial_take(trial, distance(misses, changes), NULL,
+                       "%zu misses, the line changes %zu times, kind %d", misses, changes, kind);
     }
 }
 
@@ -115,7 +117,8 @@ void aob_ask_cache_plain(struct aob_trial *trial)
     uint32_t numbers[ACCESSES], missed[ACCESSES];
     for (size_t s = 0; s < AOB_COUNT(shapes); s++)
         for (int kind = 0; kind < KINDS; kind++) {
-            const struct aob_tags_desc desc = {.sets = shapes[s].sets, .ways = shapes[s].ways, .numbers = LINES};
+            const struct aob_tags_desc desc = {
+                .sets = shapes[s].sets, .ways = shapes[s].ways, .numbers = LINES};
             uint32_t lists[16][MOST_LINES], held[16] = {0};
             size_t wrong = 0, at = 0;
             make_accesses(kind, numbers);
@@ -126,8 +129,8 @@ void aob_ask_cache_plain(struct aob_trial *trial)
                 at += miss;
                 wrong += miss == use_plainly(lists[set], &held[set], desc.ways, numbers[i]);
             }
-            aob_trial_take(trial, (double)wrong + distance(at, misses), NULL, "%u sets of %u ways, kind %d", desc.sets,
-                           desc.ways, kind);
+            aob_trial_take(trial, (double)wrong + distance(at, misses), NULL, "%u sets of %u ways, kind %d",
+                           desc.sets, desc.ways, kind);
         }
 }
 

@@ -28,21 +28,43 @@ static struct aob_model_input draw_input(struct aob_chance *chance, int levels)
 typedef void ask_profile_fn(struct aob_trial *trial, const struct aob_profile *profile,
                             const struct aob_model_input *input);
 
-/* Each profile that the program finds and that has rates. */
+static void ask_profile(struct aob_trial *trial, const struct aob_profile *profile, ask_profile_fn *ask)
+{
+    struct aob_chance chance = aob_chance_of(profile->name);
+    for (int p = 0; profile->rates.clock > 0 && p < PASSES; p++) {
+        struct aob_model_input input = draw_input(&chance, profile->level_count);
+        ask(trial, profile, &input);
+    }
+}
+
+static char made_name[] = "made";
+
+/* One of round numbers, so that there is one wherever the program lies. */
+static const struct aob_profile made = {.name = made_name,
+                                        .level_count = 2,
+                                        .levels = {{.name = "L1", .fill = 64, .ports = 100}, {.name = "L2"}},
+                                        .rates = {.clock = 1,
+                                                  .alu_clock = 2,
+                                                  .lanes = 500,
+                                                  .special = 0.25,
+                                                  .texture_units = 200,
+                                                  .tags = 4,
+                                                  .point_64 = 2,
+                                                  .rops = 10,
+                                                  .memory = 100,
+                                                  .launch = 5}};
+
+/* It, and each that lies beside the program and has rates. */
 static void ask_profiles(struct aob_trial *trial, ask_profile_fn *ask)
 {
     struct aob_shelf_names names = {0};
-    if (!aob_shelf_list(AOB_PROFILE_SHELF, &names, &trial->error))
-        return;
+    ask_profile(trial, &made, ask);
+    aob_shelf_list(AOB_PROFILE_SHELF, &names, NULL);
     for (size_t i = 0; i < names.count; i++) {
         struct aob_profile profile = {0};
-        struct aob_chance chance = aob_chance_of(names.items[i]);
         if (!aob_profile_find(&profile, names.items[i], &trial->error))
             break;
-        for (int p = 0; profile.rates.clock > 0 && p < PASSES; p++) {
-            struct aob_model_input input = draw_input(&chance, profile.level_count);
-            ask(trial, &profile, &input);
-        }
+        ask_profile(trial, &profile, ask);
         aob_profile_finish(&profile);
     }
     aob_shelf_names_finish(&names);
@@ -58,8 +80,8 @@ static void ask_clock(struct aob_trial *trial, const struct aob_profile *profile
     twice.rates.memory *= 2;
     twice.rates.launch /= 2;
     struct aob_model_time fast = aob_model_pass(&twice, input);
-    double off = fmax(fabs(2 * fast.ms / slow.ms - 1),
-                      fmax(fabs(2 * fast.low_ms / slow.low_ms - 1), fabs(2 * fast.high_ms / slow.high_ms - 1)));
+    double off = fmax(fabs(2 * fast.ms / slow.ms - 1), fmax(fabs(2 * fast.low_ms / slow.low_ms - 1),
+                                                            fabs(2 * fast.high_ms / slow.high_ms - 1)));
     aob_trial_take(trial, off, NULL, "%s: %.6g ms at one clock, %.6g ms at twice it", profile->name, slow.ms,
                    fast.ms);
 }
@@ -72,8 +94,9 @@ void aob_ask_model_clock(struct aob_trial *trial)
 /* The largest of three shares of time that more work saved. */
 static double saved(const struct aob_model_time *less, const struct aob_model_time *more)
 {
-    return fmax(0, fmax((less->ms - more->ms) / less->ms, fmax((less->low_ms - more->low_ms) / less->low_ms,
-                                                               (less->high_ms - more->high_ms) / less->high_ms)));
+    return fmax(
+        0, fmax((less->ms - more->ms) / less->ms, fmax((less->low_ms - more->low_ms) / less->low_ms,
+                                                       (less->high_ms - more->high_ms) / less->high_ms)));
 }
 
 static void ask_work(struct aob_trial *trial, const struct aob_profile *profile,
@@ -82,8 +105,8 @@ static void ask_work(struct aob_trial *trial, const struct aob_profile *profile,
     struct aob_model_time before = aob_model_pass(profile, input);
     for (int what = 0; what < 7; what++) {
         struct aob_model_input more = *input;
-        double *numbers[] = {&more.operations.alu, &more.operations.special, &more.written, &more.pixels,
-                             &more.filled[0][0],   &more.filled[0][1]};
+        double *numbers[] = {&more.operations.alu, &more.operations.special, &more.written,
+                             &more.pixels,         &more.filled[0][0],       &more.filled[0][1]};
         if (what < 6)
             *numbers[what] *= 1.5;
         else {
@@ -92,8 +115,9 @@ static void ask_work(struct aob_trial *trial, const struct aob_profile *profile,
             more.issue.most += more.issue.most / 2;
         }
         struct aob_model_time after = aob_model_pass(profile, &more);
-        aob_trial_take(trial, saved(&before, &after), NULL, "%s: kind of work %d: %.6g ms, %.6g ms with more of it",
-                       profile->name, what, before.ms, after.ms);
+        aob_trial_take(trial, saved(&before, &after), NULL,
+                       "%s: kind of work %d: %.6g ms, %.6g ms with more of it", profile->name, what,
+                       before.ms, after.ms);
     }
 }
 
@@ -114,8 +138,8 @@ static void ask_resources(struct aob_trial *trial, const struct aob_profile *pro
     double under = fmax(least + m.launch_ms - m.ms, m.ms - sum - m.launch_ms);
     double outside = fmax(m.low_ms - m.ms, m.ms - m.high_ms);
     aob_trial_take(trial, fmax(0, fmax(under, outside) / m.ms), NULL,
-                   "%s: %.6g ms in %.6g .. %.6g, the longest resource %.6g, all %.6g", profile->name, m.ms, m.low_ms,
-                   m.high_ms, least, sum);
+                   "%s: %.6g ms in %.6g .. %.6g, the longest resource %.6g, all %.6g", profile->name, m.ms,
+                   m.low_ms, m.high_ms, least, sum);
 }
 
 void aob_ask_model_resources(struct aob_trial *trial)

@@ -104,9 +104,11 @@ void aob_ask_times_identical(struct aob_trial *trial)
                 times.processes[p] = (struct aob_rounds){times.cost[p], times.fixed[p], ROUNDS};
             }
             struct aob_ratio e = aob_estimate_ratio(times.processes, processes);
-            double off = fmax(fabs(e.low / ratio - 1), fmax(fabs(e.high / ratio - 1), fabs(e.ratio / ratio - 1)));
-            aob_trial_take(trial, e.bounded ? off : NAN, NULL, "%zu processes of ratio %.9g: %.9g (%.9g .. %.9g)",
-                           processes, ratio, e.ratio, e.low, e.high);
+            double off =
+                fmax(fabs(e.low / ratio - 1), fmax(fabs(e.high / ratio - 1), fabs(e.ratio / ratio - 1)));
+            aob_trial_take(trial, e.bounded ? off : NAN, NULL,
+                           "%zu processes of ratio %.9g: %.9g (%.9g .. %.9g)", processes, ratio, e.ratio,
+                           e.low, e.high);
         }
 }
 
@@ -119,8 +121,8 @@ void aob_ask_times_level(struct aob_trial *trial)
             double narrow = aob_student(alphas[i - 1], freedom), wide = aob_student(alphas[i], freedom);
             double more = aob_student(alphas[i], freedom + 1);
             aob_trial_take(trial, fmax(0, fmax(narrow - wide, more - wide)), NULL,
-                           "%zu degrees of freedom: t %.9g at alpha %g, %.9g at %g, %.9g with one more", freedom,
-                           narrow, alphas[i - 1], wide, alphas[i], more);
+                           "%zu degrees of freedom: t %.9g at alpha %g, %.9g at %g, %.9g with one more",
+                           freedom, narrow, alphas[i - 1], wide, alphas[i], more);
         }
 }
 
@@ -159,7 +161,7 @@ void aob_ask_times_median(struct aob_trial *trial)
         size_t k = (size_t)low;
         double tail = below(n, k), next = below(n, k + 1);
         double off = fmax(fmax(0, tail - 0.025), fmax(0, 0.025 - next)) + fabs(high - (double)(n + 1 - k));
-        aob_trial_take(trial, bounded ? off : NAN, NULL, "%zu rounds: ranks %g .. %g miss %.4f on each side", n, low,
-                       high, tail);
+        aob_trial_take(trial, bounded ? off : NAN, NULL, "%zu rounds: ranks %g .. %g miss %.4f on each side",
+                       n, low, high, tail);
     }
 }

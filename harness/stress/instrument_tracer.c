@@ -26,16 +26,18 @@ void aob_ask_tracer_plane(struct aob_trial *trial)
 {
     for (int tilt = 0; tilt < 80; tilt += 26)
         for (int azimuth = 0; azimuth < 360; azimuth += 77)
-            ask_exact(trial,
-                      aob_set_plane(trial, &(struct aob_plane_desc){.tilt_deg = tilt, .azimuth_deg = azimuth}), 1,
-                      1);
+            ask_exact(
+                trial,
+                aob_set_plane(trial, &(struct aob_plane_desc){.tilt_deg = tilt, .azimuth_deg = azimuth}), 1,
+                1);
 }
 
 void aob_ask_tracer_ball(struct aob_trial *trial)
 {
     struct aob_mesh mesh = {0};
     aob_mesh_add_sphere(&mesh, aob_vec(0, 0, 0), 1, 48);
-    ask_exact(trial, show(trial, &mesh, (struct aob_camera){.eye = {0.3, 0.2, 3}, .fov_deg = 50}), INFINITY, 1);
+    ask_exact(trial, show(trial, &mesh, (struct aob_camera){.eye = {0.3, 0.2, 3}, .fov_deg = 50}), INFINITY,
+              1);
 }
 
 void aob_ask_tracer_box(struct aob_trial *trial)
@@ -50,7 +52,8 @@ void aob_ask_tracer_box(struct aob_trial *trial)
 typedef double truth_fn(struct aob_vec3 at, double radius);
 
 /* Each band of rows by itself, since what is too dark near an occluder could be made up for by what is too bright far off. */
-static void compare(struct aob_trial *trial, const struct aob_exhibit *exhibit, double radius, truth_fn *truth)
+static void compare(struct aob_trial *trial, const struct aob_exhibit *exhibit, double radius,
+                    truth_fn *truth)
 {
     const float *image = aob_trial_trace(trial, exhibit, radius, RAYS);
     for (size_t band = 0; image && band < BANDS; band++) {
@@ -60,8 +63,8 @@ static void compare(struct aob_trial *trial, const struct aob_exhibit *exhibit, 
             traced += (double)image[i] / (double)count;
             known += truth(aob_exhibit_position(exhibit, i), radius) / (double)count;
         }
-        aob_trial_take(trial, fabs(traced - known), NULL, "band %zu: mean %.4f, closed form %.4f, radius %g", band,
-                       traced, known, radius);
+        aob_trial_take(trial, fabs(traced - known), NULL, "band %zu: mean %.4f, closed form %.4f, radius %g",
+                       band, traced, known, radius);
     }
 }
 
@@ -157,8 +160,8 @@ static void ask_no_brighter(struct aob_trial *trial, const struct aob_exhibit *e
                             const float *most, const char *what)
 {
     for (size_t i = 0; image && most && i < aob_exhibit_pixels(exhibit); i++)
-        aob_trial_take(trial, fmax((double)image[i] - (double)most[i], 0), NULL, "pixel %zu: %.6f over %.6f, %s", i,
-                       (double)image[i], (double)most[i], what);
+        aob_trial_take(trial, fmax((double)image[i] - (double)most[i], 0), NULL,
+                       "pixel %zu: %.6f over %.6f, %s", i, (double)image[i], (double)most[i], what);
 }
 
 void aob_ask_tracer_radius(struct aob_trial *trial)
@@ -189,7 +192,8 @@ void aob_ask_tracer_occluder(struct aob_trial *trial)
     for (size_t i = 0; open && closed && i < aob_exhibit_pixels(bare); i++)
         if (bare->hits.primitive[i] == full->hits.primitive[i] && bare->hits.depth[i] == full->hits.depth[i])
             aob_trial_take(trial, fmax((double)closed[i] - (double)open[i], 0), NULL,
-                           "pixel %zu: %.6f with a box more, %.6f without", i, (double)closed[i], (double)open[i]);
+                           "pixel %zu: %.6f with a box more, %.6f without", i, (double)closed[i],
+                           (double)open[i]);
 }
 
 static const float *trace_still_life(struct aob_trial *trial, double scale, struct aob_vec3 move,
@@ -224,7 +228,7 @@ void aob_ask_tracer_moved(struct aob_trial *trial)
     for (size_t i = 0; i < AOB_COUNT(moves); i++) {
         const float *image = trace_still_life(trial, 1, moves[i], &other);
         if (image && wanted)
-            aob_trial_take(trial, aob_difference_of(one, image, wanted, NULL).rmse, NULL, "moved by (%g, %g, %g)",
-                           moves[i].x, moves[i].y, moves[i].z);
+            aob_trial_take(trial, aob_difference_of(one, image, wanted, NULL).rmse, NULL,
+                           "moved by (%g, %g, %g)", moves[i].x, moves[i].y, moves[i].z);
     }
 }
