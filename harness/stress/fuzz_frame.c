@@ -1,11 +1,14 @@
 #include "fuzz_frame.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "technique/param.h"
+
+enum { FEW_PIXELS = 16 };
 
 static struct aob_chance chance_of(const struct aob_fuzz_name *name, const char *what, uint64_t number)
 {
@@ -183,16 +186,39 @@ static json_t *triangles_to_json(const struct aob_fuzz_frame *frame)
     return triangles;
 }
 
+static void add_number(json_t *array, float value)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.9g", (double)value);
+    json_array_append_new(array, json_string(text));
+}
+
+/* Depth and normal of each pixel of the G-buffer as texts, row by row: there are no such numbers in JSON as hostile ones. */
+static json_t *pixels_to_json(const struct aob_fuzz_frame *frame)
+{
+    static const char *const kinds[] = {"surface", "sky", "hostile"};
+    json_t *pixels = json_array();
+    for (size_t i = 0; i < aob_fuzz_frame_pixels(frame); i++) {
+        json_t *numbers = json_array();
+        add_number(numbers, frame->gbuffer.depth[i]);
+        for (size_t c = 0; c < 3; c++)
+            add_number(numbers, frame->gbuffer.normal[4 * i + c]);
+        json_array_append_new(pixels, json_pack("{s:o}", kinds[frame->pixels[i]], numbers));
+    }
+    return pixels;
+}
+
 json_t *aob_fuzz_frame_to_json(const struct aob_fuzz_frame *frame)
 {
     const struct aob_projection *p = &frame->gbuffer.projection;
+    bool few = aob_fuzz_frame_pixels(frame) <= FEW_PIXELS; /* the images have them all */
     json_t *view =
         json_pack("{s:b, s:i, s:i, s:i, s:f, s:f, s:f, s:f}", "perspective", p->perspective, "width",
                   aob_fuzz_frame_width(frame), "height", aob_fuzz_frame_height(frame), "guard",
                   frame->gbuffer.guard, "sx", p->sx, "sy", p->sy, "cx", p->cx, "cy", p->cy);
-    return json_pack("{s:o, s:o, s:o, s:I, s:o}", "params",
+    return json_pack("{s:o, s:o, s:o, s:I, s:o, s:o*}", "params",
                      values_to_json(frame->technique->params, frame->technique->param_count, frame->params),
                      "options", values_to_json(aob_option_params, AOB_OPTION_COUNT, frame->options), "view",
                      view, "hostile_pixels", (json_int_t)aob_fuzz_frame_hostile(frame), "triangles",
-                     triangles_to_json(frame));
+                     triangles_to_json(frame), "pixels", few ? pixels_to_json(frame) : NULL);
 }
