@@ -102,24 +102,32 @@ static void draw_some(struct aob_fuzz_frame *frame, struct aob_chance *chance, d
     memcpy(frame->params, before, sizeof before);
 }
 
+static const struct aob_param *option_of(const char *name)
+{
+    return aob_param_find(aob_option_params, AOB_OPTION_COUNT, name);
+}
+
 static void set_option(struct aob_fuzz_frame *frame, const char *name, size_t value)
 {
-    const struct aob_param *option = aob_param_find(aob_option_params, AOB_OPTION_COUNT, name);
-    frame->options[option - aob_option_params] = (double)value;
+    frame->options[option_of(name) - aob_option_params] = (double)value;
+}
+
+static size_t draw_choice(struct aob_chance *chance, const char *name)
+{
+    return aob_chance_below(chance, choice_count(option_of(name)));
 }
 
 /* Half of the frames have the default encodings, where no loss of the encoding hides what a technique does. */
 static void draw_options(struct aob_fuzz_frame *frame, struct aob_chance *chance)
 {
-    size_t depth =
-        aob_chance_once_in(chance, 2) ? 0 : aob_chance_below(chance, AOB_DEPTH_DEVICE32_INFINITE + 1);
+    size_t depth = aob_chance_once_in(chance, 2) ? 0 : draw_choice(chance, "depth_encoding");
     bool infinite = depth == AOB_DEPTH_DEVICE24_INFINITE || depth == AOB_DEPTH_DEVICE32_INFINITE;
     if (infinite && !frame->gbuffer.projection.perspective)
         depth = AOB_DEPTH_DEVICE32;
     set_option(frame, "depth_encoding", depth);
     set_option(frame, "normal_encoding",
-               aob_chance_once_in(chance, 2) ? 0 : aob_chance_below(chance, AOB_NORMAL_PACKED8 + 1));
-    set_option(frame, "normals", aob_chance_below(chance, AOB_NORMALS_FROM_DEPTH + 1));
+               aob_chance_once_in(chance, 2) ? 0 : draw_choice(chance, "normal_encoding"));
+    set_option(frame, "normals", draw_choice(chance, "normals"));
     set_option(frame, "fetch", aob_chance_once_in(chance, 4) ? AOB_FETCH_STORAGE : AOB_FETCH_SAMPLED);
 }
 

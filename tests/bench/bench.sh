@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, cache, shapes, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, cases, linear, divided, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, cache, shapes, demo, gpu-check, stress, mutants, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -124,6 +124,20 @@ if wanted gpu-check; then
   row "gpu-check: exit code" "$code" ""
   row "gpu-check: findings" "$(jq '.findings | length' "$folder/gpu-check.json")" lines "<=" 0
   row "gpu-check: what was cut" "$(jq '[.sections[].items[] | select(.status == "cut")] | length' "$folder/gpu-check.json")" items
+fi
+
+# The fuzzer's frames of two seeds, under the validation layer; what fails is shown again by the lines above its row.
+if wanted stress; then
+  for seed in 1 2; do
+    AOBUDGET_VALIDATE=1 build/release/aobudget stress --fuzz 50000 --seed $seed --json "$folder/fuzz-$seed.json" \
+      --quiet || true
+    jq -r '.rows[] | select(.findings != []) | .findings[] | "\(.fault), \(.frames) frames: \(.command)"' "$folder/fuzz-$seed.json"
+  done
+  fuzz() { jq -s "$1" "$folder"/fuzz-[12].json; }
+  row "stress: frames drawn by lot, seeds 1 and 2" "$(fuzz 'map(.frames) | add')" "" ">=" 100000
+  row "stress: those that fail" "$(fuzz 'map(.failed) | add')" "" "<=" 0
+  row "stress: those that are refused" "$(fuzz 'map(.refused) | add')" ""
+  row "stress: frames a second" "$(fuzz '(map(.frames) | add) / (map(.seconds) | add) | round')" 1/s
 fi
 
 if wanted mutants; then
