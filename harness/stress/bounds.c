@@ -57,6 +57,8 @@ const struct aob_bound aob_bounds[] = {
      "Sums, products, maxima and roots never fall as what goes in grows, rounding included."},
     {"model_each_resource", 1e-12, 1e-12,
      "It is the root of the sum of squares; a dozen roundings of 1e-16 remain."},
+    {"model_band_ends", 1e-12, 1e-12,
+     "They are the same sums and maxima; a dozen roundings of 1e-16 remain."},
     {"times_unit", 1e-12, 1e-12,
      "Times are divided by one another; roundings of 1e-16 pass through logarithms of 10 at most."},
     {"times_order", 1e-12, 1e-12, "Medians are the same; sums over processes are rounded in another order."},
@@ -67,5 +69,6 @@ const struct aob_bound aob_bounds[] = {
     {"times_student", 1e-09, 1e-09,
      "The quantile is a root that is searched to the precision of a double; its slope loses some digits."},
     {"times_median_rank", 1e-12, 1e-12, "Binomial terms are exact but for their rounding."},
+    {"times_interval_covers", 0.02, 0.02, "Four standard errors of 3600 draws that cover in 90 % are 0.02."},
     {0},
 };

@@ -146,3 +146,32 @@ void aob_ask_model_resources(struct aob_trial *trial)
 {
     ask_profiles(trial, ask_resources);
 }
+
+/* The same pass with nothing left open: all of its bands at their lower ends, or at their upper ones. */
+static struct aob_model_input at_end(const struct aob_model_input *input, bool upper)
+{
+    struct aob_model_input end = *input;
+    uint64_t issued = upper ? input->issue.most : input->issue.least;
+    end.issue = (struct aob_issue){issued, issued, issued};
+    for (int l = 0; l < AOB_PROFILE_MAX_LEVEL; l++) {
+        const double *f = input->filled[l];
+        end.filled[l][0] = end.filled[l][1] = upper ? fmax(f[0], f[1]) : fmin(f[0], f[1]);
+    }
+    return end;
+}
+
+static void ask_ends(struct aob_trial *trial, const struct aob_profile *profile,
+                     const struct aob_model_input *input)
+{
+    struct aob_model_time m = aob_model_pass(profile, input);
+    struct aob_model_input least = at_end(input, false), most = at_end(input, true);
+    double low = aob_model_pass(profile, &least).low_ms, high = aob_model_pass(profile, &most).high_ms;
+    aob_trial_take(trial, fmax(fabs(m.low_ms / low - 1), fabs(m.high_ms / high - 1)), NULL,
+                   "%s: %.6g .. %.6g ms, the ends are %.6g and %.6g", profile->name, m.low_ms, m.high_ms, low,
+                   high);
+}
+
+void aob_ask_model_ends(struct aob_trial *trial)
+{
+    ask_profiles(trial, ask_ends);
+}

@@ -165,3 +165,45 @@ void aob_ask_times_median(struct aob_trial *trial)
                        n, low, high, tail);
     }
 }
+
+/* About normal, of mean 0 and variance 1: the sum of twelve even values. */
+static double draw_normal(struct aob_chance *chance)
+{
+    double sum = -6;
+    for (int i = 0; i < 12; i++)
+        sum += aob_chance_unit(chance);
+    return sum;
+}
+
+/* Whether the interval of some processes of nine rounds holds the ratio that they were made from, which is 1. */
+static bool covers(struct aob_chance *chance, size_t processes, double between, double within)
+{
+    struct times times;
+    for (size_t p = 0; p < processes; p++) {
+        double level = between * draw_normal(chance);
+        for (size_t r = 0; r < 9; r++) {
+            times.fixed[p][r] = 1;
+            times.cost[p][r] = exp(level + within * draw_normal(chance));
+        }
+        times.processes[p] = (struct aob_rounds){times.cost[p], times.fixed[p], 9};
+    }
+    struct aob_ratio estimate = aob_estimate_ratio(times.processes, processes);
+    return estimate.low <= 1 && 1 <= estimate.high;
+}
+
+/* Where rounds make all of the noise, where processes make most of it, and between. */
+void aob_ask_times_coverage(struct aob_trial *trial)
+{
+    static const double between[] = {0, 0.01, 0.04};
+    enum { DRAWS = 3600 };
+    struct aob_chance chance = aob_chance_of("coverage");
+    for (size_t b = 0; b < AOB_COUNT(between); b++)
+        for (size_t processes = 3; processes <= PROCESSES; processes++) {
+            int covered = 0;
+            for (int i = 0; i < DRAWS; i++)
+                covered += covers(&chance, processes, between[b], 0.02);
+            aob_trial_take(trial, fmax(0, 0.9 - (double)covered / DRAWS), NULL,
+                           "%zu processes that differ by %g: %.3f covered", processes, between[b],
+                           (double)covered / DRAWS);
+        }
+}

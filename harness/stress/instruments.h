@@ -29,6 +29,7 @@ void aob_ask_cache_stack(struct aob_trial *trial);
 void aob_ask_model_clock(struct aob_trial *trial);
 void aob_ask_model_work(struct aob_trial *trial);
 void aob_ask_model_resources(struct aob_trial *trial);
+void aob_ask_model_ends(struct aob_trial *trial);
 
 /* The statistics of times (instrument_statistics.c). */
 void aob_ask_times_unit(struct aob_trial *trial);
@@ -37,4 +38,5 @@ void aob_ask_times_identical(struct aob_trial *trial);
 void aob_ask_times_level(struct aob_trial *trial);
 void aob_ask_times_student(struct aob_trial *trial);
 void aob_ask_times_median(struct aob_trial *trial);
+void aob_ask_times_coverage(struct aob_trial *trial);
 #endif

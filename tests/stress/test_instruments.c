@@ -7,19 +7,21 @@
 static void all_hold(void **state)
 {
     (void)state;
-    size_t count = 0;
+    size_t count = 0, broken = 0;
     for (const struct aob_property *p = aob_properties_instruments; p->name; p++, count++) {
         struct aob_trial trial;
         struct aob_answer answer;
         aob_trial_init(&trial, NULL, false);
         aob_property_ask(p, &trial, &answer);
+        broken += answer.outcome != AOB_PASSES;
         if (answer.outcome != AOB_PASSES)
-            fail_msg("%s: %g over %g: %s", p->name, answer.worst, answer.bound, answer.reason);
+            print_message("%s: %g over %g: %s\n", p->name, answer.worst, answer.bound, answer.reason);
         assert_true(trial.asked > 0);
         assert_non_null(aob_bound_find(p->name));
         aob_trial_finish(&trial);
     }
     assert_true(count >= 12);
+    assert_int_equal(broken, 0);
 }
 
 int main(void)
