@@ -89,26 +89,24 @@ static struct aob_stress_job job_of(const struct shift *shift, const char **name
     return job;
 }
 
-/* One thread of the driver and of the tracer for each worker: there are as many workers as cores. */
-static size_t environment(const struct aob_stress_row *row, const char *env[32])
+void aob_crew_environment(const char *backend, const char *env[AOB_CREW_ENVIRONMENT])
 {
     size_t used = 0;
     env[used++] = "LP_NUM_THREADS=1";
     env[used++] = "OMP_NUM_THREADS=1";
-    for (const char *const *e = row->backend ? aob_gpu_find(row->backend)->environment : NULL;
-         e && *e && used < 31; e++)
+    for (const char *const *e = backend ? aob_gpu_find(backend)->environment : NULL;
+         e && *e && used < AOB_CREW_ENVIRONMENT - 1; e++)
         env[used++] = *e;
     env[used] = NULL;
-    return used;
 }
 
 /* False: nothing more can be asked of the row. */
 static bool ask_rest(struct shift *shift)
 {
-    const char **names = AOB_NEW_ARRAY(const char *, shift->row->cell_count + 1), *env[32];
+    const char **names = AOB_NEW_ARRAY(const char *, shift->row->cell_count + 1), *env[AOB_CREW_ENVIRONMENT];
     struct aob_error error = {{0}};
     struct aob_stress_job job = job_of(shift, names);
-    environment(shift->row, env);
+    aob_crew_environment(shift->row->backend, env);
     const struct aob_job_desc desc = {.job = aob_stress_job_to_json(&job),
                                       .env = env,
                                       .timeout_s = job_s + property_s * (double)job.property_count,
@@ -150,18 +148,23 @@ static void *work(void *user)
     }
 }
 
-void aob_crew_run(const struct aob_crew_desc *desc)
+void aob_crew_share(void *(*work)(void *user), void *user, size_t most)
 {
-    struct crew crew = {.desc = desc};
     pthread_t threads[MAX_CREW];
     size_t want = (size_t)aob_machine_cores(), used = 0;
     want = want > MAX_CREW ? MAX_CREW : want;
-    pthread_mutex_init(&crew.lock, NULL);
-    for (; used + 1 < want && used + 1 < desc->count; used++)
-        if (pthread_create(&threads[used], NULL, work, &crew) != 0)
+    for (; used + 1 < want && used + 1 < most; used++)
+        if (pthread_create(&threads[used], NULL, work, user) != 0)
             break;
-    work(&crew); /* this thread is one of them, and does all where no other could be made */
+    work(user); /* this thread is one of them, and does all where no other could be made */
     for (size_t i = 0; i < used; i++)
         pthread_join(threads[i], NULL);
+}
+
+void aob_crew_run(const struct aob_crew_desc *desc)
+{
+    struct crew crew = {.desc = desc};
+    pthread_mutex_init(&crew.lock, NULL);
+    aob_crew_share(work, &crew, desc->count);
     pthread_mutex_destroy(&crew.lock);
 }

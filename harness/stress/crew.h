@@ -16,4 +16,12 @@ struct aob_crew_desc {
     struct aob_progress *progress;
 };
 void aob_crew_run(const struct aob_crew_desc *desc);
+
+/* One thread of the driver and of the tracer for each worker: there are as many workers as cores. NULL-ended; `backend` may be
+ * NULL. */
+enum { AOB_CREW_ENVIRONMENT = 32 };
+void aob_crew_environment(const char *backend, const char *env[AOB_CREW_ENVIRONMENT]);
+
+/* Runs `work` on as many threads as the machine has cores, at most `most` and at least this one, until all have returned. */
+void aob_crew_share(void *(*work)(void *user), void *user, size_t most);
 #endif

@@ -4,8 +4,8 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "chosen.h"
 #include "crew.h"
-#include "gpu/gpu.h"
 #include "reports/page/stress_page.h"
 
 struct stress {
@@ -55,18 +55,6 @@ static void add_row(struct stress *stress, const struct aob_technique_info *tech
         aob_stress_row_finish(row);
 }
 
-/* Modules that are given are what is meant, unless a technique is named. */
-static bool is_subject(const struct stress *stress, const struct aob_technique_info *technique)
-{
-    const struct aob_stress_desc *desc = stress->desc;
-    if (desc->technique)
-        return strcmp(desc->technique, technique->name) == 0 &&
-               (!desc->dispatch.modules.count || technique->module ||
-                !aob_technique_list_find(&stress->techniques, desc->dispatch.modules.names[0],
-                                         desc->technique, NULL));
-    return !desc->dispatch.modules.count || technique->module;
-}
-
 static bool choose_rows(struct stress *stress, struct aob_error *error)
 {
     const struct aob_stress_desc *desc = stress->desc;
@@ -74,17 +62,15 @@ static bool choose_rows(struct stress *stress, struct aob_error *error)
         if (!aob_property_find(desc->properties[i]))
             return aob_fail(error, "--property: there is no '%s'; see: aobudget stress --list",
                             desc->properties[i]);
-    if (desc->backend && !aob_gpu_find(desc->backend))
-        return aob_fail(error, "--backend: there is no '%s'; see: aobudget list backends", desc->backend);
-    for (size_t t = 0; t < stress->techniques.count; t++)
-        for (const struct aob_gpu_fns *const *b = aob_gpu_backends; *b; b++) {
-            bool wanted = desc->backend ? strcmp(desc->backend, (*b)->name) == 0
-                                        : strcmp((*b)->name, "null") != 0; /* it draws nothing */
-            if (wanted && is_subject(stress, &stress->techniques.items[t]))
-                add_row(stress, &stress->techniques.items[t], (*b)->name);
-        }
-    if (desc->technique && !aob_technique_list_find(&stress->techniques, NULL, desc->technique, error))
+    const struct aob_chosen chosen = {&stress->techniques, &desc->dispatch.modules, desc->technique,
+                                      desc->backend};
+    if (!aob_chosen_check(&chosen, error))
         return false;
+    for (size_t t = 0; t < stress->techniques.count; t++)
+        for (const struct aob_gpu_fns *const *b = aob_gpu_backends; *b; b++)
+            if (aob_chosen_backend(&chosen, (*b)->name) &&
+                aob_chosen_technique(&chosen, &stress->techniques.items[t]))
+                add_row(stress, &stress->techniques.items[t], (*b)->name);
     if (!desc->technique && !desc->backend && !desc->dispatch.modules.count)
         add_row(stress, NULL, NULL);
     else if (desc->property_count && !stress->count)

@@ -127,6 +127,7 @@ if wanted gpu-check; then
   row "gpu-check: what was cut" "$(jq '[.sections[].items[] | select(.status == "cut")] | length' "$folder/gpu-check.json")" items
 fi
 
+# The fuzzer's frames of two seeds, under the validation layer; what fails is shown again by the lines above its row.
 if wanted mutants; then
   ./dev mutants >"$folder/mutants" 2>/dev/null || grep -vE '^mutant |^mutants: | killed +[0-9]+$' "$folder/mutants" || true
   read -r _ killed _ all _ _ seconds _ < <(grep '^mutants: ' "$folder/mutants")

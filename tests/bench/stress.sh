@@ -22,3 +22,17 @@ if wanted stress; then
     jq -r '[.rows[].cells[] | select(.outcome == "fail") | .property] | "  " + join(" ")' "$folder/broken.json"
   done
 fi
+
+# Frames drawn by lot, under the validation layer.
+if wanted stress; then
+  for seed in 1 2; do
+    AOBUDGET_VALIDATE=1 build/release/aobudget stress --fuzz 50000 --seed $seed --json "$folder/fuzz-$seed.json" \
+      --quiet || true
+    jq -r '.rows[] | select(.findings != []) | .findings[] | "\(.fault), \(.frames) frames: \(.command)"' "$folder/fuzz-$seed.json"
+  done
+  fuzz() { jq -s "$1" "$folder"/fuzz-[12].json; }
+  row "stress: frames drawn by lot, seeds 1 and 2" "$(fuzz 'map(.frames) | add')" "" ">=" 100000
+  row "stress: those that fail" "$(fuzz 'map(.failed) | add')" "" "<=" 0
+  row "stress: those that are refused" "$(fuzz 'map(.refused) | add')" ""
+  row "stress: frames a second" "$(fuzz '(map(.frames) | add) / (map(.seconds) | add) | round')" 1/s
+fi
