@@ -75,17 +75,19 @@ static struct aob_figure *add_picture(struct stress_page *page, const json_t *ro
                                       const char *out)
 {
     struct aob_text file = {0}, title = {0}, image = {0};
-    aob_text_add(&file, "%s", text_of(cell, "image"));
+    const char *name = text_of(cell, "image"), *dot = strrchr(name, '.');
+    aob_text_add(&file, "%.*s", (int)(dot ? (size_t)(dot - name) : strlen(name)), name);
     aob_gallery_plain_name(file.data);
     aob_text_add(&image, "%s/images/%s", out, text_of(cell, "image"));
     name_subject(row, &title);
     aob_text_add(&title, ": %s", text_of(cell, "property"));
     struct aob_figure *figure = AOB_PUSH(page->gallery.figures, page->gallery.count, page->gallery.capacity);
     *figure = (struct aob_figure){.kind = AOB_FIGURE_TRIPTYCH,
-                                  .job = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s}", "kind", "triptych",
+                                  .job = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s}", "kind", "triptych",
                                                    "title", title.data, "subtitle", text_of(cell, "reason"),
                                                    "technique_name", "What it drew", "reference_name",
-                                                   "What it should be", "image", image.data)};
+                                                   "What it should be", "limit_group",
+                                                   text_of(cell, "property"), "image", image.data)};
     struct aob_text path = {0};
     aob_text_add(&path, "figures/%s.png", file.data);
     figure->file = path.data;
