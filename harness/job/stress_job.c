@@ -66,6 +66,7 @@ json_t *aob_stress_answer_to_json(const struct aob_stress_answer *answer)
     json_object_set_new(object, "worst", aob_json_number(answer->worst));
     json_object_set_new(object, "bound", aob_json_number(answer->bound));
     json_object_set_new(object, "declared", json_boolean(answer->declared));
+    json_object_set_new(object, "where", aob_json_text(answer->where ? answer->where : ""));
     json_object_set_new(object, "reason", aob_json_text(answer->reason));
     if (answer->image) {
         json_object_set_new(object, "image", json_string(answer->image));
@@ -84,6 +85,7 @@ bool aob_stress_answer_from_json(const json_t *object, struct aob_stress_answer 
                                          .worst = aob_json_to_number(json_object_get(object, "worst")),
                                          .bound = aob_json_to_number(json_object_get(object, "bound")),
                                          .declared = json_is_true(json_object_get(object, "declared")),
+                                         .where = json_string_value(json_object_get(object, "where")),
                                          .reason = json_string_value(json_object_get(object, "reason")),
                                          .image = json_string_value(json_object_get(object, "image")),
                                          .compared = json_is_true(json_object_get(object, "compared"))};

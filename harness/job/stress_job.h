@@ -30,6 +30,7 @@ struct aob_stress_answer {
     const char *outcome;         /* aob_outcome_word */
     double worst, bound;         /* NAN: not applicable, or what is no number */
     bool declared;
+    const char *where;          /* it is worst; may be empty */
     const char *reason, *image; /* image: file in `images`; NULL: none */
     bool compared;              /* the image has what it was compared with beside it */
 };

@@ -1,6 +1,9 @@
 #include "ask.h"
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/time.h>
+#include <unistd.h>
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/text.h"
@@ -45,25 +48,47 @@ static void add_wanted(struct aob_image *image, const struct aob_sight *sight, s
         error[i] = sight->image[i] - sight->wanted[i];
 }
 
-/* The image of the worst place, beside what it was compared with, as channels of one file. */
+/* The image of the worst place, beside what it was compared with, as channels of one file. NULL where there is none, or it
+ * cannot be written, which a warning tells. */
 static char *write_sight(const struct asking *asking, const char *property, const struct aob_sight *sight)
 {
     struct aob_error error = {{0}};
     struct aob_text name = {0};
     struct aob_image image = {.width = sight->width, .height = sight->height};
+    const struct aob_address *technique = &asking->job.technique;
     size_t count = (size_t)sight->width * (size_t)sight->height;
     if (!asking->job.images || !sight->image)
         return NULL;
-    aob_text_add(&name, "%s-%s-%s.exr", asking->job.technique.technique, asking->job.backend, property);
+    aob_text_add(&name, "%s%s%.8s-%s-%s.exr", technique->technique, technique->module ? "-" : "",
+                 technique->module ? technique->digest : "", asking->job.backend, property);
     memcpy(aob_image_add(&image, "technique.AO"), sight->image, count * sizeof(float));
     if (sight->wanted)
         add_wanted(&image, sight, count);
     char *path = aob_path_join(asking->job.images, name.data);
-    if (!aob_image_write(&image, path, &error))
+    if (!aob_image_write(&image, path, &error)) {
         aob_warn("%s", error.text);
+        aob_text_finish(&name);
+    }
     aob_image_finish(&image);
     free(path);
     return name.data;
+}
+
+/* Of processor time, of one property: all are small, so that one which takes longer has gone astray. */
+enum { PROPERTY_S = 60 };
+
+static void give_up(int signal)
+{
+    static const char line[] = "aobudget: error: the property took longer than 60 s of processor time\n";
+    (void)signal;
+    ssize_t written = write(STDERR_FILENO, line, sizeof line - 1);
+    _exit(written < 0 ? AOB_EXIT_PART : AOB_EXIT_USAGE);
+}
+
+static void limit_work(void)
+{
+    signal(SIGPROF, give_up);
+    setitimer(ITIMER_PROF, &(struct itimerval){.it_value.tv_sec = PROPERTY_S}, NULL);
 }
 
 static void ask(struct aob_worker *worker, struct asking *asking, const struct aob_property *property)
@@ -72,6 +97,7 @@ static void ask(struct aob_worker *worker, struct asking *asking, const struct a
     struct aob_answer answer;
     aob_worker_reply(worker, aob_stress_answer_to_json(&(struct aob_stress_answer){
                                  .message = AOB_STRESS_BEGUN, .property = property->name}));
+    limit_work();
     aob_trial_init(&trial, asking->has_subject ? &asking->subject : NULL, asking->job.quick);
     aob_property_ask(property, &trial, &answer);
     char *image = answer.outcome == AOB_FAILS || answer.outcome == AOB_BY_DEFINITION
@@ -84,6 +110,7 @@ static void ask(struct aob_worker *worker, struct asking *asking, const struct a
                                                              .worst = answer.worst,
                                                              .bound = answer.bound,
                                                              .declared = answer.declared,
+                                                             .where = answer.where,
                                                              .reason = answer.reason,
                                                              .image = image,
                                                              .compared = trial.sight.wanted}));

@@ -5,6 +5,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "chosen.h"
 
 void aob_stress_row_init(struct aob_stress_row *row, const struct aob_technique_info *technique,
                          const char *backend)
@@ -23,6 +24,7 @@ struct aob_stress_cell *aob_stress_row_add(struct aob_stress_row *row, const str
 void aob_stress_row_finish(struct aob_stress_row *row)
 {
     for (size_t i = 0; i < row->cell_count; i++) {
+        free(row->cells[i].where);
         free(row->cells[i].reason);
         free(row->cells[i].image);
     }
@@ -53,6 +55,7 @@ bool aob_stress_row_take(struct aob_stress_row *row, const struct aob_stress_ans
         cell->bound = answer->bound;
         cell->declared = answer->declared;
         cell->compared = answer->compared;
+        cell->where = aob_strdup(answer->where ? answer->where : "");
         cell->reason = aob_strdup(answer->reason ? answer->reason : "");
         cell->image = aob_strdup(answer->image);
         return true;
@@ -72,14 +75,8 @@ struct aob_stress_counts aob_stress_count(const struct aob_stress_row *rows, siz
 void aob_stress_command(const struct aob_stress_row *row, const struct aob_stress_cell *cell,
                         struct aob_text *text)
 {
-    aob_text_add(text, "aobudget stress");
-    if (row->technique)
-        aob_text_add(text, " --technique %s", row->technique->name);
+    aob_chosen_command(row->technique, row->backend, row->choice, text);
     aob_text_add(text, " --property %s", cell->property->name);
-    if (row->backend)
-        aob_text_add(text, " --backend %s", row->backend);
-    if (row->technique && row->technique->module)
-        aob_text_add(text, " --module '%s'", row->technique->module);
 }
 
 static json_t *property_to_json(const struct aob_property *p)
@@ -117,7 +114,7 @@ static json_t *cell_to_json(const struct aob_stress_row *row, const struct aob_s
     struct aob_text command = {0};
     aob_stress_command(row, cell, &command);
     json_t *object =
-        json_pack("{s:s, s:s, s:o, s:o, s:b, s:o, s:s?, s:b, s:s}", "property", cell->property->name,
+        json_pack("{s:s, s:s, s:o, s:o, s:b, s:o, s:o, s:s?, s:b, s:s}", "property", cell->property->name,
                   "outcome", aob_outcome_word(cell->outcome), "worst", aob_json_number(cell->worst), "bound",
                   aob_json_number(cell->bound), "declared", cell->declared, "reason",
                   aob_json_text(cell->reason ? cell->reason : ""), "image", cell->image, "compared",

@@ -10,15 +10,16 @@
 struct aob_stress_row {
     const struct aob_technique_info *technique; /* borrowed */
     const char *backend;                        /* borrowed; NULL of the instruments */
-    char *device, *driver;                      /* once it was opened */
-    char *missing;                              /* why the backend cannot be had; NULL: it can */
+    const char *choice;    /* its device as the user named it, borrowed; NULL: the default */
+    char *device, *driver; /* once it was opened */
+    char *missing;         /* why the backend cannot be had; NULL: it can */
     struct aob_stress_cell {
         const struct aob_property *property;
         bool asked; /* an answer has come */
         enum aob_outcome outcome;
         double worst, bound;
         bool declared, compared;
-        char *reason, *image;
+        char *where, *reason, *image;
     } * cells; /* cell_count, in the order of the properties */
     size_t cell_count;
 };

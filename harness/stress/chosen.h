@@ -1,6 +1,7 @@
 /* Which techniques and backends the flags --technique, --backend and --module mean. Threads: pure functions. */
 #ifndef AOB_STRESS_CHOSEN_H
 #define AOB_STRESS_CHOSEN_H
+#include "base/text.h"
 #include "gpu/gpu.h"
 #include "job/modules.h"
 #include "technique/registry.h"
@@ -18,4 +19,9 @@ bool aob_chosen_technique(const struct aob_chosen *chosen, const struct aob_tech
 
 /* Without a name, all that draw. */
 bool aob_chosen_backend(const struct aob_chosen *chosen, const char *backend);
+
+/* "aobudget stress --technique T --backend B --module 'FILE.so' --device 'NAME'": how a line begins that asks one subject again.
+ * What is NULL is left out; the rest of the line is the caller's. */
+void aob_chosen_command(const struct aob_technique_info *technique, const char *backend, const char *device,
+                        struct aob_text *text);
 #endif

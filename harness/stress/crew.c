@@ -20,12 +20,16 @@ struct shift {
     struct crew *crew;
     struct aob_stress_row *row;
     const struct aob_property *begun; /* and not answered */
+    int deaths;                       /* of workers */
 };
 
 enum { MAX_CREW = 16 };
 
-/* Properties are small, so a job that takes longer has gone astray. */
+/* A property stops its own worker long before (ask.c), unless that sleeps. */
 static const double job_s = 120, property_s = 30;
+
+/* Properties that killed their workers, after which a row is given up. */
+enum { MOST_DEATHS = 8 };
 
 static void say(struct shift *shift, const struct aob_property *property)
 {
@@ -50,7 +54,7 @@ static void take(void *user, const json_t *object)
     } else if (answer.message == AOB_STRESS_BEGUN)
         shift->begun = aob_property_find(answer.property);
     else if (answer.message == AOB_STRESS_ANSWERED && aob_stress_row_take(shift->row, &answer)) {
-        say(shift, shift->begun);
+        say(shift, aob_property_find(answer.property));
         shift->begun = NULL;
     }
     pthread_mutex_unlock(&shift->crew->lock);
@@ -100,6 +104,14 @@ void aob_crew_environment(const char *backend, const char *env[AOB_CREW_ENVIRONM
     env[used] = NULL;
 }
 
+static size_t unasked(const struct aob_stress_row *row)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < row->cell_count; i++)
+        count += !row->cells[i].asked;
+    return count;
+}
+
 /* False: nothing more can be asked of the row. */
 static bool ask_rest(struct shift *shift)
 {
@@ -115,24 +127,28 @@ static bool ask_rest(struct shift *shift)
     shift->begun = NULL;
     bool ok = aob_dispatch_job(shift->crew->desc->dispatch, &desc, &error);
     free(names);
-    if (ok)
+    if (!unasked(shift->row)) /* what a worker does after its last answer is no property's fault */
         return false;
+    if (ok) /* a module may end the process, with a good code too */
+        aob_fail(&error, "the worker ended without an answer");
     if (!shift->begun) {
         shift->row->missing = aob_strdup(error.text);
         return false;
     }
     take_outcome(shift, shift->begun->name, AOB_FAILS, error.text);
-    return true;
+    return ++shift->deaths < MOST_DEATHS && unasked(shift->row);
 }
 
 static void ask_row(struct shift *shift)
 {
     while (ask_rest(shift))
         continue;
+    const char *missing = shift->row->missing;
     for (size_t i = 0; i < shift->row->cell_count; i++)
         if (!shift->row->cells[i].asked)
-            take_outcome(shift, shift->row->cells[i].property->name, AOB_NOT_APPLICABLE,
-                         shift->row->missing ? shift->row->missing : "the worker gave no answer");
+            take_outcome(shift, shift->row->cells[i].property->name, missing ? AOB_NOT_APPLICABLE : AOB_FAILS,
+                         missing ? missing
+                                 : "it was not asked: too many properties before it killed their worker");
 }
 
 static void *work(void *user)

@@ -82,7 +82,11 @@ static void take(void *user, const json_t *object)
     struct drawing *drawing = user;
     struct fuzz *fuzz = drawing->fuzz;
     struct aob_fuzz_answer answer;
-    if (!aob_fuzz_answer_from_json(object, &answer))
+    const struct share *share = drawing->share;
+    bool ours = aob_fuzz_answer_from_json(object, &answer) &&
+                (answer.message == AOB_FUZZ_OPENED ||
+                 (answer.index >= share->from && answer.index - share->from < share->count));
+    if (!ours) /* a module may write what it likes */
         return;
     pthread_mutex_lock(&fuzz->lock);
     aob_fuzz_row_take(drawing->share->row, &answer);
@@ -116,7 +120,10 @@ static bool send(struct drawing *drawing, uint32_t known, struct aob_error *erro
                                           .timeout_s = job_s + frame_s * (double)job.count,
                                           .on_answer = take,
                                           .user = drawing};
-    return aob_dispatch_job(&desc->dispatch, &job_desc, error);
+    if (!aob_dispatch_job(&desc->dispatch, &job_desc, error))
+        return false;
+    bool whole = drawing->begun && drawing->at + 1 == job.from + job.count; /* a module may end the process */
+    return whole || aob_fail(error, "the worker ended without an answer");
 }
 
 /* What a worker leaves that ended: the frame that it was at is a finding, and the share goes on behind it. */

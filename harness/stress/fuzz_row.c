@@ -4,6 +4,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "cell.h"
+#include "chosen.h"
 
 void aob_fuzz_row_finish(struct aob_fuzz_row *row)
 {
@@ -69,11 +70,9 @@ uint32_t aob_fuzz_row_known(const struct aob_fuzz_row *row)
 static void add_command(const struct aob_fuzz_desc *desc, const struct aob_fuzz_row *row,
                         const struct aob_fuzz_finding *finding, struct aob_text *text)
 {
-    aob_text_add(text, "aobudget stress --technique %s --backend %s --seed %llu --fuzz 1 --from %llu",
-                 row->technique->name, row->backend, (unsigned long long)desc->seed,
+    aob_chosen_command(row->technique, row->backend, desc->dispatch.device, text);
+    aob_text_add(text, " --seed %llu --fuzz 1 --from %llu", (unsigned long long)desc->seed,
                  (unsigned long long)finding->index);
-    if (row->technique->module)
-        aob_text_add(text, " --module '%s'", row->technique->module);
 }
 
 static json_t *finding_to_json(const struct aob_fuzz_desc *desc, const struct aob_fuzz_row *row,

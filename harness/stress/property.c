@@ -92,6 +92,7 @@ static void judge(const struct aob_property *property, const struct aob_trial *t
     answer->bound = !bound ? NAN : software ? bound->software : bound->gpu;
     answer->worst = trial->asked ? trial->worst : NAN;
     answer->declared = because;
+    aob_line_print(answer->where, sizeof answer->where, "%s", trial->asked ? trial->sight.where : "");
     bool told = trial->asked && !*trial->error.text && !trial->broken; /* no definition wants anything else */
     bool passes = told && trial->worst <= answer->bound;
     answer->outcome = passes ? AOB_PASSES : told && because ? AOB_BY_DEFINITION : AOB_FAILS;
@@ -113,8 +114,8 @@ void aob_property_ask(const struct aob_property *property, struct aob_trial *tri
         return;
     }
     property->ask(trial);
-    if (*trial->excuse.text)
+    judge(property, trial, answer);
+    /* An excuse that comes late takes back no failure. */
+    if (*trial->excuse.text && (!trial->asked || (trial->worst <= answer->bound && !trial->broken)))
         answer_not_applicable(answer, trial->excuse.text);
-    else
-        judge(property, trial, answer);
 }

@@ -53,7 +53,8 @@ struct aob_answer {
     enum aob_outcome outcome;
     double worst, bound; /* NAN where it is not applicable */
     bool declared;       /* the technique says that it fails by definition */
-    char reason[320];    /* where it is worst, why it is not applicable, or the text's sentence */
+    char where[200];     /* where it is worst; empty where no answer was taken */
+    char reason[320];    /* the same, or what went wrong, why it is not applicable, or the text's sentence */
 };
 /* Asks, and judges by the bound of the subject's device. The trial keeps the images of the worst place until it is finished. */
 void aob_property_ask(const struct aob_property *property, struct aob_trial *trial,

@@ -45,6 +45,7 @@ static void add_row(struct stress *stress, const struct aob_technique_info *tech
     stress->rows = aob_realloc(stress->rows, stress->count + 1, sizeof *stress->rows);
     struct aob_stress_row *row = &stress->rows[stress->count];
     aob_stress_row_init(row, technique, backend);
+    row->choice = stress->desc->dispatch.device;
     for (const struct aob_property *const *table = aob_property_tables; *table; table++)
         for (const struct aob_property *p = *table; p->name; p++)
             if (is_wanted(stress->desc, p, technique))

@@ -124,31 +124,26 @@ static const char *mark_of(const char *outcome)
     return "unsupported";
 }
 
-/* The gravest outcome of a subject's rows, which the table shows; `backends`: of how many. */
-static const json_t *gravest(const struct stress_page *page, size_t at, const char *property,
-                             size_t *backends)
+/* The gravest outcome of a subject's rows, which the table shows. */
+static const json_t *gravest(const struct stress_page *page, size_t at, const char *property)
 {
     static const char *const order[] = {"fail", "by definition", "pass", "n/a"};
     const json_t *first = json_array_get(page->rows, at), *row, *found = NULL;
     size_t rank = AOB_COUNT(order);
-    *backends = 0;
     for (size_t r = at; (row = json_array_get(page->rows, r)); r++) {
         const json_t *cell = same_subject(row, first) ? cell_of(row, property) : NULL;
-        for (size_t k = 0; cell && k < AOB_COUNT(order); k++) {
-            if (strcmp(text_of(cell, "outcome"), order[k]) != 0)
-                continue;
-            *backends = k < rank ? 1 : *backends + (k == rank);
-            found = k < rank ? cell : found;
-            rank = k < rank ? k : rank;
-        }
+        for (size_t k = 0; cell && k < rank; k++)
+            if (strcmp(text_of(cell, "outcome"), order[k]) == 0) {
+                found = cell;
+                rank = k;
+            }
     }
     return found;
 }
 
 static void add_mark(struct stress_page *page, size_t at, const char *property)
 {
-    size_t backends;
-    const json_t *cell = gravest(page, at, property, &backends);
+    const json_t *cell = gravest(page, at, property);
     if (!cell) {
         aob_text_add(&page->text, "<td></td>");
         return;
@@ -157,7 +152,7 @@ static void add_mark(struct stress_page *page, size_t at, const char *property)
     aob_text_add(&page->text, "<td><a class=\"chip %s\" href=\"#%s-%zu\" title=\"", mark_of(outcome),
                  property, at);
     aob_html_escape(&page->text, text_of(cell, "reason"));
-    aob_text_add(&page->text, "\">%s%s</a></td>", outcome, "");
+    aob_text_add(&page->text, "\">%s</a></td>", outcome);
 }
 
 static void add_matrix(struct stress_page *page)
@@ -210,7 +205,10 @@ static void add_answer(struct stress_page *page, const json_t *row, const json_t
     add_escaped(page, "", text_of(cell, "outcome"), "</span></td>");
     add_number(page, number_of(cell, "worst"));
     add_number(page, number_of(cell, "bound"));
-    add_escaped(page, "<td class=\"params\">", text_of(cell, "reason"), "</td>");
+    add_escaped(page, "<td class=\"params\">", text_of(cell, "reason"), "");
+    if (strcmp(text_of(cell, "reason"), text_of(cell, "where")) != 0)
+        add_escaped(page, "<br><small>", text_of(cell, "where"), "</small>");
+    aob_text_add(&page->text, "</td>");
     add_escaped(page, "<td class=\"params\"><code>", text_of(cell, "command"), "</code></td></tr>\n");
     aob_text_finish(&name);
 }

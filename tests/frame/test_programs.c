@@ -67,7 +67,8 @@ static void shared_programs_draw_the_same(void **state)
         compare(gpu, &small, "radius=0.5 blur=0 slices=2", &programs);
         assert_int_equal(programs.count, 2);
         compare(gpu, &small, "radius=0.5 blur=5", &programs);
-        assert_int_equal(programs.count, 5); /* two of the blur, and the horizon again, whose text has all constants */
+        assert_int_equal(programs.count,
+                         5); /* two of the blur, and the horizon again, whose text has all constants */
         aob_programs_finish(&programs);
         aob_rig_finish(&small);
         aob_rig_finish(&large);

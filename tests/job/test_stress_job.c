@@ -75,6 +75,7 @@ static void what_is_answered(void **state)
                                        .worst = NAN,
                                        .bound = 1.0 / 255,
                                        .declared = true,
+                                       .where = "pixel (3, 4)",
                                        .reason = "pixel (1, 2)",
                                        .image = "a.exr",
                                        .compared = true},
@@ -84,6 +85,7 @@ static void what_is_answered(void **state)
     assert_int_equal(back.message, AOB_STRESS_ANSWERED);
     assert_true(isnan(back.worst) && back.bound == 1.0 / 255 && back.declared && back.compared);
     assert_string_equal(back.outcome, "fail");
+    assert_string_equal(back.where, "pixel (3, 4)");
     assert_string_equal(back.reason, "pixel (1, 2)");
     assert_string_equal(back.image, "a.exr");
     json_object_del(message, "outcome");

@@ -43,7 +43,7 @@ static void each_bound_has_a_property_and_a_reason(void **state)
 /* What the property of these tests answers. */
 static double answers[3];
 static size_t answer_count;
-static const char *trouble, *excuse;
+static const char *trouble, *excuse, *late; /* late: an excuse behind the answers */
 
 static void ask(struct aob_trial *trial)
 {
@@ -53,6 +53,8 @@ static void ask(struct aob_trial *trial)
         aob_trial_excuse(trial, "%s", excuse);
     for (size_t i = 0; i < answer_count; i++)
         aob_trial_take(trial, answers[i], NULL, "answer %zu", i);
+    if (late)
+        aob_trial_excuse(trial, "%s", late);
 }
 
 /* Its bound is that of scaled_by_two: 0 in software, 1/255 on a GPU. */
@@ -78,7 +80,7 @@ static void set_answers(size_t count, double a, double b, double c)
     answers[0] = a;
     answers[1] = b;
     answers[2] = c;
-    trouble = excuse = NULL;
+    trouble = excuse = late = NULL;
 }
 
 static const struct aob_by_definition other[] = {{"plane_is_open", "It says so."}, {0}},
@@ -127,6 +129,20 @@ static void an_excuse_is_not_applicable(void **state)
     struct aob_answer answer = answer_of(false, NULL);
     assert_int_equal(answer.outcome, AOB_NOT_APPLICABLE);
     assert_string_equal(answer.reason, "it has one size only");
+}
+
+static void a_late_excuse_takes_back_no_failure(void **state)
+{
+    (void)state;
+    set_answers(1, 9, 0, 0);
+    late = "the next device lacks it";
+    assert_int_equal(answer_of(false, NULL).outcome, AOB_FAILS);
+    set_answers(1, NAN, 0, 0);
+    late = "the next device lacks it";
+    assert_int_equal(answer_of(false, NULL).outcome, AOB_FAILS);
+    set_answers(1, 0, 0, 0);
+    late = "the next device lacks it";
+    assert_int_equal(answer_of(false, NULL).outcome, AOB_NOT_APPLICABLE);
 }
 
 static void a_declaration_excuses_its_own_property_where_it_fails(void **state)
@@ -178,6 +194,7 @@ int main(void)
         cmocka_unit_test(the_worst_answer_is_held_to_the_bound),
         cmocka_unit_test(what_is_no_number_or_no_answer_fails),
         cmocka_unit_test(an_excuse_is_not_applicable),
+        cmocka_unit_test(a_late_excuse_takes_back_no_failure),
         cmocka_unit_test(a_declaration_excuses_its_own_property_where_it_fails),
         cmocka_unit_test(differences_are_over_surfaces),
     };

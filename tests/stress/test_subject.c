@@ -1,5 +1,6 @@
 /* What the words of a shot make of a technique's values and of the options. */
 #include "stress/subject.h"
+#include "stress/chosen.h"
 #include "check.h"
 #include <string.h>
 
@@ -81,10 +82,25 @@ static void what_is_no_value_is_refused(void **state)
     refuse("share=x", "share");
 }
 
+/* The line is for a shell. */
+static void a_command_asks_the_same_subject(void **state)
+{
+    (void)state;
+    const struct aob_technique_info info = {.name = (char *)"made", .module = (char *)"it's/a b.so"};
+    struct aob_text text = {0};
+    aob_chosen_command(&info, "vulkan", "My GPU", &text);
+    assert_string_equal(text.data, "aobudget stress --technique made --backend vulkan --module "
+                                   "'it'\\''s/a b.so' --device 'My GPU'");
+    aob_text_finish(&text);
+    aob_chosen_command(NULL, NULL, "My GPU", &text);
+    assert_string_equal(text.data, "aobudget stress"); /* the instruments have no device */
+    aob_text_finish(&text);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(lengths_keep_their_proportion),
-                                       cmocka_unit_test(words_set_what_there_is),
-                                       cmocka_unit_test(what_is_no_value_is_refused)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(lengths_keep_their_proportion), cmocka_unit_test(words_set_what_there_is),
+        cmocka_unit_test(what_is_no_value_is_refused), cmocka_unit_test(a_command_asks_the_same_subject)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
