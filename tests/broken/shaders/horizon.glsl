@@ -56,7 +56,7 @@ float horizon(vec2 start, vec3 position, vec3 normal, vec3 v, vec2 end, float ji
         vec3 d = tap_position(q, length(at - start)) - position;
         float l = length(d), weight = weight_of(l);
         float c = FAULT == UNCLAMPED_ACOS ? dot(d, v) / l * 1.0000002 : dot(d, v) / max(l, 1e-20);
-        bool above = dot(d, normal) > 1e-5 * l - 1e-6 * position.z;
+        bool above = dot(d, normal) > 2e-3 * l - 1e-6 * position.z;
         if (FAULT == TAPS_UNDER_TANGENT)
             above = l > 0.0;
         if (FAULT == BORDER_AS_ZERO && (any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, aob_size)))) {
