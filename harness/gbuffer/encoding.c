@@ -6,7 +6,6 @@
 #include <string.h>
 #include "base/half.h"
 #include "base/memory.h"
-#include "facing.h"
 #include "gpu/gpu.h"
 
 static bool is_device(enum aob_depth_encoding depth)
@@ -139,16 +138,14 @@ static unsigned char unorm8(float x)
     return (unsigned char)(clamp((double)x * 0.5 + 0.5, 0, 1) * 255 + 0.5);
 }
 
-/* The caller frees them. */
-static float *normals_of(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
+static const float *normals_of(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
 {
-    return aob_facing_normals(gbuffer,
-                              encoding->normals == AOB_NORMALS_SHADING ? gbuffer->shading : gbuffer->normal);
+    return encoding->normals == AOB_NORMALS_SHADING ? gbuffer->shading : gbuffer->normal;
 }
 
 static void *packed_texels(const struct aob_encoding *encoding, const struct aob_gbuffer *gbuffer)
 {
-    float *normal = normals_of(encoding, gbuffer);
+    const float *normal = normals_of(encoding, gbuffer);
     unsigned char *texels = aob_alloc(pixel_count(gbuffer), 4);
     for (size_t i = 0; i < pixel_count(gbuffer); i++) {
         uint16_t depth = unorm16(encoding, gbuffer->depth[i]);
@@ -157,7 +154,6 @@ static void *packed_texels(const struct aob_encoding *encoding, const struct aob
         texels[4 * i + 2] = (unsigned char)(depth >> 8);
         texels[4 * i + 3] = (unsigned char)(depth & 255);
     }
-    free(normal);
     return texels;
 }
 
@@ -262,11 +258,10 @@ void *aob_encoding_normal_texels(const struct aob_encoding *encoding, const stru
         return NULL;
     if (encoding->normal == AOB_NORMAL_PACKED8)
         return packed_texels(encoding, gbuffer);
-    float *normal = normals_of(encoding, gbuffer);
+    const float *normal = normals_of(encoding, gbuffer);
     unsigned char *texels = aob_alloc(count, size);
     for (size_t i = 0; i < count; i++)
         write_normal(encoding->normal, &normal[4 * i], texels + i * size);
-    free(normal);
     return texels;
 }
 

@@ -1,6 +1,5 @@
 /* Encodings of the G-buffer are what a renderer's depth and normal textures hold. They are made from the canonical
- * floats when these are uploaded, and the prelude undoes them in every read. Normals that are no unit vectors towards the
- * camera are mended before (facing.h). Values are rounded to the nearest, as a
+ * floats when these are uploaded, and the prelude undoes them in every read. Values are rounded to the nearest, as a
  * device's own stores round; so no software driver has to be trusted with it. */
 #ifndef AOB_GBUFFER_ENCODING_H
 #define AOB_GBUFFER_ENCODING_H

@@ -219,7 +219,8 @@ struct aob_graph {
  *                               visibilities and bent normals
  * The surface that pixel p of the outputs stands for: the G-buffer's pixel p * divisor of the outputs.
  *   vec3  aob_surface(ivec2 p)               its view-space point
- *   vec3  aob_surface_normal(ivec2 p)        unit, view space, towards the camera
+ *   vec3  aob_surface_normal(ivec2 p)        its normal, view space, as the G-buffer holds it: in a right one a unit vector
+ *                                            towards the camera (common/facing.glsl mends others)
  *   float aob_surface_z(ivec2 p)             its depth, scene units; AOB_SKY_Z where there is no surface
  *   bool  aob_surface_is_sky(ivec2 p)        no surface: sky, or a depth that is not above 0 and finite. What is read
  *                                            about such a pixel may be no number: phrase tests of a tap so that NaN fails
@@ -231,7 +232,7 @@ struct aob_graph {
  *   bool  aob_is_sky(ivec2 p)                likewise
  *   vec3  aob_position(ivec2 p)              view-space point of the surface in pixel p, at the pixel's centre
  *   vec3  aob_position_at(vec2 q, float z)   the same at image position q and depth z
- *   vec3  aob_normal(ivec2 p)                unit, view space, towards the camera
+ *   vec3  aob_normal(ivec2 p)                normal of the surface in pixel p, likewise
  *   vec2  aob_project(vec3 v)                image position of a view-space point with v.z < 0
  *   vec3  aob_view_vector(vec3 v)            unit vector from view-space point v to the eye
  *   float aob_pixel_radius(float z, float r) pixels that a length r covers at depth z, parallel to the image

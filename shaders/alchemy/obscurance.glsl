@@ -1,6 +1,8 @@
 /* McGuire et al. 2011, equation 10, with the range test of equation 9: "obscurance has a maximum world-space
  * radius of r". Samples lie on the projected disc of radius r parallel to the image, on a golden-angle spiral
  * turned by a random angle per pixel. */
+#include "common/facing.glsl"
+
 #if SAMPLES_PER_BAND > 0
 #define MOST_SAMPLES (SAMPLES_PER_BAND * BANDS)
 #else
@@ -20,7 +22,7 @@ int sample_count(float disc)
 void main()
 {
     ivec2 p = aob_pixel;
-    vec3 position = aob_surface(p), normal = aob_surface_normal(p);
+    vec3 position = aob_surface(p), normal = facing_normal(aob_surface_normal(p), position);
     ivec2 centre = ivec2(floor(aob_image(p)));
     visibility = 1.0;
     if (aob_surface_is_sky(p))

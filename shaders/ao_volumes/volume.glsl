@@ -1,6 +1,7 @@
 /* The form factor of a triangle T at the pixel's point x (equation 1): Lambert's sum over the edges of the clipped
  * polygon. All is done in the triangle's plane, with the point under x as origin and x at height h above it, where a
  * line at distance m from the origin is seen from x in a plane whose normal is the same all along it. */
+#include "common/facing.glsl"
 #include "common/frame.glsl"
 #include "volume_size.glsl"
 
@@ -110,7 +111,7 @@ float tapered_factor(view x, vec2 p[3], side q[4])
 void main()
 {
     vec3 front = aob_front(), position = aob_surface(aob_pixel), b1, b2;
-    vec3 normal = aob_surface_normal(aob_pixel);
+    vec3 normal = facing_normal(aob_surface_normal(aob_pixel), position);
     vec3 corner[3] = vec3[3](aob_corner(0) - position, aob_corner(1) - position,
                              aob_corner(2) - position);
     tangent_frame(front, b1, b2);
@@ -128,7 +129,7 @@ void main()
      * and sees nothing of it, though a normal in 8 bits leans by up to 1 degree and makes one half of the plane rise. */
     float rounding = 1e-6 * sqrt(extent);
     float rise = max(above.x, max(above.y, above.z));
-    bool crease = length(x.n.xy) > 0.03 && rise > 10.0 * rounding;
+    bool crease = dot(x.n.xy, x.n.xy) > 9e-4 && rise > 10.0 * rounding;
     bool before = x.h > rounding ? rise > 0.0 : x.h > -rounding && crease;
     bool counts = before && x.h < param.radius && !aob_surface_is_sky(aob_pixel);
     x.h = max(x.h, rounding);

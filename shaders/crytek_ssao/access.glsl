@@ -1,5 +1,6 @@
 /* Kajalin 2009, ComputeSSAO: the share of a sphere about the surface point that lies in front of the depth buffer.
  * The comment at the top of crytek_ssao.c says where the listing is corrected. */
+#include "common/facing.glsl"
 
 /* The rotation that takes the z axis to unit vector v (the listing's rotMat; its rows are the columns here). */
 mat3 turn_to(vec3 v)
@@ -34,14 +35,15 @@ float reach(float z)
 
 /* What one sample counts: 1 in front of the surface there, 0 behind it, and towards the default where that surface is
  * so much nearer than the centre that it is another object (the listing's fRangeIsValid). */
-float access_of(vec3 position, vec3 normal, vec3 offset)
+float access_of(vec3 position, vec3 normal, vec3 direction, float size)
 {
-    vec3 s = position + offset;
+    vec3 s = position + size * direction;
     s.z = min(s.z, 1e-3 * position.z); /* not behind the eye, where nothing projects */
     ivec2 q = ivec2(floor(aob_project(s)));
     float z = aob_view_z(q);
-    float open = z > -s.z ? 1.0 : 0.0;
-    float other = clamp((-position.z - z) / (z * param.range), 0.0, 1.0);
+    /* By differences: of a place that is rounded a short offset is no more than the rounding, and ties. */
+    float nearer = -position.z - z, open = nearer < size * direction.z ? 1.0 : 0.0;
+    float other = clamp(nearer / (z * param.range), 0.0, 1.0);
     float a = mix(open, param.range_default, other);
 #if HEMISPHERE == 1
     /* What does not rise above the tangent plane hides nothing of this half: only its pixel makes it seem to. */
@@ -57,7 +59,7 @@ void main()
     vec3 position = aob_surface(p);
     vec3 v = normalize(2.0 * aob_fetch_tile(p & 3).xyz - 1.0);
 #if HEMISPHERE == 1
-    vec3 normal = aob_surface_normal(p);
+    vec3 normal = facing_normal(aob_surface_normal(p), position);
 #else
     vec3 normal = vec3(0.0);
 #endif
@@ -79,7 +81,7 @@ void main()
 #if HEMISPHERE == 1
         offset = dot(offset, normal) < 0.0 ? -offset : offset;
 #endif
-        sum += access_of(position, normal, size * offset);
+        sum += access_of(position, normal, offset, size);
     }
     float a = sum / float(SAMPLES);
 #if AMPLIFICATION == 1

@@ -2,8 +2,9 @@
  * off-centre (docs/decisions/0009): slices even about the view vector, taps below the tangent plane ignored,
  * a search as long as the slice's disc, and the ratio to the open slice. The search ends at the image's edge
  * (docs/decisions/0040). */
-#include "common/noise.glsl"
+#include "common/facing.glsl"
 #include "common/frame.glsl"
+#include "common/noise.glsl"
 
 /* Image position where the search along unit direction t (perpendicular to the view vector v) ends: the ball of
  * radius r about the surface point ends there for a ray of this slice. */
@@ -45,7 +46,8 @@ float horizon_cosine(vec2 start, vec3 position, vec3 normal, vec3 v, vec2 end, f
         vec3 d = aob_position(q) - position;
         float l = length(d);
         float weight = clamp((param.radius - l) / (param.falloff * param.radius + 1e-6 * l), 0.0, 1.0);
-        bool below = dot(d, normal) <= 1e-5 * l - 1e-6 * position.z;
+        /* A normal of 16 bits leans by up to a thousandth: the floor beside the slice rises by as much. */
+        bool below = dot(d, normal) <= 2e-3 * l - 1e-6 * position.z;
         /* What is closed grows with the square of the cosine, or with the cosine where directions weigh alike. */
         float fade = WEIGHTING == 0 ? sqrt(weight) : weight;
         float c = mix(floor_cosine, dot(d, v) / max(l, 1e-20), fade);
@@ -57,7 +59,7 @@ float horizon_cosine(vec2 start, vec3 position, vec3 normal, vec3 v, vec2 end, f
 void main()
 {
     ivec2 p = aob_pixel;
-    vec3 position = aob_surface(p), normal = aob_surface_normal(p), v = aob_view_vector(position), b1, b2;
+    vec3 position = aob_surface(p), normal = facing_normal(aob_surface_normal(p), position), v = aob_view_vector(position), b1, b2;
     tangent_frame(v, b1, b2);
     vec2 start = aob_image(p);
     float turn = fract(noise_rotation(p) + noise_frame_rotation(param.noise_index));

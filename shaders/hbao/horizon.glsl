@@ -2,6 +2,7 @@
  * sample that raises the horizon, integrated in steps (equations 6.2.8 and 6.2.9). The text's space is left-handed;
  * here a surface nearer to the eye has the larger z. Outside the image there is nothing: the text clamps to the
  * edge, and reports the false occlusion that this makes. */
+#include "common/facing.glsl"
 
 /* Sine of the elevation of the surface's own plane along v, raised by the angle bias; 1 from the zenith on. */
 float tangent_along(vec2 v, vec3 normal)
@@ -60,7 +61,7 @@ float occlusion_along(vec2 start, vec3 position, vec3 normal, vec2 step_size, fl
 void main()
 {
     ivec2 p = aob_pixel;
-    vec3 position = aob_surface(p), normal = aob_surface_normal(p);
+    vec3 position = aob_surface(p), normal = facing_normal(aob_surface_normal(p), position);
     vec4 jitter = aob_fetch_jitter(p & 3);
     float pixels = aob_pixel_radius(-position.z, param.radius) / float(STEPS + 1), sum = 0.0;
     visibility = 1.0;

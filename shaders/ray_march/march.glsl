@@ -3,6 +3,7 @@
  * plane cannot stop a ray that rises from it: without that test the half pixel between a step and its texel's centre
  * darkens tilted planes. The plane is raised by a degree, since a normal of 8 bits leans by as much. Outside the image
  * there is nothing. */
+#include "common/facing.glsl"
 #include "common/frame.glsl"
 #include "common/noise.glsl"
 
@@ -27,7 +28,7 @@ float occlusion_along(vec3 position, vec3 normal, vec3 d)
 void main()
 {
     ivec2 p = aob_pixel;
-    vec3 position = aob_surface(p), normal = aob_surface_normal(p), b1, b2;
+    vec3 position = aob_surface(p), normal = facing_normal(aob_surface_normal(p), position), b1, b2;
     float sum = 0.0;
     tangent_frame(normal, b1, b2);
     for (int i = 0; i < DIRECTIONS && !aob_surface_is_sky(p); i++) {

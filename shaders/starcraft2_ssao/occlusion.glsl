@@ -1,5 +1,7 @@
 /* Filion 2010, listings 1.2.2 to 1.2.6: offsets mirrored by a random normal per pixel, flipped into the hemisphere of
  * the surface's normal, and each point's depth compared with the depth buffer's. */
+#include "common/facing.glsl"
+
 float blocked(float delta, float full, float none, float power, int row)
 {
 #if BLOCKER == 1
@@ -11,9 +13,9 @@ float blocked(float delta, float full, float none, float power, int row)
 }
 
 /* Weighted mean occlusion of the offsets first..end-1. */
-float occlusion(int first, int end, float radius, float full, float none, float power, int row)
+float occlusion(vec3 normal, int first, int end, float radius, float full, float none, float power, int row)
 {
-    vec3 position = aob_surface(aob_pixel), normal = aob_surface_normal(aob_pixel);
+    vec3 position = aob_surface(aob_pixel);
     vec3 mirror = normalize(aob_fetch_noise(aob_pixel % NOISE_SIZE).xyz * 2.0 - 1.0);
     float pixels = aob_pixel_radius(-position.z, radius) * float(AOB_DEPTH_DIVISOR);
     float reach = param.max_screen_radius > 0.0 ? min(1.0, param.max_screen_radius / pixels) : 1.0;
@@ -42,15 +44,16 @@ float occlusion(int first, int end, float radius, float full, float none, float 
 void main()
 {
     float z = aob_surface_z(aob_pixel);
+    vec3 normal = facing_normal(aob_surface_normal(aob_pixel), aob_surface(aob_pixel));
     int count = int(float(SAMPLES) * clamp(NEAR_DISTANCE / z, 1.0, float(NEAR_FACTOR)));
 #if RADII == 1
-    float small = occlusion(0, count / 4, param.small_radius, param.small_full_occlusion,
+    float small = occlusion(normal, 0, count / 4, param.small_radius, param.small_full_occlusion,
                             param.small_no_occlusion, param.small_power, 1);
     float wide =
-        occlusion(count / 4, count, param.radius, param.full_occlusion, param.no_occlusion, param.power, 0);
+        occlusion(normal, count / 4, count, param.radius, param.full_occlusion, param.no_occlusion, param.power, 0);
     float dark = max(small, wide);
 #else
-    float dark = occlusion(0, count, param.radius, param.full_occlusion, param.no_occlusion, param.power, 0);
+    float dark = occlusion(normal, 0, count, param.radius, param.full_occlusion, param.no_occlusion, param.power, 0);
 #endif
     visibility = aob_surface_is_sky(aob_pixel) ? 1.0 : 1.0 - dark;
 }

@@ -7,13 +7,14 @@
 void main()
 {
     ivec2 p = aob_pixel;
-    vec3 position = aob_surface(p), normal = aob_surface_normal(p);
+    vec3 position = aob_surface(p), normal = aob_surface_normal(p), alike;
+    make_unit(normal, alike);
     AOB_TYPE_RAW centre = aob_fetch_raw(p), sum = centre;
     float weights = 1.0;
     const float sigma = float(BLUR) / 4.0;
     [[unroll]] for (int i = -(BLUR / 2); i <= BLUR / 2; i++) {
         ivec2 q = p + (AXIS == 0 ? ivec2(i, 0) : ivec2(0, i));
-        float same = same_surface(position, normal, aob_surface(q), aob_surface_normal(q));
+        float same = same_surface(position, normal, aob_surface(q), dot(aob_surface_normal(q), alike));
         float w = i == 0 ? 0.0 : exp(-0.5 * float(i * i) / (sigma * sigma)) * same;
         sum += w * aob_fetch_raw(q);
         weights += w;

@@ -5,13 +5,14 @@
 void main()
 {
     ivec2 p = aob_pixel;
-    vec3 position = aob_surface(p), normal = aob_surface_normal(p);
+    vec3 position = aob_surface(p), normal = aob_surface_normal(p), alike;
+    make_unit(normal, alike);
     AOB_TYPE_RAW centre = aob_fetch_raw(p), sum = centre;
     float weights = 1.0;
     for (int i = 0; i < 4; i++) {
         int step = (i & 1) * 2 - 1;
         ivec2 q = p + (i < 2 ? ivec2(step, 0) : ivec2(0, step));
-        float w = same_surface(position, normal, aob_surface(q), aob_surface_normal(q));
+        float w = same_surface(position, normal, aob_surface(q), dot(aob_surface_normal(q), alike));
         sum += w * aob_fetch_raw(q);
         weights += w;
     }

@@ -8,14 +8,15 @@ void main()
     ivec2 p = aob_pixel;
     float depth = aob_surface_z(p);
     vec3 normal = aob_surface_normal(p);
+    float least = param.blur_normal * dot(normal, normal); /* as if it were of length 1, where all have another */
     AOB_TYPE_RAW centre = aob_fetch_raw(p), sum = centre;
     float weights = 1.0;
     const float sigma = float(BLUR) / 4.0;
     [[unroll]] for (int i = -(BLUR / 2); i <= BLUR / 2; i++) {
         ivec2 q = p + (AXIS == 0 ? ivec2(i, 0) : ivec2(0, i));
-        bool other = abs(aob_surface_z(q) - depth) > param.blur_depth ||
-                     dot(aob_surface_normal(q), normal) < param.blur_normal;
-        float w = i == 0 || other ? 0.0 : exp(-0.5 * float(i * i) / (sigma * sigma));
+        bool same = abs(aob_surface_z(q) - depth) <= param.blur_depth &&
+                    dot(aob_surface_normal(q), normal) >= least; /* false of what is no number */
+        float w = i != 0 && same ? exp(-0.5 * float(i * i) / (sigma * sigma)) : 0.0;
         sum += w * aob_fetch_raw(q);
         weights += w;
     }

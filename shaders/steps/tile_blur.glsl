@@ -3,10 +3,13 @@
  * its own mirror image and transpose. Each of the 16 places in the tile weighs the same. A tap counts if it lies within
  * param.blur_tolerance, a share of the depth, of the centre's tangent plane: a surface seen at a flat angle is one
  * surface, and nothing is mixed over a depth edge. */
+#include "common/surface.glsl"
+
 void main()
 {
     ivec2 p = aob_pixel;
-    vec3 position = aob_surface(p), normal = aob_surface_normal(p);
+    vec3 position = aob_surface(p), normal = aob_surface_normal(p), alike;
+    make_unit(normal, alike);
     AOB_TYPE_RAW centre = aob_fetch_raw(p), sum = AOB_TYPE_RAW(0.0);
     float weights = 0.0;
     for (int y = -2; y <= 2; y++)
@@ -18,5 +21,5 @@ void main()
             sum += w * aob_fetch_raw(q);
             weights += w;
         }
-    blurred = aob_surface_is_sky(p) ? centre : sum / weights;
+    blurred = weights > 0.0 && !aob_surface_is_sky(p) ? sum / weights : centre; /* none: the normal is no number */
 }

@@ -9,7 +9,8 @@ void main()
     ivec2 p = aob_pixel, base = p / AOB_DIVISOR_LOW;
     ivec2 last = (aob_size - 1) / AOB_DIVISOR_LOW;
     vec2 part = vec2(p - base * AOB_DIVISOR_LOW) / float(AOB_DIVISOR_LOW);
-    vec3 position = aob_surface(p), normal = aob_surface_normal(p);
+    vec3 position = aob_surface(p), normal = aob_surface_normal(p), alike;
+    make_unit(normal, alike);
     AOB_TYPE_LOW sum = AOB_TYPE_LOW(0.0), nearest = aob_fetch_low(base);
     float weights = 0.0, least = AOB_SKY_Z;
     for (int i = 0; i < 4; i++) {
@@ -17,14 +18,15 @@ void main()
         ivec2 q = min(base + corner, last);
         vec3 other = aob_position(q * AOB_DIVISOR_LOW), other_normal = aob_normal(q * AOB_DIVISOR_LOW);
         float bilinear = (corner.x == 1 ? part.x : 1.0 - part.x) * (corner.y == 1 ? part.y : 1.0 - part.y);
-        float w = bilinear * min(same_surface(position, normal, other, other_normal),
-                                 same_surface(other, other_normal, position, normal));
-        float away = length(other - position) * (2.0 - dot(other_normal, normal));
+        float cosine = dot(other_normal, alike);
+        float w = bilinear * min(same_surface(position, normal, other, cosine),
+                                 same_surface(other, other_normal, position, cosine));
+        float away = length(other - position) * (2.0 - cosine);
         AOB_TYPE_LOW value = aob_fetch_low(q);
         sum += w * value;
         weights += w;
         nearest = away < least ? value : nearest;
-        least = min(least, away);
+        least = away < least ? away : least;
     }
     full = aob_surface_is_sky(p) ? AOB_TYPE_LOW(1.0) : weights > 1e-3 ? sum / weights : nearest;
 }

@@ -1,7 +1,8 @@
 /* Horizons on both sides of slices even about the view vector, and the ratio of the closed-form integrals with and without
  * occluders: the same for every plane. */
-#include "common/noise.glsl"
+#include "common/facing.glsl"
 #include "common/frame.glsl"
+#include "common/noise.glsl"
 #include "fault.glsl"
 
 /* Where the search along the unit direction t ends in the image: the end of the ball's disc, or the image's edge. */
@@ -55,7 +56,7 @@ float horizon(vec2 start, vec3 position, vec3 normal, vec3 v, vec2 end, float ji
         vec3 d = tap_position(q, length(at - start)) - position;
         float l = length(d), weight = weight_of(l);
         float c = FAULT == UNCLAMPED_ACOS ? dot(d, v) / l * 1.0000002 : dot(d, v) / max(l, 1e-20);
-        bool above = dot(d, normal) > 1e-5 * l - 1e-6 * position.z;
+        bool above = dot(d, normal) > 2e-3 * l - 1e-6 * position.z;
         if (FAULT == TAPS_UNDER_TANGENT)
             above = l > 0.0;
         if (FAULT == BORDER_AS_ZERO && (any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, aob_size)))) {
@@ -82,9 +83,8 @@ void main()
     vec3 v = aob_view_vector(position);
     if (FAULT == VIEW_AS_PERSPECTIVE)
         v = normalize(-position);
-    float square = dot(normal, normal);
     if (FAULT != NORMAL_AS_IT_COMES)
-        normal = square > 1e-12 && square < 1e12 ? normal * inversesqrt(square) : v;
+        normal = facing_normal(normal, position);
     tangent_frame(v, b1, b2);
     vec2 start = aob_image(p);
     float turn = noise_rotation(aob_pixel), offset = noise_offset(aob_pixel), open = 0.0, total = 0.0;
