@@ -7,7 +7,6 @@ bool aob_exhibit_init(struct aob_exhibit *exhibit, const struct aob_exhibit_desc
 {
     struct aob_projection projection =
         aob_camera_projection(&desc->camera, desc->width, desc->height, desc->guard);
-    projection.sx *= desc->squeeze > 0 ? desc->squeeze : 1;
     *exhibit = (struct aob_exhibit){.mesh = *desc->mesh,
                                     .camera = desc->camera,
                                     .width = desc->width,

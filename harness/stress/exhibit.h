@@ -13,7 +13,6 @@ struct aob_exhibit_desc {
     struct aob_mesh *mesh; /* taken: the exhibit owns what it holds, and *mesh is empty afterwards */
     struct aob_camera camera;
     int width, height, guard; /* pixels; the guard band lies around width x height */
-    double squeeze;           /* width of a pixel over its height; 0: 1, as every camera has it */
 };
 struct aob_exhibit {
     struct aob_mesh mesh;

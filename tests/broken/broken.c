@@ -1,5 +1,5 @@
 /* For the tests of `stress`: one technique that keeps every property, and builds of it that have a single fault each, which
- * the property of the fault's name must catch (tests/cli/test_stress.sh has the list). FAULT is a number of
+ * the property of the fault's name must catch (caught.txt has the lists). FAULT is a number of
  * shaders/fault.glsl; 0 is the sound one. */
 #include <aobudget/steps.h>
 #include <string.h>
@@ -7,22 +7,23 @@
 
 struct values {
     float radius, falloff;
-    int32_t slices, steps, divisor;
+    int32_t slices, steps, blur, divisor;
 };
 
 static const struct aob_param params[] = {
     AOB_PARAM(struct values, radius, .unit = AOB_UNIT_LENGTH, .scale = AOB_LOG2, .min = 1e-6, .max = 1e6,
               .initial = 0.5, .doc = "Farthest distance of an occluder."),
-    AOB_PARAM(struct values, falloff, .min = 0, .max = 1, .initial = 0,
+    AOB_PARAM(struct values, falloff, .min = 0, .max = 1, .initial = 0.3,
               .doc = "Share of the radius over which occlusion fades out."),
     AOB_PARAM(struct values, slices, .unit = AOB_UNIT_COUNT, .stage = AOB_CONSTANT, .min = 1, .max = 64,
               .initial = 4, .doc = "Slices about the view vector."),
     AOB_PARAM(struct values, steps, .unit = AOB_UNIT_COUNT, .stage = AOB_CONSTANT, .min = 1, .max = 64,
               .initial = 8, .doc = "Taps on each side of a slice."),
+    AOB_PARAM_BLUR(struct values, blur, 3),
     AOB_PARAM_DIVISOR(struct values, divisor),
 };
 
-enum { LEVELS = 3 };
+enum { LEVELS = 2 };
 
 static float falloff(const void *values, float t)
 {
@@ -33,7 +34,7 @@ static float falloff(const void *values, float t)
 /* Level l holds the depth of every (1 << l)th pixel, so that each texel is an exact point of a surface. */
 static aob_tex lay_pyramid(struct aob_graph *graph)
 {
-    static const char *const names[LEVELS] = {"level_0", "level_1", "level_2"};
+    static const char *const names[LEVELS] = {"level_0", "level_1"};
     aob_tex pyramid = aob_texture(graph, .name = "pyramid", .format = AOB_R32F, .levels = LEVELS);
     aob_pass(graph, .name = names[0], .shader = "first", .reads = AOB_DEPTH,
              .out = {{.name = "depth", .tex = pyramid}});
@@ -44,20 +45,38 @@ static aob_tex lay_pyramid(struct aob_graph *graph)
     return pyramid;
 }
 
+static aob_tex lay_soften(struct aob_graph *graph, aob_tex raw, const struct values *v)
+{
+    if (v->blur == 0)
+        return raw;
+    aob_tex soft = aob_texture(graph, .name = "soft", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
+    aob_pass(graph, .name = "soften", .shader = "soften", .reads = AOB_DEPTH | AOB_NORMAL,
+             .defines = {{"FAULT", FAULT}}, .in = {{.name = "raw", .tex = raw}},
+             .out = {{.name = "softened", .tex = soft}});
+    return soft;
+}
+
+/* The fault BILINEAR_UPSAMPLING has a pass of its own, and all others the shared one. */
+static aob_tex lay_upsample(struct aob_graph *graph, aob_tex low, const struct values *v)
+{
+    enum { BILINEAR_UPSAMPLING = 23 };
+    if (FAULT != BILINEAR_UPSAMPLING || v->divisor == 1)
+        return aob_step_upsample(graph, .tex = low, .divisor = v->divisor);
+    aob_tex full = aob_texture(graph, .name = "full", .format = AOB_R16F);
+    aob_pass(graph, .name = "bilinear", .shader = "bilinear", .reads = AOB_DEPTH,
+             .in = {{.name = "low", .tex = low}}, .out = {{.name = "full", .tex = full}});
+    return full;
+}
+
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
     aob_tex pyramid = lay_pyramid(graph);
     aob_tex raw =
         aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
-    aob_tex soft = aob_texture(graph, .name = "soft", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
     aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = pyramid,
              .border = AOB_FAR, .defines = {{"FAULT", FAULT}}, .out = {{.name = "visibility", .tex = raw}});
-    aob_pass(graph, .name = "soften", .shader = "soften", .reads = AOB_DEPTH | AOB_NORMAL,
-             .defines = {{"FAULT", FAULT}}, .in = {{.name = "raw", .tex = raw}},
-             .out = {{.name = "softened", .tex = soft}});
-    return aob_output(graph, AOB_OUT_VISIBILITY,
-                      aob_step_upsample(graph, .tex = soft, .divisor = v->divisor));
+    return aob_output(graph, AOB_OUT_VISIBILITY, lay_upsample(graph, lay_soften(graph, raw, v), v));
 }
 
 AOB_TECHNIQUE(broken, .title = "Horizons, sound or with one fault", .citation = "tests", .revision = 1,

@@ -12,6 +12,9 @@ for fault in $(seq 62); do check "fault $fault has a row" grep -q "^| $fault [^|
 for name in $(sed -n '/^| fault/,$p' "$docs" | grep -o '`[a-z0-9_]*`' | tr -d '`' | sort -u); do
   [ "$name" = invalid ] || check "the property $name of docs/stress.md exists" grep -q "^$name (" list
 done
+for name in $(sed -n 's/^\([a-z0-9_]*\) (.*/\1/p' list); do
+  check "docs/stress.md names the property $name" grep -qF "\`$name\`" "$docs"
+done
 
 expect 2 "there is no 'sky'; see: aobudget stress --list" "$program" stress --property sky
 expect 2 "there is no 'metal'; see: aobudget list backends" "$program" stress --backend metal

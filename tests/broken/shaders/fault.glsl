@@ -1,12 +1,12 @@
-/* What may be wrong; FAULT is one of them, or 0. */
+/* What may be wrong; FAULT is one of them, or 0. The numbers are the places in FAULTS of tests/CMakeLists.txt. */
 #define UNCLAMPED_ACOS 1
 #define NO_RANGE_CHECK 2
 #define RADIUS_IN_UV 3
-#define HALF_PIXEL_DRIFT 4
-#define SWAPPED_TAPS 5
-#define NORMAL_AS_IT_COMES 6
-#define TAPS_UNDER_TANGENT 7
-#define UNEVEN_SLICES 8
+#define RADIUS_IN_PIXELS 4
+#define HALF_PIXEL_DRIFT 5
+#define SWAPPED_TAPS 6
+#define NORMAL_AS_IT_COMES 7
+#define TAPS_UNDER_TANGENT 8
 #define REPEATED_JITTERS 9
 #define LEVEL_IN_UV 10
 #define UNCLIPPED_SEARCH 11
@@ -15,5 +15,17 @@
 #define FALLOFF_DIVIDES 14
 #define BIAS_IN_UNITS 15
 #define VIEW_AS_PERSPECTIVE 16
-#define ABOVE_ONE 17
+#define ONE_ROW_DIVIDES 17
 #define NAN_PASSES 18
+#define ONE_STEP_DIVIDES 19
+#define CONSTANT_OUTPUT 20
+#define LOW_SIZE_CUT 21
+#define SHORT_FILTER_TABLE 22
+#define BILINEAR_UPSAMPLING 23
+#define MEAN_DEPTH 24
+#define ONE_SIDED 25
+#define COARSE_STEPS 26
+#define SINGULAR_FRAME 27
+#define NOISE_ABOUT_MIDDLE 28
+#define SQUARES_IN_HALVES 29
+#define FAR_PLANE_COUNTS 30

@@ -1,21 +1,23 @@
-/* A cross of five taps on the same surface. */
+/* A cross of taps on the same surface, BLUR along each axis. */
 #include "common/surface.glsl"
 #include "fault.glsl"
+#include "common/facing.glsl"
+#include "normal.glsl"
+
+const int HALF = BLUR / 2, TABLE = 4;
 
 void main()
 {
     ivec2 p = aob_pixel;
-    vec3 position = aob_surface(p), normal = aob_surface_normal(p), alike;
-    make_unit(normal, alike);
-    if (FAULT == NORMAL_AS_IT_COMES)
-        normal = alike = aob_surface_normal(p);
+    vec3 position = aob_surface(p), normal = unit_normal(p, aob_view_vector(position));
     float centre = aob_fetch_raw(p), sum = centre, weights = 1.0;
-    for (int i = 0; i < 4; i++) {
-        ivec2 q = p + (i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5));
-        if (FAULT == SWAPPED_TAPS)
-            q = p + (i < 2 ? ivec2(i + 1, 0) : ivec2(0, i - 1));
-        float w = 0.5 * same_surface(position, normal, aob_surface(q), dot(aob_surface_normal(q), alike));
-        float tap = aob_fetch_raw(q);
+    for (int i = 0; i < 4 * HALF; i++) {
+        int away = i / 4 + 1, axis = i >> 1 & 1;
+        bool after = (i & 1) == 0 || (FAULT == SWAPPED_TAPS && axis == 0);
+        ivec2 side = after ? ivec2(away) : ivec2(-away), q = p + side * ivec2(1 - axis, axis);
+        vec3 other = aob_surface(q);
+        float w = 0.5 * same_surface(position, normal, other, unit_normal(q, aob_view_vector(other)));
+        float tap = FAULT == SHORT_FILTER_TABLE && away > TABLE ? 0.0 : aob_fetch_raw(q);
         sum += w > 0.0 ? w * tap : 0.0;
         weights += w > 0.0 ? w : 0.0;
     }
