@@ -114,7 +114,7 @@ void aob_ask_half_size_drift(struct aob_trial *trial)
     }
     for (size_t s = 1; s < AOB_COUNT(sets); s++) {
         double x = sums[s].x - sums[0].x, y = sums[s].y - sums[0].y, wrong = s == 1 ? 0.5 : 1.5;
-        aob_trial_take(trial, fmax(fabs(x), fabs(y)) / wrong, &(struct aob_seen){&shot, image, NULL},
+        aob_trial_take(trial, aob_worse(fabs(x), fabs(y)) / wrong, &(struct aob_seen){&shot, image, NULL},
                        "%s: by (%.3f, %.3f) pixels on average", sets[s], x, y);
     }
 }
@@ -150,7 +150,7 @@ void aob_ask_phantom_depth(struct aob_trial *trial)
                 mask[i] = (aob_exhibit_position(full.exhibit, i).z > 0.3) == (side == 1);
             double darkest = aob_resolution_darkest(full.exhibit, image, mask),
                    at_full = aob_resolution_darkest(full.exhibit, wanted, mask);
-            aob_trial_take(trial, fmax(0, at_full - darkest), &(struct aob_seen){&low, image, wanted},
+            aob_trial_take(trial, aob_over(at_full - darkest), &(struct aob_seen){&low, image, wanted},
                            "%s: darkest pixel of the %s %.4f, %.4f at full size", sets[s],
                            side ? "plates" : "wall", darkest, at_full);
         }
@@ -223,7 +223,7 @@ void aob_ask_upsampled_edge(struct aob_trial *trial)
         if (!image)
             return;
         double excess = white_edge(full.exhibit, image, wanted);
-        aob_trial_take(trial, fmax(0, excess), &(struct aob_seen){&low, image, wanted},
+        aob_trial_take(trial, aob_over(excess), &(struct aob_seen){&low, image, wanted},
                        "%s: beside the bars %.4f brighter than the gaps' brightest at full size", sets[s],
                        excess);
     }

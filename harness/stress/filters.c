@@ -29,7 +29,7 @@ void aob_ask_impulse_centred(struct aob_trial *trial)
         x += (k % 2 ? -m.x : m.x) / 16;
         y += (k % 2 ? -m.y : m.y) / 16;
     }
-    aob_trial_take(trial, fmax(fabs(x), fabs(y)), &(struct aob_seen){&shot, image, NULL},
+    aob_trial_take(trial, aob_worse(fabs(x), fabs(y)), &(struct aob_seen){&shot, image, NULL},
                    "filters move it by (%.3f, %.3f) pixels on average", x, y);
 }
 
@@ -62,7 +62,7 @@ void aob_ask_impulse_transposed(struct aob_trial *trial)
     }
     if (!(steps[0] > 0 && steps[1] > 0))
         aob_trial_excuse(trial, "nothing is dark beside a box");
-    aob_trial_take(trial, fmax(steps[0] / steps[1], steps[1] / steps[0]) - 1,
+    aob_trial_take(trial, aob_worse(steps[0] / steps[1], steps[1] / steps[0]) - 1,
                    &(struct aob_seen){&shot, image, NULL},
                    "squares of steps: %.4f along rows, %.4f along columns", steps[0], steps[1]);
 }
@@ -76,7 +76,7 @@ static double beyond(const struct aob_exhibit *exhibit, const float *image, cons
         high = fmax(high, (double)raw[i]);
     }
     for (size_t i = 0; i < aob_exhibit_pixels(exhibit); i++)
-        most = fmax(most, fmax(low - (double)image[i], (double)image[i] - high));
+        most = aob_worse(most, aob_worse(low - (double)image[i], (double)image[i] - high));
     return most;
 }
 
@@ -107,7 +107,7 @@ void aob_ask_constant_kept(struct aob_trial *trial)
             return;
         double out = beyond(open.exhibit, image, raw),
                change = fabs(inner_mean(trial, open.exhibit, image) - inner_mean(trial, open.exhibit, raw));
-        aob_trial_take(trial, fmax(out, change), &(struct aob_seen){&shot, image, raw},
+        aob_trial_take(trial, aob_worse(out, change), &(struct aob_seen){&shot, image, raw},
                        "%s: %.5f beyond the unfiltered values, mean off by %.5f", sets[s], out, change);
     }
 }

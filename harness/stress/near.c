@@ -26,7 +26,7 @@ static struct aob_exhibit *show_crease(struct aob_trial *trial, double distance,
 /* How much of the occlusion that the image shows is lost: 0 to 1 of it, where it is a tenth at least. */
 static double lost(double mean, double shown, double open)
 {
-    return fmax(0, mean - shown) / fmax(open - shown, 0.1);
+    return aob_over(mean - shown) / aob_worse(open - shown, 0.1);
 }
 
 static void ask_approach(struct aob_trial *trial)
@@ -41,8 +41,8 @@ static void ask_approach(struct aob_trial *trial)
             return;
         double mean = aob_mean_of(shot.exhibit, image, NULL), least = aob_mean_of(shot.exhibit, scene, NULL),
                most = aob_mean_of(shot.exhibit, shown, NULL), open = aob_claim_open(trial, &shot);
-        double closed = fmax(0, least - mean) / fmax(least, 0.1);
-        aob_trial_take(trial, fmax(lost(mean, most, open), closed), &(struct aob_seen){&shot, image, shown},
+        double closed = aob_over(least - mean) / aob_worse(least, 0.1);
+        aob_trial_take(trial, aob_worse(lost(mean, most, open), closed), &(struct aob_seen){&shot, image, shown},
                        "crease %g away: mean %.4f, of the scene %.4f, of what the image shows %.4f",
                        distances[i], mean, least, most);
     }

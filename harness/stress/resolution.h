@@ -42,6 +42,6 @@ struct aob_resolution_middle {
 };
 struct aob_resolution_middle aob_resolution_middle_of(const struct aob_shot *shot, const float *image);
 
-/* The least value of an image's surfaces. */
+/* The least value of an image's surfaces; NAN of none. */
 double aob_resolution_darkest(const struct aob_exhibit *exhibit, const float *image, const bool *mask);
 #endif

@@ -20,7 +20,7 @@ double aob_resolution_darkest(const struct aob_exhibit *exhibit, const float *im
     for (size_t i = 0; i < aob_exhibit_pixels(exhibit); i++)
         if (aob_exhibit_is_surface(exhibit, i) && (!mask || mask[i]))
             least = fmin(least, (double)image[i]);
-    return least;
+    return isfinite(least) ? least : NAN;
 }
 
 /* A tilted plane, so that a read of another texel than the one that was meant shows. */
@@ -51,7 +51,7 @@ static void ask_size(struct aob_trial *trial, int width, int height, const char 
     const float *image = draw_plane(trial, width, height, set, &shot);
     if (image) {
         double darkest = aob_resolution_darkest(shot.exhibit, image, NULL);
-        aob_trial_take(trial, fmax(0, large - darkest), &(struct aob_seen){&shot, image, NULL},
+        aob_trial_take(trial, aob_over(large - darkest), &(struct aob_seen){&shot, image, NULL},
                        "%dx%d %s: darkest pixel %.4f, %.4f of a large image", width, height, set ? set : "",
                        darkest, large);
     }
@@ -134,10 +134,10 @@ static double stands_out(const struct aob_exhibit *exhibit, const float *image, 
         double out =
             fabs(line_mean(exhibit, image, column, k) - 0.5 * (line_mean(exhibit, image, column, k - TILE) +
                                                                line_mean(exhibit, image, column, k + TILE)));
-        middle = away <= 1 ? fmax(middle, out) : middle;
-        elsewhere = away > TILE + 1 ? fmax(elsewhere, out) : elsewhere;
+        middle = away <= 1 ? aob_worse(middle, out) : middle;
+        elsewhere = away > TILE + 1 ? aob_worse(elsewhere, out) : elsewhere;
     }
-    return fmax(0, middle - 1.5 * elsewhere);
+    return aob_over(middle - 1.5 * elsewhere);
 }
 
 void aob_ask_centre_line(struct aob_trial *trial)
@@ -230,7 +230,7 @@ void aob_ask_resolution_invariant(struct aob_trial *trial)
             mask[i] = true;
         average_down(big.exhibit, image, times, down, mask);
         struct aob_difference d = aob_difference_of(one.exhibit, down, wanted, mask);
-        aob_trial_take(trial, fmax(fabs(d.mean) / 0.01, d.rmse / 0.1), &(struct aob_seen){&one, down, wanted},
+        aob_trial_take(trial, aob_worse(fabs(d.mean) / 0.01, d.rmse / 0.1), &(struct aob_seen){&one, down, wanted},
                        "%d times the size, averaged down: mean differs by %.4f, RMSE %.4f", times, d.mean,
                        d.rmse);
     }

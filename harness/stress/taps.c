@@ -111,7 +111,7 @@ static bool end(void *self, struct aob_error *error)
         return true;
     double chance = distinct_by_chance(taps), distinct = taps->distinct / taps->invocations,
            taken = taps->all / taps->invocations;
-    aob_trial_take(taps->trial, fmax(0, 1 - distinct / chance), &(struct aob_seen){taps->shot, NULL, NULL},
+    aob_trial_take(taps->trial, aob_over(1 - distinct / chance), &(struct aob_seen){taps->shot, NULL, NULL},
                    "pass %s: %.1f taps of %.1f texels, %.1f by chance", taps->pass.name, taken, distinct,
                    chance);
     return true;
