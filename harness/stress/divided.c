@@ -82,6 +82,17 @@ struct aob_resolution_middle aob_resolution_middle_of(const struct aob_shot *sho
     return m;
 }
 
+void aob_resolution_hold(struct aob_trial *trial, const struct aob_shot *shot, const float *image,
+                         const struct aob_resolution_middle *middle, bool first)
+{
+    if (first && middle->dark < 1)
+        aob_trial_excuse(trial, "nothing is dark beside a box");
+    if (!(middle->dark >= 1))
+        aob_trial_take(trial, NAN, &(struct aob_seen){shot, image, NULL},
+                       "%dx%d %s: nothing is dark beside the box", shot->exhibit->width,
+                       shot->exhibit->height, shot->set ? shot->set : "");
+}
+
 /* The box's middle has 16 places in a tile of 16 x 16 pixels: each row and column of it once, and each of the 4 x 4 places
  * in a block of pixels, in a tile of low pixels, and in one of low pixels at half size. So its edges lie in each way about
  * the low pixels, and noise that repeats every four pixels cancels. Widths are odd, heights even. */
@@ -106,8 +117,7 @@ void aob_ask_half_size_drift(struct aob_trial *trial)
             if (!image)
                 return;
             struct aob_resolution_middle m = aob_resolution_middle_of(&shot, image);
-            if (!(m.dark >= 1))
-                aob_trial_excuse(trial, "nothing is dark beside a box");
+            aob_resolution_hold(trial, &shot, image, &m, k == 0 && s == 0);
             sums[s].x += m.x / 16;
             sums[s].y += m.y / 16;
         }

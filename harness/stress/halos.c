@@ -123,7 +123,8 @@ static void take_between(struct aob_trial *trial, double gap, double width)
         return;
     double bars = aob_mean_of(bare, image, mask), most = aob_mean_of(bare, none, mask),
            least = aob_mean_of(bare, all, mask);
-    aob_trial_take(trial, aob_over(aob_worse(bars - most, least - bars)), &(struct aob_seen){&shot, image, none},
+    aob_trial_take(trial, aob_over(aob_worse(bars - most, least - bars)),
+                   &(struct aob_seen){&shot, image, none},
                    "bars %g wide, %g before the wall: its mean is %.4f, with a sheet %.4f, with nothing %.4f",
                    width, gap, bars, least, most);
 }

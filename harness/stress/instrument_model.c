@@ -80,8 +80,9 @@ static void ask_clock(struct aob_trial *trial, const struct aob_profile *profile
     twice.rates.memory *= 2;
     twice.rates.launch /= 2;
     struct aob_model_time fast = aob_model_pass(&twice, input);
-    double off = aob_worse(fabs(2 * fast.ms / slow.ms - 1), aob_worse(fabs(2 * fast.low_ms / slow.low_ms - 1),
-                                                            fabs(2 * fast.high_ms / slow.high_ms - 1)));
+    double off =
+        aob_worse(fabs(2 * fast.ms / slow.ms - 1), aob_worse(fabs(2 * fast.low_ms / slow.low_ms - 1),
+                                                             fabs(2 * fast.high_ms / slow.high_ms - 1)));
     aob_trial_take(trial, off, NULL, "%s: %.6g ms at one clock, %.6g ms at twice it", profile->name, slow.ms,
                    fast.ms);
 }
@@ -94,8 +95,9 @@ void aob_ask_model_clock(struct aob_trial *trial)
 /* The largest of three shares of time that more work saved. */
 static double saved(const struct aob_model_time *less, const struct aob_model_time *more)
 {
-    return aob_over(aob_worse((less->ms - more->ms) / less->ms, aob_worse((less->low_ms - more->low_ms) / less->low_ms,
-                                                       (less->high_ms - more->high_ms) / less->high_ms)));
+    return aob_over(aob_worse((less->ms - more->ms) / less->ms,
+                              aob_worse((less->low_ms - more->low_ms) / less->low_ms,
+                                        (less->high_ms - more->high_ms) / less->high_ms)));
 }
 
 static void ask_work(struct aob_trial *trial, const struct aob_profile *profile,

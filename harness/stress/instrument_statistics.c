@@ -30,7 +30,8 @@ static void draw_times(struct aob_chance *chance, struct times *times)
 /* The largest relative distance of two ratios and of their ends. */
 static double apart(const struct aob_ratio *a, const struct aob_ratio *b)
 {
-    return aob_worse(fabs(a->ratio / b->ratio - 1), aob_worse(fabs(a->low / b->low - 1), fabs(a->high / b->high - 1)));
+    return aob_worse(fabs(a->ratio / b->ratio - 1),
+                     aob_worse(fabs(a->low / b->low - 1), fabs(a->high / b->high - 1)));
 }
 
 void aob_ask_times_unit(struct aob_trial *trial)
@@ -104,8 +105,8 @@ void aob_ask_times_identical(struct aob_trial *trial)
                 times.processes[p] = (struct aob_rounds){times.cost[p], times.fixed[p], ROUNDS};
             }
             struct aob_ratio e = aob_estimate_ratio(times.processes, processes);
-            double off =
-                aob_worse(fabs(e.low / ratio - 1), aob_worse(fabs(e.high / ratio - 1), fabs(e.ratio / ratio - 1)));
+            double off = aob_worse(fabs(e.low / ratio - 1),
+                                   aob_worse(fabs(e.high / ratio - 1), fabs(e.ratio / ratio - 1)));
             aob_trial_take(trial, e.bounded ? off : NAN, NULL,
                            "%zu processes of ratio %.9g: %.9g (%.9g .. %.9g)", processes, ratio, e.ratio,
                            e.low, e.high);
@@ -160,7 +161,8 @@ void aob_ask_times_median(struct aob_trial *trial)
         bool bounded = aob_median_interval(x, n, &low, &high);
         size_t k = (size_t)low;
         double tail = below(n, k), next = below(n, k + 1);
-        double off = aob_worse(aob_over(tail - 0.025), aob_over(0.025 - next)) + fabs(high - (double)(n + 1 - k));
+        double off =
+            aob_worse(aob_over(tail - 0.025), aob_over(0.025 - next)) + fabs(high - (double)(n + 1 - k));
         aob_trial_take(trial, bounded ? off : NAN, NULL, "%zu rounds: ranks %g .. %g miss %.4f on each side",
                        n, low, high, tail);
     }

@@ -42,7 +42,8 @@ static void ask_approach(struct aob_trial *trial)
         double mean = aob_mean_of(shot.exhibit, image, NULL), least = aob_mean_of(shot.exhibit, scene, NULL),
                most = aob_mean_of(shot.exhibit, shown, NULL), open = aob_claim_open(trial, &shot);
         double closed = aob_over(least - mean) / aob_worse(least, 0.1);
-        aob_trial_take(trial, aob_worse(lost(mean, most, open), closed), &(struct aob_seen){&shot, image, shown},
+        aob_trial_take(trial, aob_worse(lost(mean, most, open), closed),
+                       &(struct aob_seen){&shot, image, shown},
                        "crease %g away: mean %.4f, of the scene %.4f, of what the image shows %.4f",
                        distances[i], mean, least, most);
     }
