@@ -63,8 +63,8 @@ const struct aob_bound aob_bounds[] = {
     {"gradation", 0.004, 0.004,
      "An image of 8 bits has steps of 1/255, rounded up; none has coarser ones to give."},
     {"distinct_taps", 0.1, 0.1,
-     "Chance is what a careless pattern reaches; a tenth is left to samples of one direction that share its "
-     "pixels."},
+     "Directions by lot are what a careless pattern reaches. Chosen: a tenth is left to samples of one "
+     "direction that share its pixels."},
     {"optical_axis", 1.0 / 255, 1.0 / 255,
      "The plane is the same in all pixels; places are rounded otherwise."},
     {"filter_contains_nan", 0, 0, "A pixel that does not read the changed one computes what it did."},
@@ -164,7 +164,8 @@ const struct aob_bound aob_bounds[] = {
      "A tile of 16 pixels with 16 samples has 256 directions: a share is off by 1/32."},
     {"degenerate_faces", 1.0 / 2048, 1.0 / 255,
      "In view space three corners on a line have the area of rounding."},
-    {"coincident_faces", 0, 1.0 / 255, "The depth buffer is the same."},
+    {"coincident_faces", 0, 1.0 / 255,
+     "The second face covers what the first one covers; a GPU may blend in another order."},
     {"inverted_faces", 1.0 / 255, 1.0 / 255,
      "A tap may fall on the next texel where a depth's last bit differs."},
     {"tessellated_faces", 1.0 / 255, 1.0 / 255,

@@ -37,7 +37,8 @@ static float *draw_plane(struct aob_trial *trial, int width, int height, const c
 }
 
 /* A filter gives a mean of what it reads. So no pixel of a small image, however few neighbours it has, is darker than the
- * darkest of a large one before the filters. Brighter it may be: what lies outside the image occludes nothing. */
+ * darkest of a large one before the filters. Brighter it may be: what lies outside the image occludes nothing, and where
+ * the open plane is less than 1 by definition, as of an obscurance of whole balls, an image of a pixel is white with reason. */
 static double darkest_of_large(struct aob_trial *trial)
 {
     struct aob_shot shot;
