@@ -118,7 +118,7 @@ static const struct aob_param *radius_of(const struct aob_trial *trial)
 void aob_ask_radius_smallest(struct aob_trial *trial)
 {
     double open = open_mean(trial, &(struct aob_plane_desc){0});
-    const double radii[] = {fmax(radius_of(trial)->min, 1e-30), 1e-6};
+    const double radii[] = {fmax(radius_of(trial)->min, 1e-30), 1e-5};
     for (size_t i = 0; i < AOB_COUNT(radii); i++)
         take_open(trial, &(struct aob_shot){.exhibit = aob_set_default(trial), .radius = radii[i]}, open);
 }

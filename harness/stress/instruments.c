@@ -180,7 +180,8 @@ const struct aob_property aob_properties_instruments[] = {
      .quick = true,
      .ask = aob_ask_times_identical},
     {.name = "times_level",
-     .sentence = "An interval of a higher level holds that of a lower one, and more rounds never widen it.",
+     .sentence =
+         "Student's quantile rises with the level of an interval and falls with the degrees of freedom.",
      .measure = "standard errors that are missing",
      .source = "Student, Biometrika 6, 1908",
      .group = AOB_GROUP_INSTRUMENTS,

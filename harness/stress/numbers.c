@@ -19,7 +19,7 @@ const struct aob_property aob_properties_numbers[] = {
      .excuse = aob_excuse_no_radius,
      .ask = aob_ask_radius_below_pixel},
     {.name = "radius_smallest",
-     .sentence = "At the smallest radius of its table, and at 1e-6, a scene is as open as a plane.",
+     .sentence = "At the smallest radius of its table, and at 1e-5, a scene is as open as a plane.",
      .measure = "difference of the means",
      .source = "XeGTAO: its raw mean is 1.062 at a radius of .001",
      .group = AOB_GROUP_NUMBERS,
@@ -44,7 +44,9 @@ const struct aob_property aob_properties_numbers[] = {
      .excuse = aob_excuse_no_fade,
      .ask = aob_ask_falloff_ends},
     {.name = "parameter_ends",
-     .sentence = "With every parameter at either of its ends an image is a visibility.",
+     .sentence = "With a parameter at either end, or a count at thrice its default, and check() content, an "
+                 "image is a "
+                 "visibility.",
      .measure = "nothing, once every image is finite and in 0..1",
      .source = "XeGTAO, raw values of up to 1.36 written to R8_UINT",
      .group = AOB_GROUP_NUMBERS,
