@@ -161,7 +161,7 @@ const struct aob_property aob_properties_near[] = {
      .sentence =
          "A radius that reaches behind the camera gives numbers, and darkens as much as one that does not.",
      .measure = "share of the occlusion that the mean has lost",
-     .source = "docs/stress.md, fault 52",
+     .source = "docs/stress.md#behind-the-camera",
      .group = AOB_GROUP_NEAR,
      .quick = true,
      .excuse = aob_excuse_no_radius,
@@ -171,7 +171,7 @@ const struct aob_property aob_properties_near[] = {
          "Inside a closed box, with a radius far larger than it, all is as dark as the image can tell.",
      .measure =
          "share of the occlusion that the mean has lost against the traced claim of what the image shows",
-     .source = "docs/stress.md, oracle 6",
+     .source = "docs/stress.md#o6",
      .group = AOB_GROUP_NEAR,
      .excuse = aob_excuse_no_radius,
      .ask = ask_box},

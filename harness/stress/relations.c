@@ -260,7 +260,7 @@ const struct aob_property aob_properties_relations[] = {
      .sentence = "A box that is put on the floor does not brighten the mean of the pixels that show the same "
                  "as before.",
      .measure = "rise of the mean",
-     .source = "docs/stress.md, an occluder more",
+     .source = "docs/stress.md#an-occluder-more",
      .group = AOB_GROUP_RELATIONS,
      .quick = true,
      .ask = ask_more_occluders},
@@ -280,7 +280,7 @@ const struct aob_property aob_properties_relations[] = {
     {.name = "seed_does_not_shift_mean",
      .sentence = "Another seed of the noise leaves the mean of the image.",
      .measure = "difference of the means",
-     .source = "docs/stress.md, the seed",
+     .source = "docs/stress.md#the-seed",
      .group = AOB_GROUP_RELATIONS,
      .excuse = excuse_no_noise,
      .ask = ask_seed},
