@@ -101,7 +101,7 @@ void aob_ask_drawn_at_all(struct aob_trial *trial)
             both += v * ((double)image[i] - mean);
             square += v * v;
         }
-    aob_trial_take(trial, fmax(0, 1 - both / square), &(struct aob_seen){&shot, image, truth},
+    aob_trial_take(trial, aob_over(1 - both / square), &(struct aob_seen){&shot, image, truth},
                    "%.0f %% of the truth's contrast; its mean is %.4f, the truth's %.4f", 100 * both / square,
                    mean, open);
 }

@@ -55,11 +55,14 @@ static struct aob_exhibit *table(struct aob_trial *trial)
 
 static double sky_of(const struct aob_exhibit *exhibit, const float *image)
 {
-    double most = NAN;
+    double most = 0;
+    size_t count = 0;
     for (size_t i = 0; i < aob_exhibit_pixels(exhibit); i++)
-        if (!aob_exhibit_is_surface(exhibit, i))
-            most = fmax(most, fabs(1 - (double)image[i]));
-    return most;
+        if (!aob_exhibit_is_surface(exhibit, i)) {
+            most = aob_worse(most, fabs(1 - (double)image[i]));
+            count++;
+        }
+    return count ? most : NAN;
 }
 
 void aob_depths_ask_infinite_far(struct aob_trial *trial)

@@ -82,6 +82,17 @@ struct aob_resolution_middle aob_resolution_middle_of(const struct aob_shot *sho
     return m;
 }
 
+void aob_resolution_hold(struct aob_trial *trial, const struct aob_shot *shot, const float *image,
+                         const struct aob_resolution_middle *middle, bool first)
+{
+    if (first && middle->dark < 1)
+        aob_trial_excuse(trial, "nothing is dark beside a box");
+    if (!(middle->dark >= 1))
+        aob_trial_take(trial, NAN, &(struct aob_seen){shot, image, NULL},
+                       "%dx%d %s: nothing is dark beside the box", shot->exhibit->width,
+                       shot->exhibit->height, shot->set ? shot->set : "");
+}
+
 /* The box's middle has 16 places in a tile of 16 x 16 pixels: each row and column of it once, and each of the 4 x 4 places
  * in a block of pixels, in a tile of low pixels, and in one of low pixels at half size. So its edges lie in each way about
  * the low pixels, and noise that repeats every four pixels cancels. Widths are odd, heights even. */
@@ -106,15 +117,14 @@ void aob_ask_half_size_drift(struct aob_trial *trial)
             if (!image)
                 return;
             struct aob_resolution_middle m = aob_resolution_middle_of(&shot, image);
-            if (!(m.dark >= 1))
-                aob_trial_excuse(trial, "nothing is dark beside a box");
+            aob_resolution_hold(trial, &shot, image, &m, k == 0 && s == 0);
             sums[s].x += m.x / 16;
             sums[s].y += m.y / 16;
         }
     }
     for (size_t s = 1; s < AOB_COUNT(sets); s++) {
         double x = sums[s].x - sums[0].x, y = sums[s].y - sums[0].y, wrong = s == 1 ? 0.5 : 1.5;
-        aob_trial_take(trial, fmax(fabs(x), fabs(y)) / wrong, &(struct aob_seen){&shot, image, NULL},
+        aob_trial_take(trial, aob_worse(fabs(x), fabs(y)) / wrong, &(struct aob_seen){&shot, image, NULL},
                        "%s: by (%.3f, %.3f) pixels on average", sets[s], x, y);
     }
 }
@@ -150,7 +160,7 @@ void aob_ask_phantom_depth(struct aob_trial *trial)
                 mask[i] = (aob_exhibit_position(full.exhibit, i).z > 0.3) == (side == 1);
             double darkest = aob_resolution_darkest(full.exhibit, image, mask),
                    at_full = aob_resolution_darkest(full.exhibit, wanted, mask);
-            aob_trial_take(trial, fmax(0, at_full - darkest), &(struct aob_seen){&low, image, wanted},
+            aob_trial_take(trial, aob_over(at_full - darkest), &(struct aob_seen){&low, image, wanted},
                            "%s: darkest pixel of the %s %.4f, %.4f at full size", sets[s],
                            side ? "plates" : "wall", darkest, at_full);
         }
@@ -223,7 +233,7 @@ void aob_ask_upsampled_edge(struct aob_trial *trial)
         if (!image)
             return;
         double excess = white_edge(full.exhibit, image, wanted);
-        aob_trial_take(trial, fmax(0, excess), &(struct aob_seen){&low, image, wanted},
+        aob_trial_take(trial, aob_over(excess), &(struct aob_seen){&low, image, wanted},
                        "%s: beside the bars %.4f brighter than the gaps' brightest at full size", sets[s],
                        excess);
     }

@@ -118,7 +118,7 @@ static const struct aob_param *radius_of(const struct aob_trial *trial)
 void aob_ask_radius_smallest(struct aob_trial *trial)
 {
     double open = open_mean(trial, &(struct aob_plane_desc){0});
-    const double radii[] = {fmax(radius_of(trial)->min, 1e-30), 1e-6};
+    const double radii[] = {fmax(radius_of(trial)->min, 1e-30), 1e-5};
     for (size_t i = 0; i < AOB_COUNT(radii); i++)
         take_open(trial, &(struct aob_shot){.exhibit = aob_set_default(trial), .radius = radii[i]}, open);
 }
@@ -133,7 +133,7 @@ void aob_ask_radius_enormous(struct aob_trial *trial)
     if (!image || !large)
         return;
     double mean = aob_mean_of(shot.exhibit, image, NULL), before = aob_mean_of(shot.exhibit, large, NULL);
-    aob_trial_take(trial, fmax(0, mean - before), &(struct aob_seen){&shot, image, large},
+    aob_trial_take(trial, aob_over(mean - before), &(struct aob_seen){&shot, image, large},
                    "radius %g: mean %.4f, %.4f at 100", shot.radius, mean, before);
 }
 
@@ -176,7 +176,7 @@ void aob_ask_falloff_ends(struct aob_trial *trial)
     }
     /* What counts less as it comes near the radius darkens less. */
     double hard = aob_mean_of(exhibit, images[0], NULL), soft = aob_mean_of(exhibit, images[3], NULL);
-    aob_trial_take(trial, fmax(0, hard - soft), &(struct aob_seen){&shots[0], images[0], images[3]},
+    aob_trial_take(trial, aob_over(hard - soft), &(struct aob_seen){&shots[0], images[0], images[3]},
                    "%s is brighter than %s, %.4f and %.4f", set[0], set[3], hard, soft);
 }
 
@@ -192,7 +192,7 @@ static double largest_gap(float *values, size_t count)
     double gap = 0;
     qsort(values, count, sizeof *values, compare_floats);
     for (size_t i = count / 20; i + 1 < count - count / 20; i++)
-        gap = fmax(gap, (double)values[i + 1] - (double)values[i]);
+        gap = aob_worse(gap, (double)values[i + 1] - (double)values[i]);
     return gap;
 }
 

@@ -50,9 +50,30 @@ static void ask_caps_alike(struct aob_trial *trial)
     }
 }
 
+/* Turned away from the camera, towards one azimuth. */
+static void ask_tilts_alike(struct aob_trial *trial)
+{
+    static const double tilts[] = {0, 20, 40, 60};
+    double facing = NAN;
+    for (size_t i = 0; i < AOB_COUNT(tilts); i++) {
+        const struct aob_plane_desc plane = {
+            .tilt_deg = tilts[i], .azimuth_deg = 20, .width = 64, .height = 64};
+        const struct aob_shot shot = {.exhibit = aob_set_plane(trial, &plane), .radius = 0.5};
+        const float *image = aob_trial_draw(trial, &shot);
+        if (!image)
+            return;
+        double mean = aob_mean_of(shot.exhibit, image, NULL);
+        facing = i == 0 ? mean : facing;
+        aob_trial_take(trial, fabs(mean - facing), &(struct aob_seen){&shot, image, NULL},
+                       "plane tilted by %g degrees: mean %.4f, %.4f facing the camera", tilts[i], mean,
+                       facing);
+    }
+}
+
 static void ask_alike(struct aob_trial *trial)
 {
     ask_planes_alike(trial);
+    ask_tilts_alike(trial);
     ask_caps_alike(trial);
 }
 
@@ -163,8 +184,8 @@ const struct aob_property aob_properties_faces[] = {
     {.name = "faces_alike",
      .sentence =
          "A surface is not darkened by where it faces: planes and the sides of a ball are alike at every "
-         "azimuth.",
-     .measure = "largest distance of an azimuth's mean from the mean of all",
+         "azimuth, and planes at every tilt up to 60 degrees.",
+     .measure = "largest distance of an azimuth's mean from the mean of all, or of a tilt's from none's",
      .source = "https://github.com/mrdoob/three.js/issues/8576",
      .group = AOB_GROUP_EDGES,
      .quick = true,
@@ -182,6 +203,7 @@ const struct aob_property aob_properties_faces[] = {
      .source = "McGuire: Ambient Occlusion Volumes (2010), Algorithm",
      .group = AOB_GROUP_EDGES,
      .quick = true,
+     .excuse = aob_excuse_no_triangles,
      .ask = ask_coincident},
     {.name = "inverted_faces",
      .sentence = "A mesh whose fronts are turned inwards has the same image.",
@@ -189,6 +211,7 @@ const struct aob_property aob_properties_faces[] = {
      .source = "https://github.com/Unity-Technologies/Graphics/pull/1043",
      .group = AOB_GROUP_EDGES,
      .quick = true,
+     .excuse = aob_excuse_no_triangles,
      .ask = ask_inverted},
     {.name = "tessellated_faces",
      .sentence = "Faces cut into many triangles have the image of whole ones.",

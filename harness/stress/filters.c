@@ -15,7 +15,7 @@ static const float *draw_place(struct aob_trial *trial, int place, const char *s
 
 void aob_ask_impulse_centred(struct aob_trial *trial)
 {
-    static const char *const sets[] = {NULL, "blur=0"};
+    static const char *const sets[] = {"blur=0", NULL};
     struct aob_shot shot;
     const float *image = NULL;
     double x = 0, y = 0;
@@ -24,12 +24,11 @@ void aob_ask_impulse_centred(struct aob_trial *trial)
         if (!image)
             return;
         struct aob_resolution_middle m = aob_resolution_middle_of(&shot, image);
-        if (!(m.dark >= 1))
-            aob_trial_excuse(trial, "nothing is dark beside a box");
-        x += (k % 2 ? -m.x : m.x) / 16;
-        y += (k % 2 ? -m.y : m.y) / 16;
+        aob_resolution_hold(trial, &shot, image, &m, k == 0);
+        x += (k % 2 ? m.x : -m.x) / 16;
+        y += (k % 2 ? m.y : -m.y) / 16;
     }
-    aob_trial_take(trial, fmax(fabs(x), fabs(y)), &(struct aob_seen){&shot, image, NULL},
+    aob_trial_take(trial, aob_worse(fabs(x), fabs(y)), &(struct aob_seen){&shot, image, NULL},
                    "filters move it by (%.3f, %.3f) pixels on average", x, y);
 }
 
@@ -54,15 +53,18 @@ void aob_ask_impulse_transposed(struct aob_trial *trial)
     struct aob_shot shot;
     const float *image = NULL;
     double steps[2] = {0, 0};
+    const float *plain = draw_place(trial, 0, "blur=0", &shot);
+    if (!plain)
+        return;
+    const struct aob_resolution_middle m = aob_resolution_middle_of(&shot, plain);
+    aob_resolution_hold(trial, &shot, plain, &m, true);
     for (int place = 0; place < 16; place += 5) {
         image = draw_place(trial, place, "blur=33 blur_passes=4 composite=on", &shot);
         if (!image)
             return;
         add_steps(shot.exhibit, image, steps);
     }
-    if (!(steps[0] > 0 && steps[1] > 0))
-        aob_trial_excuse(trial, "nothing is dark beside a box");
-    aob_trial_take(trial, fmax(steps[0] / steps[1], steps[1] / steps[0]) - 1,
+    aob_trial_take(trial, aob_worse(steps[0] / steps[1], steps[1] / steps[0]) - 1,
                    &(struct aob_seen){&shot, image, NULL},
                    "squares of steps: %.4f along rows, %.4f along columns", steps[0], steps[1]);
 }
@@ -76,7 +78,7 @@ static double beyond(const struct aob_exhibit *exhibit, const float *image, cons
         high = fmax(high, (double)raw[i]);
     }
     for (size_t i = 0; i < aob_exhibit_pixels(exhibit); i++)
-        most = fmax(most, fmax(low - (double)image[i], (double)image[i] - high));
+        most = aob_worse(most, aob_worse(low - (double)image[i], (double)image[i] - high));
     return most;
 }
 
@@ -107,7 +109,7 @@ void aob_ask_constant_kept(struct aob_trial *trial)
             return;
         double out = beyond(open.exhibit, image, raw),
                change = fabs(inner_mean(trial, open.exhibit, image) - inner_mean(trial, open.exhibit, raw));
-        aob_trial_take(trial, fmax(out, change), &(struct aob_seen){&shot, image, raw},
+        aob_trial_take(trial, aob_worse(out, change), &(struct aob_seen){&shot, image, raw},
                        "%s: %.5f beyond the unfiltered values, mean off by %.5f", sets[s], out, change);
     }
 }

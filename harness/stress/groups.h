@@ -9,5 +9,7 @@ extern const struct aob_property aob_properties_projection[], aob_properties_num
 
 /* Excuses that several groups have. */
 const char *aob_excuse_no_divisor(const struct aob_subject *subject);
+const char *aob_excuse_no_blur(const struct aob_subject *subject);
+const char *aob_excuse_no_triangles(const struct aob_subject *subject);
 const char *aob_excuse_no_radius(const struct aob_subject *subject);
 #endif

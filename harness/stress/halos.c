@@ -56,7 +56,7 @@ static void take_halo(struct aob_trial *trial, const struct bars *bars, double r
         most = darker;
         at = i;
     }
-    aob_trial_take(trial, most < 0 ? 0 : most, &(struct aob_seen){&shot, image, wanted},
+    aob_trial_take(trial, aob_over(most), &(struct aob_seen){&shot, image, wanted},
                    "radius %g, %g radii before the wall: its pixel (%d, %d) is %.4f, %.4f without", radius,
                    bars->gap / radius, (int)at % WIDTH, (int)at / WIDTH, (double)image[at],
                    (double)wanted[at]);
@@ -123,7 +123,8 @@ static void take_between(struct aob_trial *trial, double gap, double width)
         return;
     double bars = aob_mean_of(bare, image, mask), most = aob_mean_of(bare, none, mask),
            least = aob_mean_of(bare, all, mask);
-    aob_trial_take(trial, fmax(0, fmax(bars - most, least - bars)), &(struct aob_seen){&shot, image, none},
+    aob_trial_take(trial, aob_over(aob_worse(bars - most, least - bars)),
+                   &(struct aob_seen){&shot, image, none},
                    "bars %g wide, %g before the wall: its mean is %.4f, with a sheet %.4f, with nothing %.4f",
                    width, gap, bars, least, most);
 }
@@ -216,7 +217,7 @@ static void ask_terrain(struct aob_trial *trial)
         if (!image || !claim)
             return;
         double wanted = aob_mean_of(hills, claim, NULL), mean = aob_mean_of(hills, image, NULL);
-        aob_trial_take(trial, fmax(wanted - mean, 0), &(struct aob_seen){&shot, image, claim},
+        aob_trial_take(trial, aob_over(wanted - mean), &(struct aob_seen){&shot, image, claim},
                        "radius %g of a pixel: mean %.4f, traced %.4f", shares[i], mean, wanted);
     }
 }

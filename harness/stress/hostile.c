@@ -1,5 +1,6 @@
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "base/memory.h"
 #include "numbers.h"
 #include "sets.h"
@@ -98,12 +99,53 @@ static void ask_values(struct aob_trial *trial, const float *values, size_t coun
     }
 }
 
+/* Draws with another normal in one pixel. */
+static const float *draw_turned(struct aob_trial *trial, const struct aob_shot *shot, size_t place,
+                                const float *turned)
+{
+    float *normal = &shot->exhibit->gbuffer.normal[4 * place], kept[3];
+    memcpy(kept, normal, sizeof kept);
+    memcpy(normal, turned, sizeof kept);
+    const float *image = aob_trial_draw(trial, shot);
+    memcpy(normal, kept, sizeof kept);
+    return image;
+}
+
+/* Which pixels are farther from the place than all that any of six other normals changes there. */
+static bool *out_of_reach(struct aob_trial *trial, const struct aob_shot *shot, const float *clean,
+                          size_t place)
+{
+    static const float turned[][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    int reach = 0;
+    for (size_t k = 0; k < AOB_COUNT(turned); k++) {
+        const float *image = draw_turned(trial, shot, place, turned[k]);
+        for (size_t i = 0; image && i < aob_exhibit_pixels(shot->exhibit); i++)
+            if (image[i] != clean[i] && away(i, place) > reach)
+                reach = away(i, place);
+    }
+    bool *far = aob_trial_mask(trial, shot->exhibit);
+    for (size_t i = 0; i < aob_exhibit_pixels(shot->exhibit); i++)
+        far[i] = away(i, place) > reach;
+    return far;
+}
+
+/* A depth of NaN is sky, so that no filter gets a NaN from it; what a technique makes of a normal is its own. One pass, so
+ * that the image is larger than what the filter reaches. */
 void aob_ask_filter_contains_nan(struct aob_trial *trial)
 {
-    struct site site;
-    bool ok = site_init(&site, trial);
-    for (size_t k = 0; ok && k < AOB_COUNT(places); k++)
-        ask_pixel(trial, &site, k, NAN);
+    static const float none[3] = {NAN, NAN, NAN};
+    struct aob_shot shot = {.exhibit = aob_set_default(trial), .radius = 0.3, .set = "blur=33 blur_passes=1"};
+    const float *clean = aob_trial_draw(trial, &shot);
+    for (size_t k = 0; clean && k < AOB_COUNT(places); k++) {
+        const bool *far = out_of_reach(trial, &shot, clean, places[k]);
+        const float *image = draw_turned(trial, &shot, places[k], none);
+        if (!image)
+            return;
+        struct aob_difference d = aob_difference_of(shot.exhibit, image, clean, far);
+        aob_trial_take(trial, d.most, &(struct aob_seen){&shot, image, clean},
+                       "a normal of NaN in pixel (%zu, %zu), at (%zu, %zu)", places[k] % 96, places[k] / 96,
+                       d.at % 96, d.at / 96);
+    }
 }
 
 void aob_ask_nan_depth(struct aob_trial *trial)

@@ -80,8 +80,9 @@ static void ask_clock(struct aob_trial *trial, const struct aob_profile *profile
     twice.rates.memory *= 2;
     twice.rates.launch /= 2;
     struct aob_model_time fast = aob_model_pass(&twice, input);
-    double off = fmax(fabs(2 * fast.ms / slow.ms - 1), fmax(fabs(2 * fast.low_ms / slow.low_ms - 1),
-                                                            fabs(2 * fast.high_ms / slow.high_ms - 1)));
+    double off =
+        aob_worse(fabs(2 * fast.ms / slow.ms - 1), aob_worse(fabs(2 * fast.low_ms / slow.low_ms - 1),
+                                                             fabs(2 * fast.high_ms / slow.high_ms - 1)));
     aob_trial_take(trial, off, NULL, "%s: %.6g ms at one clock, %.6g ms at twice it", profile->name, slow.ms,
                    fast.ms);
 }
@@ -94,9 +95,9 @@ void aob_ask_model_clock(struct aob_trial *trial)
 /* The largest of three shares of time that more work saved. */
 static double saved(const struct aob_model_time *less, const struct aob_model_time *more)
 {
-    return fmax(
-        0, fmax((less->ms - more->ms) / less->ms, fmax((less->low_ms - more->low_ms) / less->low_ms,
-                                                       (less->high_ms - more->high_ms) / less->high_ms)));
+    return aob_over(aob_worse((less->ms - more->ms) / less->ms,
+                              aob_worse((less->low_ms - more->low_ms) / less->low_ms,
+                                        (less->high_ms - more->high_ms) / less->high_ms)));
 }
 
 static void ask_work(struct aob_trial *trial, const struct aob_profile *profile,
@@ -132,12 +133,12 @@ static void ask_resources(struct aob_trial *trial, const struct aob_profile *pro
     struct aob_model_time m = aob_model_pass(profile, input);
     double least = 0, sum = 0;
     for (int r = 0; r < AOB_RESOURCE_COUNT; r++) {
-        least = fmax(least, m.resources[r]);
+        least = aob_worse(least, m.resources[r]);
         sum += m.resources[r];
     }
-    double under = fmax(least + m.launch_ms - m.ms, m.ms - sum - m.launch_ms);
-    double outside = fmax(m.low_ms - m.ms, m.ms - m.high_ms);
-    aob_trial_take(trial, fmax(0, fmax(under, outside) / m.ms), NULL,
+    double under = aob_worse(least + m.launch_ms - m.ms, m.ms - sum - m.launch_ms);
+    double outside = aob_worse(m.low_ms - m.ms, m.ms - m.high_ms);
+    aob_trial_take(trial, aob_over(aob_worse(under, outside) / m.ms), NULL,
                    "%s: %.6g ms in %.6g .. %.6g, the longest resource %.6g, all %.6g", profile->name, m.ms,
                    m.low_ms, m.high_ms, least, sum);
 }
@@ -166,7 +167,7 @@ static void ask_ends(struct aob_trial *trial, const struct aob_profile *profile,
     struct aob_model_time m = aob_model_pass(profile, input);
     struct aob_model_input least = at_end(input, false), most = at_end(input, true);
     double low = aob_model_pass(profile, &least).low_ms, high = aob_model_pass(profile, &most).high_ms;
-    aob_trial_take(trial, fmax(fabs(m.low_ms / low - 1), fabs(m.high_ms / high - 1)), NULL,
+    aob_trial_take(trial, aob_worse(fabs(m.low_ms / low - 1), fabs(m.high_ms / high - 1)), NULL,
                    "%s: %.6g .. %.6g ms, the ends are %.6g and %.6g", profile->name, m.low_ms, m.high_ms, low,
                    high);
 }

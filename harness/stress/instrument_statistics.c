@@ -30,7 +30,8 @@ static void draw_times(struct aob_chance *chance, struct times *times)
 /* The largest relative distance of two ratios and of their ends. */
 static double apart(const struct aob_ratio *a, const struct aob_ratio *b)
 {
-    return fmax(fabs(a->ratio / b->ratio - 1), fmax(fabs(a->low / b->low - 1), fabs(a->high / b->high - 1)));
+    return aob_worse(fabs(a->ratio / b->ratio - 1),
+                     aob_worse(fabs(a->low / b->low - 1), fabs(a->high / b->high - 1)));
 }
 
 void aob_ask_times_unit(struct aob_trial *trial)
@@ -104,8 +105,8 @@ void aob_ask_times_identical(struct aob_trial *trial)
                 times.processes[p] = (struct aob_rounds){times.cost[p], times.fixed[p], ROUNDS};
             }
             struct aob_ratio e = aob_estimate_ratio(times.processes, processes);
-            double off =
-                fmax(fabs(e.low / ratio - 1), fmax(fabs(e.high / ratio - 1), fabs(e.ratio / ratio - 1)));
+            double off = aob_worse(fabs(e.low / ratio - 1),
+                                   aob_worse(fabs(e.high / ratio - 1), fabs(e.ratio / ratio - 1)));
             aob_trial_take(trial, e.bounded ? off : NAN, NULL,
                            "%zu processes of ratio %.9g: %.9g (%.9g .. %.9g)", processes, ratio, e.ratio,
                            e.low, e.high);
@@ -120,7 +121,7 @@ void aob_ask_times_level(struct aob_trial *trial)
         for (size_t i = 1; i < AOB_COUNT(alphas); i++) {
             double narrow = aob_student(alphas[i - 1], freedom), wide = aob_student(alphas[i], freedom);
             double more = aob_student(alphas[i], freedom + 1);
-            aob_trial_take(trial, fmax(0, fmax(narrow - wide, more - wide)), NULL,
+            aob_trial_take(trial, aob_over(aob_worse(narrow - wide, more - wide)), NULL,
                            "%zu degrees of freedom: t %.9g at alpha %g, %.9g at %g, %.9g with one more",
                            freedom, narrow, alphas[i - 1], wide, alphas[i], more);
         }
@@ -132,7 +133,7 @@ void aob_ask_times_student(struct aob_trial *trial)
     static const double alphas[] = {0.9, 0.5, 0.2, 0.1, 0.05, 0.01, 0.001};
     for (size_t i = 0; i < AOB_COUNT(alphas); i++) {
         double a = alphas[i], one = 1 / tan(M_PI * a / 2), two = (1 - a) * sqrt(2 / (a * (2 - a)));
-        double off = fmax(fabs(aob_student(a, 1) / one - 1), fabs(aob_student(a, 2) / two - 1));
+        double off = aob_worse(fabs(aob_student(a, 1) / one - 1), fabs(aob_student(a, 2) / two - 1));
         aob_trial_take(trial, off, NULL, "alpha %g: %.9g for %.9g, %.9g for %.9g", a, aob_student(a, 1), one,
                        aob_student(a, 2), two);
     }
@@ -160,7 +161,8 @@ void aob_ask_times_median(struct aob_trial *trial)
         bool bounded = aob_median_interval(x, n, &low, &high);
         size_t k = (size_t)low;
         double tail = below(n, k), next = below(n, k + 1);
-        double off = fmax(fmax(0, tail - 0.025), fmax(0, 0.025 - next)) + fabs(high - (double)(n + 1 - k));
+        double off =
+            aob_worse(aob_over(tail - 0.025), aob_over(0.025 - next)) + fabs(high - (double)(n + 1 - k));
         aob_trial_take(trial, bounded ? off : NAN, NULL, "%zu rounds: ranks %g .. %g miss %.4f on each side",
                        n, low, high, tail);
     }
@@ -202,7 +204,7 @@ void aob_ask_times_coverage(struct aob_trial *trial)
             int covered = 0;
             for (int i = 0; i < DRAWS; i++)
                 covered += covers(&chance, processes, between[b], 0.02);
-            aob_trial_take(trial, fmax(0, 0.9 - (double)covered / DRAWS), NULL,
+            aob_trial_take(trial, aob_over(0.9 - (double)covered / DRAWS), NULL,
                            "%zu processes that differ by %g: %.3f covered", processes, between[b],
                            (double)covered / DRAWS);
         }

@@ -160,7 +160,7 @@ static void ask_no_brighter(struct aob_trial *trial, const struct aob_exhibit *e
                             const float *most, const char *what)
 {
     for (size_t i = 0; image && most && i < aob_exhibit_pixels(exhibit); i++)
-        aob_trial_take(trial, fmax((double)image[i] - (double)most[i], 0), NULL,
+        aob_trial_take(trial, aob_over((double)image[i] - (double)most[i]), NULL,
                        "pixel %zu: %.6f over %.6f, %s", i, (double)image[i], (double)most[i], what);
 }
 
@@ -191,7 +191,7 @@ void aob_ask_tracer_occluder(struct aob_trial *trial)
     const float *open = aob_trial_trace(trial, bare, 1, 64), *closed = aob_trial_trace(trial, full, 1, 64);
     for (size_t i = 0; open && closed && i < aob_exhibit_pixels(bare); i++)
         if (bare->hits.primitive[i] == full->hits.primitive[i] && bare->hits.depth[i] == full->hits.depth[i])
-            aob_trial_take(trial, fmax((double)closed[i] - (double)open[i], 0), NULL,
+            aob_trial_take(trial, aob_over((double)closed[i] - (double)open[i]), NULL,
                            "pixel %zu: %.6f with a box more, %.6f without", i, (double)closed[i],
                            (double)open[i]);
 }

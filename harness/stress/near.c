@@ -26,7 +26,7 @@ static struct aob_exhibit *show_crease(struct aob_trial *trial, double distance,
 /* How much of the occlusion that the image shows is lost: 0 to 1 of it, where it is a tenth at least. */
 static double lost(double mean, double shown, double open)
 {
-    return fmax(0, mean - shown) / fmax(open - shown, 0.1);
+    return aob_over(mean - shown) / aob_worse(open - shown, 0.1);
 }
 
 static void ask_approach(struct aob_trial *trial)
@@ -41,8 +41,9 @@ static void ask_approach(struct aob_trial *trial)
             return;
         double mean = aob_mean_of(shot.exhibit, image, NULL), least = aob_mean_of(shot.exhibit, scene, NULL),
                most = aob_mean_of(shot.exhibit, shown, NULL), open = aob_claim_open(trial, &shot);
-        double closed = fmax(0, least - mean) / fmax(least, 0.1);
-        aob_trial_take(trial, fmax(lost(mean, most, open), closed), &(struct aob_seen){&shot, image, shown},
+        double closed = aob_over(least - mean) / aob_worse(least, 0.1);
+        aob_trial_take(trial, aob_worse(lost(mean, most, open), closed),
+                       &(struct aob_seen){&shot, image, shown},
                        "crease %g away: mean %.4f, of the scene %.4f, of what the image shows %.4f",
                        distances[i], mean, least, most);
     }
@@ -160,7 +161,7 @@ const struct aob_property aob_properties_near[] = {
      .sentence =
          "A radius that reaches behind the camera gives numbers, and darkens as much as one that does not.",
      .measure = "share of the occlusion that the mean has lost",
-     .source = "docs/stress.md, fault 52",
+     .source = "docs/stress.md#behind-the-camera",
      .group = AOB_GROUP_NEAR,
      .quick = true,
      .excuse = aob_excuse_no_radius,
@@ -170,7 +171,7 @@ const struct aob_property aob_properties_near[] = {
          "Inside a closed box, with a radius far larger than it, all is as dark as the image can tell.",
      .measure =
          "share of the occlusion that the mean has lost against the traced claim of what the image shows",
-     .source = "docs/stress.md, oracle 6",
+     .source = "docs/stress.md#o6",
      .group = AOB_GROUP_NEAR,
      .excuse = aob_excuse_no_radius,
      .ask = ask_box},

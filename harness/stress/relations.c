@@ -139,7 +139,7 @@ static void ask_more_radius(struct aob_trial *trial)
             return;
         double mean = aob_mean_of(shot.exhibit, image, NULL);
         if (i > 0)
-            aob_trial_take(trial, fmax(0, mean - before), &(struct aob_seen){&shot, image, NULL},
+            aob_trial_take(trial, aob_over(mean - before), &(struct aob_seen){&shot, image, NULL},
                            "radius %g: mean %.5f, %.5f at half of it", radii[i], mean, before);
         before = mean;
     }
@@ -174,7 +174,7 @@ static void ask_more_occluders(struct aob_trial *trial)
         bool *unchanged = aob_trial_mask(trial, shot.exhibit);
         find_unchanged(shot.exhibit, before.exhibit, unchanged);
         struct aob_difference d = aob_difference_of(shot.exhibit, image, wanted, unchanged);
-        aob_trial_take(trial, fmax(0, d.mean), &(struct aob_seen){&shot, image, wanted},
+        aob_trial_take(trial, aob_over(d.mean), &(struct aob_seen){&shot, image, wanted},
                        "box at (%g, %g): mean %+.5f", b[0], b[1], d.mean);
     }
 }
@@ -198,7 +198,7 @@ static void ask_convex_sphere(struct aob_trial *trial)
         if (!image)
             return;
         double mean = aob_mean_of(shot.exhibit, image, NULL);
-        aob_trial_take(trial, fmax(0, open - mean), &(struct aob_seen){&shot, image, NULL},
+        aob_trial_take(trial, aob_over(open - mean), &(struct aob_seen){&shot, image, NULL},
                        "a ball of %g radii: mean %.4f, a plane's %.4f", balls[i] / radius, mean, open);
     }
 }
@@ -260,7 +260,7 @@ const struct aob_property aob_properties_relations[] = {
      .sentence = "A box that is put on the floor does not brighten the mean of the pixels that show the same "
                  "as before.",
      .measure = "rise of the mean",
-     .source = "docs/stress.md, an occluder more",
+     .source = "docs/stress.md#an-occluder-more",
      .group = AOB_GROUP_RELATIONS,
      .quick = true,
      .ask = ask_more_occluders},
@@ -280,7 +280,7 @@ const struct aob_property aob_properties_relations[] = {
     {.name = "seed_does_not_shift_mean",
      .sentence = "Another seed of the noise leaves the mean of the image.",
      .measure = "difference of the means",
-     .source = "docs/stress.md, the seed",
+     .source = "docs/stress.md#the-seed",
      .group = AOB_GROUP_RELATIONS,
      .excuse = excuse_no_noise,
      .ask = ask_seed},

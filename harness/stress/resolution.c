@@ -8,21 +8,18 @@ static const char *no_half_depth(const struct aob_subject *subject)
                : "it has one size only";
 }
 
-static const char *no_blur(const struct aob_subject *subject)
-{
-    return aob_subject_has(subject, "blur") ? NULL : "it has no filter";
-}
-
 const struct aob_property aob_properties_resolution[] = {
     {.name = "sizes_thin",
-     .sentence = "A plane is as open in an image of any size from 1x1 pixels on as in a large one.",
+     .sentence = "A plane is no darker in an image of any size from 1x1 pixels on than in a large one.",
      .measure = "how much darker its darkest pixel is than that of a large image without filters",
      .source = "https://github.com/godotengine/godot/issues/73697",
      .group = AOB_GROUP_RESOLUTION,
      .quick = true,
      .ask = aob_ask_sizes_thin},
     {.name = "sizes_half",
-     .sentence = "A plane is as open at half and quarter size, whatever remainder the size leaves.",
+     .sentence =
+         "A plane is no darker at half and quarter size, whatever remainder the size leaves, than in a large "
+         "image.",
      .measure = "how much darker its darkest pixel is than that of a large image without filters",
      .source = "https://github.com/godotengine/godot/issues/62881",
      .group = AOB_GROUP_RESOLUTION,
@@ -89,21 +86,21 @@ const struct aob_property aob_properties_resolution[] = {
      .measure = "pixels between the middles, mean of 16 sizes",
      .source = "https://github.com/bevyengine/bevy/pull/25334",
      .group = AOB_GROUP_RESOLUTION,
-     .excuse = no_blur,
+     .excuse = aob_excuse_no_blur,
      .ask = aob_ask_impulse_centred},
     {.name = "impulse_transposed",
      .sentence = "The widest filters smooth the darkness about a square box along rows as along columns.",
      .measure = "squares of the steps along one axis over those along the other, less 1",
      .source = "https://github.com/bartwronski/CSharpRenderer/pull/2",
      .group = AOB_GROUP_RESOLUTION,
-     .excuse = no_blur,
+     .excuse = aob_excuse_no_blur,
      .ask = aob_ask_impulse_transposed},
     {.name = "constant_kept",
      .sentence = "The widest filters keep what is constant, up to the border of the image.",
      .measure = "how far a pixel leaves the range of the unfiltered ones, or the mean moves",
      .source = "https://github.com/godotengine/godot/issues/9678",
      .group = AOB_GROUP_RESOLUTION,
-     .excuse = no_blur,
+     .excuse = aob_excuse_no_blur,
      .ask = aob_ask_constant_kept},
     {.name = "resolution_invariant",
      .sentence = "An image of two and four times the size, averaged down, is the same image.",

@@ -41,7 +41,11 @@ struct aob_resolution_middle {
     double x, y, dark;
 };
 struct aob_resolution_middle aob_resolution_middle_of(const struct aob_shot *shot, const float *image);
+/* Where the first image, which nothing has blurred or divided yet, shows too little darkness, there is nothing to ask. Where
+ * a later one does, it has lost it. */
+void aob_resolution_hold(struct aob_trial *trial, const struct aob_shot *shot, const float *image,
+                         const struct aob_resolution_middle *middle, bool first);
 
-/* The least value of an image's surfaces. */
+/* The least value of an image's surfaces; NAN of none. */
 double aob_resolution_darkest(const struct aob_exhibit *exhibit, const float *image, const bool *mask);
 #endif

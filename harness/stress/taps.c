@@ -7,15 +7,16 @@
 #include "sets.h"
 
 /* Texels of the depth that the invocations of a pass read, by how far they lie from their own: SIDE x SIDE of them, the own
- * one in the middle. Only invocations count whose reads cannot meet the image's edge. */
-enum { SIZE = 96, REACH = 36, SIDE = 2 * REACH + 1 };
+ * one in the middle, in rings about it. Only invocations count whose reads cannot meet the image's edge. */
+enum { SIZE = 96, REACH = 36, SIDE = 2 * REACH + 1, RINGS = 52 };
 
 struct taps {
     struct aob_trial *trial;
     const struct aob_shot *shot;
     const struct aob_pass_graph *graph;
     struct aob_trace_pass pass;
-    double counts[SIDE * SIDE]; /* taps, of all invocations */
+    double texels[RINGS];                      /* that a ring holds */
+    double counts[AOB_TRACE_MAX_PLANE][RINGS]; /* taps, of all invocations */
     double invocations, distinct, all;
 };
 
@@ -42,7 +43,13 @@ static bool begin(void *self, const struct aob_trace_frame *frame, const struct 
     return true;
 }
 
-/* Place among the counts of a word of the invocation at (x, y); -1: none of them, or the invocation's own. */
+/* Of a place of SIDE x SIDE. */
+static int ring_of(int place)
+{
+    return (int)lround(hypot(place % SIDE - REACH, place / SIDE - REACH));
+}
+
+/* Place of a word of the invocation at (x, y), of SIDE x SIDE for each plane; -1: none of them, or its own. */
 static int place_of(const struct taps *taps, uint32_t word, int x, int y)
 {
     for (int i = 0; word != AOB_TRACE_NONE && i < taps->pass.plane_count; i++) {
@@ -53,7 +60,7 @@ static int place_of(const struct taps *taps, uint32_t word, int x, int y)
         int dx = (int)texel % plane->width - x * plane->width / taps->pass.width,
             dy = (int)texel / plane->width - y * plane->height / taps->pass.height;
         bool counts = (dx || dy) && abs(dx) <= REACH && abs(dy) <= REACH;
-        return counts ? (dy + REACH) * SIDE + dx + REACH : -1;
+        return counts ? (i * SIDE + dy + REACH) * SIDE + dx + REACH : -1;
     }
     return -1;
 }
@@ -70,7 +77,7 @@ static void count_invocation(struct taps *taps, const uint32_t *words, int slots
         bool again = false;
         for (int k = 0; k < count && !again; k++)
             again = seen[k] == place;
-        taps->counts[place]++;
+        taps->counts[place / (SIDE * SIDE)][ring_of(place % (SIDE * SIDE))]++;
         taps->all++;
         if (!again)
             seen[count++] = place;
@@ -93,13 +100,15 @@ static bool band(void *self, const struct aob_trace_band *band, struct aob_error
     return true;
 }
 
-/* As many taps, each drawn by itself from the same places with the same odds, would be of so many texels on average. What a
- * good pattern does is to repeat less. */
+/* As many taps at the same distances, each in a direction by lot, would be of so many texels on average. So what steps along
+ * rays may read the few texels next to its own as often as it likes, and what reads few texels many times is found out. */
 static double distinct_by_chance(const struct taps *taps)
 {
-    double taken = taps->all / taps->invocations, sum = 0;
-    for (size_t i = 0; i < AOB_COUNT(taps->counts); i++)
-        sum += 1 - pow(1 - taps->counts[i] / taps->all, taken);
+    double sum = 0;
+    for (int plane = 0; plane < taps->pass.plane_count; plane++)
+        for (int r = 1; r < RINGS; r++)
+            sum += taps->texels[r] *
+                   (1 - pow(1 - 1 / taps->texels[r], taps->counts[plane][r] / taps->invocations));
     return sum;
 }
 
@@ -111,7 +120,7 @@ static bool end(void *self, struct aob_error *error)
         return true;
     double chance = distinct_by_chance(taps), distinct = taps->distinct / taps->invocations,
            taken = taps->all / taps->invocations;
-    aob_trial_take(taps->trial, fmax(0, 1 - distinct / chance), &(struct aob_seen){taps->shot, NULL, NULL},
+    aob_trial_take(taps->trial, aob_over(1 - distinct / chance), &(struct aob_seen){taps->shot, NULL, NULL},
                    "pass %s: %.1f taps of %.1f texels, %.1f by chance", taps->pass.name, taken, distinct,
                    chance);
     return true;
@@ -123,9 +132,12 @@ static bool trace(struct taps *taps, const struct aob_shot *shot, bool *unfit, s
     struct aob_options options;
     struct aob_screen screen;
     const struct aob_subject *subject = taps->trial->subject;
-    if (!aob_subject_values(subject, shot, values, &options, error) ||
-        !aob_screen_init(&screen, subject->gpu, &shot->exhibit->gbuffer, &options, error))
+    if (!aob_subject_values(subject, shot, values, &options, error))
         return false;
+    if (!aob_screen_init(&screen, subject->gpu, &shot->exhibit->gbuffer, &options, error)) {
+        *unfit = screen.unfit;
+        return false;
+    }
     struct aob_trace *trace = AOB_NEW(struct aob_trace);
     const struct aob_trace_sink sink = {taps, begin, band, end};
     bool ok = aob_trace_init(
@@ -156,6 +168,8 @@ void aob_ask_distinct_taps(struct aob_trial *trial)
     struct taps *taps = AOB_NEW(struct taps);
     taps->trial = trial;
     taps->shot = &shot;
+    for (int place = 0; place < SIDE * SIDE; place++)
+        taps->texels[ring_of(place)]++;
     if (shot.exhibit && !trace(taps, &shot, &unfit, &error))
         *(unfit ? &trial->excuse : &trial->error) = error;
     else if (trial->asked == 0)

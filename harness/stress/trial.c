@@ -99,7 +99,10 @@ float *aob_trial_trace(struct aob_trial *trial, const struct aob_exhibit *exhibi
     if (stopped(trial) || !exhibit)
         return NULL;
     float *pixels = aob_trial_image(trial, exhibit);
-    return aob_exhibit_trace(exhibit, radius, spp, pixels, &trial->error) ? pixels : NULL;
+    if (!aob_exhibit_trace(exhibit, radius, spp, pixels, &trial->error))
+        return NULL;
+    look_through(trial, &(struct aob_shot){.exhibit = exhibit, .radius = radius}, pixels);
+    return pixels;
 }
 
 static float *copy_of(const float *pixels, size_t count)
@@ -142,6 +145,16 @@ void aob_trial_take(struct aob_trial *trial, double badness, const struct aob_se
     va_start(args, format);
     aob_line_print_list(trial->sight.where, sizeof trial->sight.where, format, args);
     va_end(args);
+}
+
+double aob_worse(double a, double b)
+{
+    return isnan(a) || a > b ? a : b;
+}
+
+double aob_over(double x)
+{
+    return x < 0 ? 0 : x;
 }
 
 void aob_trial_excuse(struct aob_trial *trial, const char *format, ...)

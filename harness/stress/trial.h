@@ -39,7 +39,7 @@ float *aob_trial_image(struct aob_trial *trial, const struct aob_exhibit *exhibi
  * finite, or a surface outside 0..1, fails the property whatever its measure is. */
 float *aob_trial_draw(struct aob_trial *trial, const struct aob_shot *shot);
 
-/* The traced visibility of the exhibit (aob_exhibit_trace). */
+/* The traced visibility of the exhibit (aob_exhibit_trace), which is looked through as well. */
 float *aob_trial_trace(struct aob_trial *trial, const struct aob_exhibit *exhibit, double radius, int spp);
 
 /* Takes an answer: how bad it is, 0 or more; NAN is the worst of all. `image` and `wanted` may be NULL; they have the
@@ -50,6 +50,11 @@ struct aob_seen {
 };
 void aob_trial_take(struct aob_trial *trial, double badness, const struct aob_seen *seen, const char *format,
                     ...) __attribute__((format(printf, 4, 5)));
+
+/* The worse of two answers, where NAN is worse than all numbers; and an answer that is no less than 0, or NAN. fmax would take
+ * the number, so that what could not be measured passed. */
+double aob_worse(double a, double b);
+double aob_over(double x);
 
 /* It cannot be asked here, for this reason. */
 void aob_trial_excuse(struct aob_trial *trial, const char *format, ...) __attribute__((format(printf, 2, 3)));

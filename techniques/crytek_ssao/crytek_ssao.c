@@ -149,6 +149,9 @@ static const struct aob_by_definition by_definition[] = {
     {"tilted_plane", "Occlusion from points \"having a too big depth difference compared to the center\" is "
                      "replaced by a default (6.1, Depth Range Check), and a steep plane has such differences "
                      "within the sphere."},
+    {"faces_alike", "Occlusion from points \"having a too big depth difference compared to the center\" is "
+                    "replaced by a default (6.1, Depth Range Check), and a steep plane has such differences "
+                    "within the sphere."},
     {"more_radius_darkens", "\"Pixels on the edge appear brighter than on the rest of the object\" (6.1, "
                             "figure 6.1.4, right), and a larger sphere meets more edges."},
     {"ortho_slides", "The depth range check of the listing (fRangeIsValid) divides by the depth, so that "

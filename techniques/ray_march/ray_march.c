@@ -55,6 +55,10 @@ static const struct aob_by_definition by_definition[] = {
                         "step size\", which leaves the image where R is much larger than what it shows."},
     {"inside_box", "Ray marching: rays step from P to E, \"at distance R from P\", \"with a uniform step "
                    "size\", which leaves the image where R is much larger than what it shows."},
+    {"distinct_taps",
+     "\"N_d directions (theta angles), N_r rays per direction (phi angles), and N_s steps per ray\" (6.2, "
+     "Ray "
+     "Marching): on a plane that faces the camera the rays of a direction step over the same pixels."},
     {"radius_enormous",
      "Ray-marching algorithms step from P to E, at distance R, with a uniform step size (6.2, Ray "
      "Marching): a few steps of a long ray pass over all that is near."},
