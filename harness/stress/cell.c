@@ -116,7 +116,8 @@ static json_t *cell_to_json(const struct aob_stress_row *row, const struct aob_s
     json_t *object =
         json_pack("{s:s, s:s, s:o, s:o, s:b, s:o, s:o, s:s?, s:b, s:s}", "property", cell->property->name,
                   "outcome", aob_outcome_word(cell->outcome), "worst", aob_json_number(cell->worst), "bound",
-                  aob_json_number(cell->bound), "declared", cell->declared, "reason",
+                  aob_json_number(cell->bound), "declared", cell->declared, "where",
+                  aob_json_text(cell->where ? cell->where : ""), "reason",
                   aob_json_text(cell->reason ? cell->reason : ""), "image", cell->image, "compared",
                   cell->compared, "command", command.data);
     aob_text_finish(&command);
