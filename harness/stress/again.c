@@ -16,13 +16,7 @@ static void take_same(struct aob_trial *trial, const struct aob_shot *shot, cons
 
 static struct aob_exhibit *make_scaled(struct aob_trial *trial, double scale)
 {
-    struct aob_mesh mesh = {0};
-    aob_set_still_life(&mesh, scale, aob_vec(0, 0, 0));
-    return aob_trial_exhibit(
-        trial, &(struct aob_exhibit_desc){.mesh = &mesh,
-                                          .camera = aob_still_life_camera(scale, aob_vec(0, 0, 0)),
-                                          .width = 96,
-                                          .height = 64});
+    return aob_set_still_life_at(trial, scale, aob_vec(0, 0, 0), 96, 64);
 }
 
 /* Half floats end at 65504: squares of lengths of 256 and depths of 1e5 lie beyond. The scale is a power of two, so that the

@@ -83,13 +83,7 @@ static void take_half_scaled(struct aob_trial *trial)
     float *images[2];
     for (int i = 0; i < 2; i++) {
         double scale = i ? 8192 : 1;
-        struct aob_mesh mesh = {0};
-        aob_set_still_life(&mesh, scale, aob_vec(0, 0, 0));
-        const struct aob_exhibit_desc desc = {.mesh = &mesh,
-                                              .camera = aob_still_life_camera(scale, aob_vec(0, 0, 0)),
-                                              .width = 96,
-                                              .height = 64};
-        shots[i] = (struct aob_shot){.exhibit = aob_trial_exhibit(trial, &desc),
+        shots[i] = (struct aob_shot){.exhibit = aob_set_still_life_at(trial, scale, aob_vec(0, 0, 0), 96, 64),
                                      .radius = radius * scale,
                                      .set = "depth_encoding=r16f"};
         images[i] = aob_trial_draw(trial, &shots[i]);

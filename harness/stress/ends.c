@@ -54,12 +54,7 @@ static void ask_set(struct aob_trial *trial, struct aob_exhibit *exhibit, const 
 void aob_ask_parameter_ends(struct aob_trial *trial)
 {
     const struct aob_technique *technique = trial->subject->technique;
-    struct aob_mesh mesh = {0};
-    aob_set_still_life(&mesh, 1, aob_vec(0, 0, 0));
-    struct aob_exhibit *exhibit = aob_trial_exhibit(
-        trial,
-        &(struct aob_exhibit_desc){
-            .mesh = &mesh, .camera = aob_still_life_camera(1, aob_vec(0, 0, 0)), .width = 48, .height = 32});
+    struct aob_exhibit *exhibit = aob_set_still_life_at(trial, 1, aob_vec(0, 0, 0), 48, 32);
     ask_set(trial, exhibit, "");
     for (int upper = 0; upper < 2; upper++) {
         struct aob_text together = {0};

@@ -134,18 +134,9 @@ static void ask_coincident(struct aob_trial *trial)
     take_changed(trial, double_faces, false, "with every triangle twice");
 }
 
-static void turn_faces(struct aob_mesh *mesh)
-{
-    for (size_t i = 0; i < mesh->triangle_count; i++) {
-        uint32_t b = mesh->triangles[i][1];
-        mesh->triangles[i][1] = mesh->triangles[i][2];
-        mesh->triangles[i][2] = b;
-    }
-}
-
 static void ask_inverted(struct aob_trial *trial)
 {
-    take_changed(trial, turn_faces, true, "with fronts inwards");
+    take_changed(trial, aob_set_turn_faces, true, "with fronts inwards");
 }
 
 static uint32_t add_middle(struct aob_mesh *mesh, uint32_t a, uint32_t b)

@@ -199,11 +199,7 @@ void aob_ask_tracer_occluder(struct aob_trial *trial)
 static const float *trace_still_life(struct aob_trial *trial, double scale, struct aob_vec3 move,
                                      const struct aob_exhibit **exhibit)
 {
-    struct aob_mesh mesh = {0};
-    aob_set_still_life(&mesh, scale, move);
-    const struct aob_exhibit_desc desc = {
-        .mesh = &mesh, .camera = aob_still_life_camera(scale, move), .width = 96, .height = 64};
-    *exhibit = aob_trial_exhibit(trial, &desc);
+    *exhibit = aob_set_still_life_at(trial, scale, move, 96, 64);
     return aob_trial_trace(trial, *exhibit, 0.8 * scale, 64);
 }
 

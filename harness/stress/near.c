@@ -116,21 +116,12 @@ static void ask_behind(struct aob_trial *trial)
     }
 }
 
-static void turn_inside_out(struct aob_mesh *mesh)
-{
-    for (size_t i = 0; i < mesh->triangle_count; i++) {
-        uint32_t b = mesh->triangles[i][1];
-        mesh->triangles[i][1] = mesh->triangles[i][2];
-        mesh->triangles[i][2] = b;
-    }
-}
-
 static void ask_box(struct aob_trial *trial)
 {
     static const double radii[] = {4, 30};
     struct aob_mesh mesh = {0};
     aob_mesh_add_box(&mesh, aob_vec(-1, -0.8, -1.3), aob_vec(1, 0.8, 1.3), 0);
-    turn_inside_out(&mesh);
+    aob_set_turn_faces(&mesh);
     const struct aob_camera camera = {.eye = {0.2, 0.1, 0.9}, .target = {-0.1, -0.2, -1}, .fov_deg = 90};
     struct aob_exhibit *inside = show(trial, &mesh, &camera);
     for (size_t i = 0; i < AOB_COUNT(radii); i++)

@@ -39,11 +39,8 @@ static void ask_any_fov(struct aob_trial *trial)
 /* The still life at another scale, seen by a camera that was scaled with it; lengths of the technique as well. */
 static const float *draw_scaled(struct aob_trial *trial, double scale, struct aob_shot *shot)
 {
-    struct aob_mesh mesh = {0};
-    aob_set_still_life(&mesh, scale, aob_vec(0, 0, 0));
-    const struct aob_exhibit_desc desc = {
-        .mesh = &mesh, .camera = aob_still_life_camera(scale, aob_vec(0, 0, 0)), .width = 96, .height = 64};
-    *shot = (struct aob_shot){.exhibit = aob_trial_exhibit(trial, &desc), .radius = 0.5 * scale};
+    *shot = (struct aob_shot){.exhibit = aob_set_still_life_at(trial, scale, aob_vec(0, 0, 0), 96, 64),
+                              .radius = 0.5 * scale};
     return aob_trial_draw(trial, shot);
 }
 

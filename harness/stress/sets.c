@@ -46,14 +46,29 @@ struct aob_camera aob_still_life_camera(double scale, struct aob_vec3 move)
                                .fov_deg = 50};
 }
 
-struct aob_exhibit *aob_set_default(struct aob_trial *trial)
+struct aob_exhibit *aob_set_still_life_at(struct aob_trial *trial, double scale, struct aob_vec3 move,
+                                          int width, int height)
 {
     struct aob_mesh mesh = {0};
-    aob_set_still_life(&mesh, 1, aob_vec(0, 0, 0));
-    return aob_trial_exhibit(
-        trial,
-        &(struct aob_exhibit_desc){
-            .mesh = &mesh, .camera = aob_still_life_camera(1, aob_vec(0, 0, 0)), .width = 96, .height = 64});
+    aob_set_still_life(&mesh, scale, move);
+    return aob_trial_exhibit(trial, &(struct aob_exhibit_desc){.mesh = &mesh,
+                                                               .camera = aob_still_life_camera(scale, move),
+                                                               .width = width,
+                                                               .height = height});
+}
+
+struct aob_exhibit *aob_set_default(struct aob_trial *trial)
+{
+    return aob_set_still_life_at(trial, 1, aob_vec(0, 0, 0), 96, 64);
+}
+
+void aob_set_turn_faces(struct aob_mesh *mesh)
+{
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        uint32_t b = mesh->triangles[i][1];
+        mesh->triangles[i][1] = mesh->triangles[i][2];
+        mesh->triangles[i][2] = b;
+    }
 }
 
 void aob_set_corner(struct aob_mesh *mesh, double size)

@@ -19,8 +19,14 @@ struct aob_exhibit *aob_set_plane(struct aob_trial *trial, const struct aob_plan
 void aob_set_still_life(struct aob_mesh *mesh, double scale, struct aob_vec3 move);
 /* It as everybody looks at it: from (1.2, 1.7, 3.6) to (0, .4, 0), 50 degrees. */
 struct aob_camera aob_still_life_camera(double scale, struct aob_vec3 move);
+/* It, scaled and moved, as that camera sees it. */
+struct aob_exhibit *aob_set_still_life_at(struct aob_trial *trial, double scale, struct aob_vec3 move,
+                                          int width, int height);
 /* 96 x 64 pixels of it at scale 1, where a radius of 1 covers some 20 pixels. */
 struct aob_exhibit *aob_set_default(struct aob_trial *trial);
+
+/* Turns all fronts of a mesh round. */
+void aob_set_turn_faces(struct aob_mesh *mesh);
 
 /* Floor y = 0 and wall z = 0 of an endless corner. */
 void aob_set_corner(struct aob_mesh *mesh, double size);

@@ -161,13 +161,7 @@ void aob_ask_centre_line(struct aob_trial *trial)
 
 static struct aob_exhibit *still_life(struct aob_trial *trial, int width, int height)
 {
-    struct aob_mesh mesh = {0};
-    aob_set_still_life(&mesh, 1, aob_vec(0, 0, 0));
-    return aob_trial_exhibit(trial,
-                             &(struct aob_exhibit_desc){.mesh = &mesh,
-                                                        .camera = aob_still_life_camera(1, aob_vec(0, 0, 0)),
-                                                        .width = width,
-                                                        .height = height});
+    return aob_set_still_life_at(trial, 1, aob_vec(0, 0, 0), width, height);
 }
 
 /* Both sides grow by a pixel, so that the frustum stays. */

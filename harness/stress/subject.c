@@ -52,6 +52,18 @@ struct numbers {
     double params[AOB_MAX_PARAM], options[AOB_OPTION_COUNT];
 };
 
+/* What properties set of whoever has it (docs/design.md, Parameter words). */
+static bool is_shared_word(const char *word)
+{
+    static const char *const words[] = {"attenuation",   "blur",    "blur_passes", "composite",
+                                        "depth_divisor", "divisor", "falloff",     "noise_index",
+                                        "radius",        "samples", "seed"};
+    bool known = false;
+    for (size_t i = 0; i < AOB_COUNT(words); i++)
+        known = known || strcmp(words[i], word) == 0;
+    return known;
+}
+
 static bool set_word(const struct aob_subject *subject, char *word, struct numbers *numbers,
                      struct aob_error *error)
 {
@@ -64,7 +76,9 @@ static bool set_word(const struct aob_subject *subject, char *word, struct numbe
     if (param)
         return set_number(param, text, &numbers->params[param - t->params], error);
     const struct aob_param *option = aob_param_find(aob_option_params, AOB_OPTION_COUNT, word);
-    return !option || set_number(option, text, &numbers->options[option - aob_option_params], error);
+    if (option)
+        return set_number(option, text, &numbers->options[option - aob_option_params], error);
+    return is_shared_word(word) || aob_fail(error, "'%s' is no run option and no word for a parameter", word);
 }
 
 static bool set_words(const struct aob_subject *subject, const char *set, struct numbers *numbers,

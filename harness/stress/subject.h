@@ -29,14 +29,14 @@ struct aob_shot {
      * that a scene of any scale is met alike. 0, or no such parameter: a metre is a scene unit. */
     double radius;
     /* "divisor=2 depth_encoding=r16f": run options and, where the technique has them, parameters in place of what they have
-     * by default. A parameter that it has not is left out, so that one text serves all techniques; a number out of its
-     * bounds is moved to the nearest bound. NULL: nothing. */
+     * by default. A shared word for a parameter that it has not is left out, so that one text serves all techniques,
+     * and any other is a mistake; a number out of its bounds is moved to the nearest bound. NULL: nothing. */
     const char *set;
     int runs; /* how often the frame is drawn, over itself, before it is read; 0: once */
 };
 
 /* What a shot makes of the technique's values struct (4 * AOB_MAX_PARAM bytes) and of the options. False after a line if a
- * word of `set` is no number or choice, or breaks its rule. */
+ * word of `set` is unknown, is no number or choice, or breaks its rule. */
 bool aob_subject_values(const struct aob_subject *subject, const struct aob_shot *shot, void *values,
                         struct aob_options *options, struct aob_error *error);
 

@@ -51,7 +51,7 @@ static void words_set_what_there_is(void **state)
 {
     (void)state;
     struct aob_options options;
-    struct values v = set(1, "share=0.75 unknown=3 mode=fancy taps=99 depth_encoding=r16f", &options);
+    struct values v = set(1, "share=0.75 blur=3 mode=fancy taps=99 depth_encoding=r16f", &options);
     assert_near((double)v.share, 0.75, 0);
     assert_near((double)v.radius, 1, 0);
     assert_int_equal(v.mode, 1);
@@ -80,6 +80,7 @@ static void what_is_no_value_is_refused(void **state)
     refuse("mode=grand", "mode");
     refuse("taps=4", "taps: 4 is not odd");
     refuse("share=x", "share");
+    refuse("blurr=3", "'blurr' is no run option");
 }
 
 /* The line is for a shell. */
