@@ -39,7 +39,7 @@ void aob_ask_encodings_plane(struct aob_trial *trial)
             if (!image || !wanted)
                 return;
             double off = fabs(aob_difference_of(shot.exhibit, image, wanted, NULL).mean);
-            aob_trial_take(trial, fmax(0, off - effect_of(encodings[e].degrees)),
+            aob_trial_take(trial, aob_over(off - effect_of(encodings[e].degrees)),
                            &(struct aob_seen){&shot, image, wanted},
                            "%s, tilt %g degrees: the mean is off by %.4f", shot.set, tilts[t], off);
         }
@@ -67,7 +67,7 @@ void aob_ask_encodings_image(struct aob_trial *trial)
         if (!image || !wanted)
             return;
         double rmse = aob_difference_of(shot.exhibit, image, wanted, mask).rmse;
-        aob_trial_take(trial, fmax(0, rmse - effect_of(encodings[e].degrees)),
+        aob_trial_take(trial, aob_over(rmse - effect_of(encodings[e].degrees)),
                        &(struct aob_seen){&shot, image, wanted}, "%s: RMSE %.4f", shot.set, rmse);
     }
 }

@@ -36,7 +36,7 @@ void aob_ask_axial_normals(struct aob_trial *trial)
             mask[i] = shot.exhibit->hits.primitive[i] / 2 == wall;
         double mean = aob_mean_of(shot.exhibit, image, mask);
         low = fmin(low, mean);
-        high = fmax(high, mean);
+        high = isnan(mean) ? INFINITY : fmax(high, mean); /* a wall that is not seen */
     }
     if (image)
         aob_trial_take(trial, high - low, &(struct aob_seen){&shot, image, NULL},
@@ -77,7 +77,7 @@ void aob_ask_leaning_normals(struct aob_trial *trial)
         if (!image)
             return;
         double mean = aob_difference_of(exhibit, image, upright, NULL).mean;
-        aob_trial_take(trial, fmax(fmax(0, mean), -mean - 4 / M_PI * angle),
+        aob_trial_take(trial, aob_worse(aob_over(mean), -mean - 4 / M_PI * angle),
                        &(struct aob_seen){&shot, image, upright},
                        "normals that lean %g degrees: the mean is off by %.4f", angles[a], mean);
     }

@@ -45,7 +45,7 @@ static double speck(const struct aob_exhibit *exhibit, const float *image)
         for (int x = ONE_X - 2; x <= ONE_X + 2; x++)
             if (x != ONE_X || y != ONE_Y)
                 least = fmin(least, (double)image[y * exhibit->width + x]);
-    return fmax(0, least / 2 - (double)image[ONE_Y * exhibit->width + ONE_X]);
+    return aob_over(least / 2 - (double)image[ONE_Y * exhibit->width + ONE_X]);
 }
 
 /* One odd normal: what lies beyond keeps its bits, and its own pixel is no black speck. */
