@@ -119,7 +119,6 @@ const struct aob_property aob_properties_numbers[] = {
      .measure = "largest difference of a pixel",
      .source = "https://github.com/google/filament/pull/9891",
      .group = AOB_GROUP_NUMBERS,
-     .quick = true,
      .excuse = aob_excuse_no_radius,
      .ask = aob_ask_half_overflow},
     {.name = "repeats_itself",
