@@ -21,5 +21,5 @@ void main()
             sum += w * aob_fetch_raw(q);
             weights += w;
         }
-    blurred = weights > 0.0 && !aob_surface_is_sky(p) ? sum / weights : centre; /* none: the normal is no number */
+    blurred = !aob_surface_is_sky(p) && weights > 0.0 ? sum / weights : centre; /* none: the normal is no number */
 }
