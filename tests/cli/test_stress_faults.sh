@@ -26,7 +26,7 @@ wait
 while IFS=: read -r module wanted; do
   for property in $wanted; do
     grep -qx "$property" <<<"$named" || continue
-    check "$module fails $property" jq -e --arg p "$property" 'any(.rows[].cells[]; .property == $p and .outcome == "fail")' "$module.json"
+    check "a fault is caught: $module fails $property" jq -e --arg p "$property" 'any(.rows[].cells[]; .property == $p and .outcome == "fail")' "$module.json"
   done
   for property in $named; do
     [[ " $wanted " == *" $property "* ]] && continue
