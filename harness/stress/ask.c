@@ -81,8 +81,9 @@ static void give_up(int signal)
 {
     static const char line[] = "aobudget: error: the property took longer than 60 s of processor time\n";
     (void)signal;
-    ssize_t written = write(STDERR_FILENO, line, sizeof line - 1);
-    _exit(written < 0 ? AOB_EXIT_PART : AOB_EXIT_USAGE);
+    if (write(STDERR_FILENO, line, sizeof line - 1) < 0)
+        _exit(AOB_EXIT_BAD); /* the code then tells it alone */
+    _exit(AOB_EXIT_USAGE);
 }
 
 static void limit_work(void)

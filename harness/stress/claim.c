@@ -25,13 +25,7 @@ static bool trace_image(const struct aob_exhibit *exhibit, const struct aob_visi
 static bool trace(const struct aob_exhibit *exhibit, const struct aob_visibility_term *term,
                   enum aob_claim_of of, int spp, struct aob_visibility *traced, struct aob_error *error)
 {
-    const struct aob_visibility_desc desc = {.terms = term,
-                                             .term_count = 1,
-                                             .x0 = exhibit->guard,
-                                             .y0 = exhibit->guard,
-                                             .width = exhibit->width,
-                                             .height = exhibit->height,
-                                             .spp = spp};
+    const struct aob_visibility_desc desc = aob_exhibit_rays(exhibit, term, spp);
     return of == AOB_CLAIM_OF_SCENE ? trace_scene(exhibit, &desc, traced, error)
                                     : trace_image(exhibit, &desc, traced, error);
 }

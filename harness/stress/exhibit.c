@@ -64,17 +64,23 @@ struct aob_vec3 aob_exhibit_position(const struct aob_exhibit *exhibit, size_t i
     return aob_vec_add(origin, aob_vec_scale(direction, (double)aob_exhibit_depth(exhibit, i)));
 }
 
+struct aob_visibility_desc aob_exhibit_rays(const struct aob_exhibit *exhibit,
+                                            const struct aob_visibility_term *term, int spp)
+{
+    return (struct aob_visibility_desc){.terms = term,
+                                        .term_count = 1,
+                                        .x0 = exhibit->guard,
+                                        .y0 = exhibit->guard,
+                                        .width = exhibit->width,
+                                        .height = exhibit->height,
+                                        .spp = spp};
+}
+
 bool aob_exhibit_trace(const struct aob_exhibit *exhibit, double radius, int spp, float *visibility,
                        struct aob_error *error)
 {
     struct aob_visibility_term term = {.radius = radius};
-    struct aob_visibility_desc desc = {.terms = &term,
-                                       .term_count = 1,
-                                       .x0 = exhibit->guard,
-                                       .y0 = exhibit->guard,
-                                       .width = exhibit->width,
-                                       .height = exhibit->height,
-                                       .spp = spp};
+    struct aob_visibility_desc desc = aob_exhibit_rays(exhibit, &term, spp);
     struct aob_visibility traced;
     if (!aob_tracer_visibility(exhibit->tracer, &exhibit->camera, &exhibit->hits, &desc, &traced, error))
         return false;

@@ -38,6 +38,11 @@ float aob_exhibit_depth(const struct aob_exhibit *exhibit, size_t i);
 struct aob_vec3 aob_exhibit_position(const struct aob_exhibit *exhibit, size_t i);
 size_t aob_exhibit_place(const struct aob_exhibit *exhibit, size_t i);
 
+/* What is to be traced of its image, the guard band left out: one term, which must outlive it, with `spp` rays a pixel, an even
+ * number. */
+struct aob_visibility_desc aob_exhibit_rays(const struct aob_exhibit *exhibit,
+                                            const struct aob_visibility_term *term, int spp);
+
 /* The traced visibility of the image's pixels, cosine-weighted with a hard cutoff at `radius` (INFINITY allowed), into
  * width x height floats; sky is 1. `spp` rays a pixel, an even number. */
 bool aob_exhibit_trace(const struct aob_exhibit *exhibit, double radius, int spp, float *visibility,

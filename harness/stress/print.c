@@ -67,6 +67,16 @@ static void print_worst(const struct aob_property *property, const struct aob_st
     aob_text_finish(&who);
 }
 
+/* Whether an earlier row of the backend lacks it for the same reason: one line tells it for all. */
+static bool is_told(const struct aob_stress_row *rows, size_t at)
+{
+    for (size_t i = 0; i < at; i++)
+        if (rows[i].missing && rows[i].backend && rows[at].backend &&
+            strcmp(rows[i].backend, rows[at].backend) == 0 && strcmp(rows[i].missing, rows[at].missing) == 0)
+            return true;
+    return false;
+}
+
 void aob_stress_print(const struct aob_stress_row *rows, size_t count, struct aob_text *out)
 {
     struct aob_stress_counts counts = aob_stress_count(rows, count);
@@ -74,7 +84,7 @@ void aob_stress_print(const struct aob_stress_row *rows, size_t count, struct ao
         for (const struct aob_property *p = *table; p->name; p++)
             print_worst(p, rows, count, out);
     for (size_t r = 0; r < count; r++) {
-        if (rows[r].missing)
+        if (rows[r].missing && !is_told(rows, r))
             aob_text_add_line(out, "MISSING %s", rows[r].missing);
         print_failures(&rows[r], out);
     }

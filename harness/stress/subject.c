@@ -52,16 +52,13 @@ struct numbers {
     double params[AOB_MAX_PARAM], options[AOB_OPTION_COUNT];
 };
 
-/* What properties set of whoever has it (docs/design.md, Parameter words). */
+/* Properties set a parameter of whoever has it, so a word that some technique of ours has is no mistake. */
 static bool is_shared_word(const char *word)
 {
-    static const char *const words[] = {"attenuation",   "blur",    "blur_passes", "composite",
-                                        "depth_divisor", "divisor", "falloff",     "noise_index",
-                                        "radius",        "samples", "seed"};
-    bool known = false;
-    for (size_t i = 0; i < AOB_COUNT(words); i++)
-        known = known || strcmp(words[i], word) == 0;
-    return known;
+    for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
+        if (aob_param_find((*t)->params, (*t)->param_count, word))
+            return true;
+    return false;
 }
 
 static bool set_word(const struct aob_subject *subject, char *word, struct numbers *numbers,
@@ -78,7 +75,8 @@ static bool set_word(const struct aob_subject *subject, char *word, struct numbe
     const struct aob_param *option = aob_param_find(aob_option_params, AOB_OPTION_COUNT, word);
     if (option)
         return set_number(option, text, &numbers->options[option - aob_option_params], error);
-    return is_shared_word(word) || aob_fail(error, "'%s' is no run option and no word for a parameter", word);
+    return is_shared_word(word) ||
+           aob_fail(error, "'%s' is no run option and no technique's parameter", word);
 }
 
 static bool set_words(const struct aob_subject *subject, const char *set, struct numbers *numbers,

@@ -71,8 +71,7 @@ static bool leads(const struct stress_page *page, size_t at)
 
 /* --- Pictures --- */
 
-static struct aob_figure *add_picture(struct stress_page *page, const json_t *row, const json_t *cell,
-                                      const char *out)
+static void add_picture(struct stress_page *page, const json_t *row, const json_t *cell, const char *out)
 {
     struct aob_text file = {0}, title = {0}, image = {0};
     const char *name = text_of(cell, "image"), *dot = strrchr(name, '.');
@@ -96,7 +95,6 @@ static struct aob_figure *add_picture(struct stress_page *page, const json_t *ro
     aob_text_finish(&file);
     aob_text_finish(&title);
     aob_text_finish(&image);
-    return figure;
 }
 
 static void draw_pictures(struct stress_page *page, const struct aob_stress_page_desc *desc)
