@@ -1,5 +1,6 @@
-/* The depth along the view axis that a texel holds; AOB_SKY_Z for the sky, and by every comparison for what is no number. AOB_DEPTH_ENCODING is the place in enum
- * aob_depth_encoding (technique/option.h); param.aob_range.xy are the planes near and far. */
+/* The depth along the view axis that a texel holds; AOB_SKY_Z for the sky. Comparisons are phrased so that what is no number
+ * fails them and is sky too. AOB_DEPTH_ENCODING is the place in enum aob_depth_encoding (technique/option.h);
+ * param.aob_range.xy are the planes near and far. */
 #if AOB_DEPTH_ENCODING == 0 /* r32f */
 float aob_decode_depth(float d) { return d; }
 #elif AOB_DEPTH_ENCODING == 1 /* r16f: its greatest value stands for all that is farther */

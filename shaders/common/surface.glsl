@@ -5,6 +5,8 @@ float same_surface(vec3 centre, vec3 normal, vec3 other, float cosine)
 {
     vec3 d = other - centre;
     float off_plane = abs(dot(d, normal));
+    /* Places round with the depth. Without perspective nothing else grows with it: a camera that stands far off sees the
+     * same edges, and 1e-4 of its distance would reach over them. */
     bool near = off_plane <= 0.05 * length(d) + (AOB_PERSPECTIVE == 1 ? 1e-4 : 1e-6) * -centre.z;
     float facing = min(cosine, 1.01); /* above 1 by rounding, or where a single normal is no unit vector */
     facing *= facing; /* its eighth power: pow() took a quarter of a blur's time on llvmpipe */

@@ -22,12 +22,11 @@ mat3 cube_turn(int cube)
                 1.0 - t.x * q.x - t.y * q.y);
 }
 
-/* Length of the longest offset at depth z. At least some thousand roundings of a place, a tenth of a pixel or less: else the
- * depths that are compared are often the same number. */
+/* Length of the longest offset at depth z. */
 float reach(float z)
 {
 #if SIZE == 0
-    return max(param.radius, 1e-4 * z);
+    return param.radius;
 #else
     return 2.0 * z * param.screen_radius;
 #endif

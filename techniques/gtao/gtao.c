@@ -55,7 +55,8 @@ AOB_TECHNIQUE(
     gtao, .title = "Ground-truth ambient occlusion", .revision = 5, .shaders = aob_shaders_gtao,
     .summary = "Visibility from horizons: in each slice about the view vector the highest elevation on both "
                "sides within the radius, then the closed-form integral of the cosine between them.",
-    .notes = "Slices are even about the view vector, not in the image; taps below the tangent plane are "
+    .notes = "Slices are even about the view vector, not in the image; taps below the tangent plane, or less "
+             "than 0.1 degrees above it, are "
              "ignored; the search is as long as the slice of the ball; the integral is divided by the open "
              "slice's (docs/decisions/0009); a search that would leave the image ends at its edge "
              "(docs/decisions/0040). The text leaves open how half size is sampled up, and gives no "

@@ -74,7 +74,8 @@ AOB_TECHNIQUE(
     .notes =
         "The text divides by N_r N_s and calls N_d the directions; the mean over all rays needs N_d N_r. "
         "Steps are even in space, the second of the text's two ways. Depth samples under the tangent plane "
-        "stop no ray: without that, texels darken tilted planes. The text gives no noise: directions turn "
+        "stop no ray, nor those less than 1.1 degrees above it, as normals of 8 bits lean: without that, "
+        "texels darken tilted planes. The text gives no noise: directions turn "
         "and elevations move in a 4x4 tile.",
     .citation = "Bavoil, Sainz: Image-Space Horizon-Based Ambient Occlusion, ShaderX7 (2009), 6.2, with ray "
                 "marching",
