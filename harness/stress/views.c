@@ -184,3 +184,46 @@ void aob_views_ask_rotated_to_corner(struct aob_trial *trial)
                        at / WIDTH);
     }
 }
+
+/* An endless crease between floor and wall, 2 units before the eye. The camera looks past it by these tangents, and its frustum
+ * is shifted so that the image shows the same of the crease wherever its axis lies. */
+static struct aob_exhibit *crease_beside_axis(struct aob_trial *trial, const double past[2], double fov_deg)
+{
+    struct aob_mesh mesh = {0};
+    struct aob_camera camera = {.eye = {0, M_SQRT2, M_SQRT2}, .fov_deg = fov_deg};
+    struct aob_frame_axes axes = aob_camera_axes(&camera);
+    camera.target = aob_vec_add(aob_vec_scale(axes.right, 2 * past[0]), aob_vec_scale(axes.up, 2 * past[1]));
+    axes = aob_camera_axes(&camera);
+    double height = 2 * tan(fov_deg * M_PI / 360) * aob_vec_dot(camera.eye, axes.back);
+    camera.shift[0] = -aob_vec_dot(camera.eye, axes.right) / height;
+    camera.shift[1] = -aob_vec_dot(camera.eye, axes.up) / height;
+    aob_set_corner(&mesh, 200);
+    const struct aob_exhibit_desc desc = {
+        .mesh = &mesh, .camera = camera, .width = 96, .height = 64, .guard = 32};
+    return aob_trial_exhibit(trial, &desc);
+}
+
+/* The tangent of 60 degrees, towards four sides. On the axis the radius covers 27 pixels; there, where an image is as wide for
+ * twice the tangent, 25 to 50. */
+void aob_views_ask_crease_to_corner(struct aob_trial *trial)
+{
+    static const double none[2] = {0, 0}, past[][2] = {{1.73, 0}, {0, 1.73}, {1.22, 1.22}, {-1.22, 1.22}};
+    struct aob_shot own = {
+        .exhibit = crease_beside_axis(trial, none, 33), .radius = radius, .set = "samples=64"};
+    const float *drawn = aob_trial_draw(trial, &own);
+    for (size_t i = 0; i < AOB_COUNT(past); i++) {
+        struct aob_shot shot = own;
+        shot.exhibit = crease_beside_axis(trial, past[i], 66);
+        const float *image = aob_trial_draw(trial, &shot);
+        if (!drawn || !image)
+            return;
+        float *wanted = aob_trial_image(trial, shot.exhibit);
+        bool *seen = aob_trial_mask(trial, shot.exhibit);
+        aob_match_fetch(&(struct aob_match){shot.exhibit, own.exhibit, aob_motion_none}, drawn, wanted, seen);
+        struct aob_difference d = aob_difference_of(shot.exhibit, image, wanted, seen);
+        aob_trial_take(trial, 2 * d.count > aob_exhibit_pixels(shot.exhibit) ? fabs(d.mean) : NAN,
+                       &(struct aob_seen){&shot, image, wanted},
+                       "looking past it by (%g, %g): %zu pixels, mean %+.4f", past[i][0], past[i][1], d.count,
+                       d.mean);
+    }
+}

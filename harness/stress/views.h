@@ -8,4 +8,5 @@ void aob_views_ask_ortho_like_far(struct aob_trial *trial);
 void aob_views_ask_ortho_slides(struct aob_trial *trial);
 void aob_views_ask_off_centre(struct aob_trial *trial);
 void aob_views_ask_rotated_to_corner(struct aob_trial *trial);
+void aob_views_ask_crease_to_corner(struct aob_trial *trial);
 #endif

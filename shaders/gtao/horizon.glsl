@@ -5,6 +5,7 @@
 #include "common/facing.glsl"
 #include "common/frame.glsl"
 #include "common/noise.glsl"
+#include "common/search.glsl"
 
 /* Image position where the search along unit direction t (perpendicular to the view vector v) ends: the ball of
  * radius r about the surface point ends there for a ray of this slice. */
@@ -19,15 +20,6 @@ vec2 search_end(vec3 position, vec3 v, vec3 t, float r)
 #else
     return aob_project(position + t * r);
 #endif
-}
-
-/* Where the way from `start` to `end` leaves the image, or `end`: outside there is nothing to find, and a ball that the
- * eye is in projects to thousands of pixels. */
-vec2 end_in_image(vec2 start, vec2 end)
-{
-    vec2 way = end - start, room = mix(start, vec2(aob_size) - start, greaterThan(way, vec2(0.0)));
-    vec2 share = room / max(abs(way), 1e-3); /* below 0 where the start of a divided image lies beside the depth's */
-    return start + way * clamp(min(share.x, share.y), 0.0, 1.0);
 }
 
 /* The inner integral for one side, horizon h and projected normal n in the slice (radians): the text's, weighted by the
@@ -71,8 +63,9 @@ void main()
         vec3 t = b1 * cos(psi) + b2 * sin(psi);
         vec2 projected = vec2(dot(normal, t), dot(normal, v));
         float len = WEIGHTING == 0 ? length(projected) : 1.0, n = atan(projected.x, projected.y);
-        vec2 there = end_in_image(start, search_end(position, v, t, param.radius));
-        vec2 back = end_in_image(start, search_end(position, v, -t, param.radius));
+        vec2 there = search_end(position, v, t, param.radius), back = search_end(position, v, -t, param.radius);
+        there = start + (there - start) * share_in_image(start, there);
+        back = start + (back - start) * share_in_image(start, back);
         /* A tap's weight fades it towards the slice's own tangent, where it occludes nothing. */
         float plus = horizon_cosine(start, position, normal, v, there, jitter, cos(n + 0.5 * AOB_PI));
         float minus = horizon_cosine(start, position, normal, v, back, jitter, cos(n - 0.5 * AOB_PI));

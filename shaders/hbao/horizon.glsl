@@ -1,8 +1,9 @@
 /* Bavoil and Sainz, ShaderX7 6.2: directions even in the image, horizons about the view axis, an attenuation for each
  * sample that raises the horizon, integrated in steps (equations 6.2.8 and 6.2.9). The text's space is left-handed;
  * here a surface nearer to the eye has the larger z. Outside the image there is nothing: the text clamps to the
- * edge, and reports the false occlusion that this makes. */
+ * edge, and reports the false occlusion that this makes. A direction's steps are even up to the image's edge. */
 #include "common/facing.glsl"
+#include "common/search.glsl"
 
 /* Sine of the elevation of the surface's own plane along v, raised by the angle bias; 1 from the zenith on. */
 float tangent_along(vec2 v, vec3 normal)
@@ -41,6 +42,7 @@ vec3 sample_of(vec2 start, vec2 step_size, float jitter, int i)
 /* The inner sum of equation 6.2.9 (or 6.2.8) for one direction. */
 float occlusion_along(vec2 start, vec3 position, vec3 normal, vec2 step_size, float jitter)
 {
+    step_size *= share_in_image(start, start + step_size * float(STEPS + 1));
     vec2 along = vec2(step_size.x, -step_size.y);
     float ground = tangent_along(along, normal), highest = ground, above = 0.0, sum = 0.0;
     for (int i = 1; i <= STEPS; i++) {

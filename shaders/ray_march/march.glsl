@@ -2,18 +2,18 @@
  * P to the end at distance R; the first sample below the height field counts. A sample of the depth under P's tangent
  * plane cannot stop a ray that rises from it: without that test the half pixel between a step and its texel's centre
  * darkens tilted planes. The plane is raised by a degree, since a normal of 8 bits leans by as much. Outside the image
- * there is nothing. */
+ * there is nothing: a ray that leaves it ends there, and its steps are even up to there. */
 #include "common/facing.glsl"
 #include "common/frame.glsl"
 #include "common/noise.glsl"
+#include "common/search.glsl"
 
 /* What the ray from `position` along unit vector d adds: W of its hit, or 0. */
 float occlusion_along(vec3 position, vec3 normal, vec3 d)
 {
+    d *= param.radius * share_in_view(position, position + d * param.radius);
     for (int i = 1; i <= STEPS; i++) {
-        vec3 x = position + d * (param.radius * float(i) / float(STEPS));
-        if (AOB_PERSPECTIVE == 1 && x.z > 1e-3 * position.z)
-            return 0.0; /* the eye's plane: nothing of what lies behind it is known */
+        vec3 x = position + d * (float(i) / float(STEPS));
         ivec2 q = ivec2(floor(aob_project(x)));
         vec3 s = aob_position(q);
         vec3 v = s - position;

@@ -82,6 +82,9 @@ static bool build(struct aob_graph *graph, const void *values)
 static const struct aob_by_definition by_definition[] = {
     {"ortho_slides", "The bias is beta times the depth: \"We scale it by z\" (2.3, equation 10), so that it "
                      "grows with the distance of the camera."},
+    {"crease_to_corner",
+     "2.3: \"a ball about C projects to an ellipse, not a disk. Like Loos and Sloan, we ignore this "
+     "source of error because it is relatively small for a typical field of view up to 70 degrees.\""},
     {"approach_crease",
      "Section 1: \"under-obscurance due to unseen occluders ... outside the field of view\"; it samples the "
      "whole disc of radius r, of which the image then holds a small part."},

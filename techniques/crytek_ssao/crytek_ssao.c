@@ -154,6 +154,9 @@ static const struct aob_by_definition by_definition[] = {
                     "within the sphere."},
     {"more_radius_darkens", "\"Pixels on the edge appear brighter than on the rest of the object\" (6.1, "
                             "figure 6.1.4, right), and a larger sphere meets more edges."},
+    {"crease_to_corner",
+     "The depth range check of the listing (fRangeIsValid) divides by the depth, and what is as far away "
+     "has half the depth 60 degrees off the axis."},
     {"ortho_slides", "The depth range check of the listing (fRangeIsValid) divides by the depth, so that "
                      "what is out of range depends on the distance of the camera."},
     {"border_is_open",

@@ -101,16 +101,15 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 static const struct aob_by_definition by_definition[] = {
-    {"approach_crease",
-     "Directions and jittering: the radius is projected, and its size \"subdivided into N_s steps of uniform "
-     "lengths\", which leave the image where it is larger than that."},
-    {"inside_box", "Directions and jittering: the radius is projected, and its size \"subdivided into N_s "
-                   "steps of uniform lengths\", which leave the image where it is larger than that."},
+    {"crease_to_corner",
+     "Directions and jittering: \"For each angle theta, we sample the depth image along a line segment in "
+     "image space\", of the "
+     "radius as it is on the axis, so that directions and their lengths are even in the image only."},
     {0},
 };
 
 AOB_TECHNIQUE(
-    hbao, .title = "Horizon-based ambient occlusion", .revision = 4, .shaders = aob_shaders_hbao,
+    hbao, .title = "Horizon-based ambient occlusion", .revision = 5, .shaders = aob_shaders_hbao,
     .summary =
         "Visibility from horizons about the view axis: along even directions in the image each sample "
         "that raises the horizon adds the sector it closes, attenuated by its distance. Elevations are "
@@ -120,7 +119,8 @@ AOB_TECHNIQUE(
         "follows from that. Directions even in the image stand for even azimuths, as in the text: exact "
         "without perspective only. The text gives the tile of jitters no numbers; its 16 pairs are even in "
         "both. Half-size AO is blurred at its own size and then upsampled; the text does both in one. "
-        "Outside the image there is nothing, where the text repeats the edge. A tangent is that of the exact "
+        "Outside the image there is nothing, where the text repeats the edge, and a direction's steps are "
+        "even up to the edge, where the text goes on. A tangent is that of the exact "
         "plane through the point and across its normal, perspective included; the text adds steps along "
         "the image's axes (6.2.11), which is not perspective correct. The text's early exit shows as an edge "
         "in deep views, and leaves all of "

@@ -51,29 +51,23 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 static const struct aob_by_definition by_definition[] = {
-    {"approach_crease", "Ray marching: rays step from P to E, \"at distance R from P\", \"with a uniform "
-                        "step size\", which leaves the image where R is much larger than what it shows."},
-    {"inside_box", "Ray marching: rays step from P to E, \"at distance R from P\", \"with a uniform step "
-                   "size\", which leaves the image where R is much larger than what it shows."},
     {"distinct_taps",
      "\"N_d directions (theta angles), N_r rays per direction (phi angles), and N_s steps per ray\" (6.2, "
      "Ray "
      "Marching): on a plane that faces the camera the rays of a direction step over the same pixels."},
-    {"radius_enormous",
-     "Ray-marching algorithms step from P to E, at distance R, with a uniform step size (6.2, Ray "
-     "Marching): a few steps of a long ray pass over all that is near."},
     {0},
 };
 
 AOB_TECHNIQUE(
-    ray_march, .title = "Ray marching of the depth buffer", .revision = 2, .shaders = aob_shaders_ray_march,
+    ray_march, .title = "Ray marching of the depth buffer", .revision = 3, .shaders = aob_shaders_ray_march,
     .summary =
         "Rays in the hemisphere about the normal, marched in even steps; the first step below the depth "
         "buffer, taken as a height field, is a hit and counts by its distance. With many of each it is "
         "what a depth buffer alone can tell.",
     .notes =
         "The text divides by N_r N_s and calls N_d the directions; the mean over all rays needs N_d N_r. "
-        "Steps are even in space, the second of the text's two ways. Depth samples under the tangent plane "
+        "Steps are even in space, the second of the text's two ways, up to where a ray leaves the image; the "
+        "text goes on. Depth samples under the tangent plane "
         "stop no ray, nor those less than 1.1 degrees above it, as normals of 8 bits lean: without that, "
         "texels darken tilted planes. The text gives no noise: directions turn "
         "and elevations move in a 4x4 tile.",

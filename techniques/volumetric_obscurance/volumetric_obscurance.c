@@ -95,6 +95,9 @@ static const struct aob_by_definition by_definition[] = {
                        "meets is solid however far before the surface."},
     {"thin_fence", "Alchemy, 1.1, of this technique: it \"tends to produce black halos\"; what a line meets "
                    "is solid however far before the surface."},
+    {"crease_to_corner",
+     "Alchemy, 2.3, of this technique: \"a ball about C projects to an ellipse, not a disk. Like Loos "
+     "and Sloan, we ignore this source of error\"; its lines lie along the axis, in a disc of the image."},
     {"approach_crease", "Alchemy, 1.1, of this technique: \"unseen space is empty\"; its lines fill the "
                         "whole sphere, of which the image then holds a small part."},
     {"closer_than_radius", "Alchemy, 1.1, of this technique: \"unseen space is empty\"; its lines fill the "

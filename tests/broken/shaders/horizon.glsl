@@ -103,6 +103,10 @@ float lean_of(vec3 normal, vec3 v, vec3 t)
 vec3 direction_of(float psi, vec3 v)
 {
     vec3 b1, b2;
+    if (FAULT == UNEVEN_SLICES) { /* even in the image */
+        vec3 along = vec3(cos(psi), sin(psi), 0.0);
+        return normalize(along - v * dot(along, v));
+    }
     tangent_frame(v, b1, b2);
     if (FAULT == SINGULAR_FRAME && AOB_PERSPECTIVE == 1) {
         float a = 1.0 / (1.0 - v.z);
