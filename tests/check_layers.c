@@ -153,6 +153,8 @@ static void check_velocity(const struct exr_file *file, const struct view *now, 
 
 struct sums {
     double square[4], bent[3], bias, absolute, most, se, product[3], angle, missing, estimator;
+    double band, band_angle,
+        band_normal; /* pixels in band; angles over them, of the image and of the normal */
 };
 
 /* Five standard errors of as many independent rays; the sampler's are fewer. */
@@ -197,7 +199,12 @@ static void check_pixel(const struct exr_file *file, const struct view *view, in
     sums->bent[0] += b.x - form->bent.x;
     sums->bent[1] += b.y - form->bent.y;
     sums->bent[2] += b.z - form->bent.z;
-    sums->angle += acos(fmin(1, dot(unit(a), unit(b)))) * 180 / M_PI;
+    double angle = acos(fmin(1, dot(unit(a), unit(b)))) * 180 / M_PI;
+    check_near("error.bent", pixel, at(file, "error.bent", pixel), angle, 2e-2);
+    sums->angle += angle;
+    sums->band += truth < 0.995;
+    sums->band_angle += truth < 0.995 ? angle : 0;
+    sums->band_normal += truth < 0.995 ? acos(fmin(1, dot(form->normal, unit(b)))) * 180 / M_PI : 0;
     sums->missing += pow(claim * (1 - form->visibility), 2);
     sums->estimator += pow(image - claim, 2);
 }
@@ -226,6 +233,9 @@ static void check_record(const json_t *error, const struct sums *sums, int pixel
     for (int c = 0; c < 3; c++) /* the errors of the pixels are independent */
         check_near("mean of reference.bent", -1, sums->bent[c] / pixels, 0, 5 * bent_error / sqrt(pixels));
     check_figure(error, "bent_mean", sums->angle / pixels, 1e-2);
+    check_figure(error, "bent_band", sums->band_angle / sums->band, 1e-2);
+    check_figure(error, "bent_band_normal", sums->band_normal / sums->band, 1e-2);
+    check_figure(error, "bent_band_pixels", sums->band, 0);
     if (!view->ortho)
         return;
     check_figure(error, "missing_rmse", sqrt(sums->missing / pixels), 2e-3);

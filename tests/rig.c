@@ -104,9 +104,13 @@ void aob_rig_params(const struct aob_technique *technique, const char *params, v
     aob_param_pack(aob_option_params, AOB_OPTION_COUNT, chosen, options, sizeof *options);
 }
 
-void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
-                   const void *values, const struct aob_options *options, float *pixels)
+static void draw(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
+                 const void *values, const struct aob_options *options, float *pixels, float (*bent)[3])
 {
+    const struct aob_frame_desc desc = {.technique = technique,
+                                        .values = values,
+                                        .fetch = (enum aob_fetch)options->fetch,
+                                        .wanted = bent ? 1u << AOB_OUT_BENT_NORMAL : 0};
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_screen screen;
     struct aob_error error = {{0}};
@@ -114,9 +118,10 @@ void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct 
     bool ok = aob_geometry_upload(&geometry, gpu, &error) &&
               aob_screen_init(&screen, gpu, &rig->gbuffer, options, &error);
     screen.geometry = &geometry;
-    if (!ok || !aob_frame_init(frame, &screen, technique, values, (enum aob_fetch)options->fetch, &error) ||
+    if (!ok || !aob_frame_init_desc(frame, &screen, &desc, &error) ||
         !aob_frame_run(frame, 1, NULL, &error) ||
-        !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, &error))
+        !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, &error) ||
+        (bent && !aob_frame_read(frame, AOB_OUT_BENT_NORMAL, 3, bent[0], &error)))
         give_up(technique->name, &error);
     aob_frame_finish(frame);
     aob_screen_finish(&screen);
@@ -124,15 +129,27 @@ void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct 
     free(frame);
 }
 
+void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
+                   const void *values, const struct aob_options *options, float *pixels)
+{
+    draw(rig, gpu, technique, values, options, pixels, NULL);
+}
+
 void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *name, const char *params,
                  enum aob_fetch fetch, float *pixels)
+{
+    aob_rig_run_open(rig, gpu, name, params, fetch, pixels, NULL);
+}
+
+void aob_rig_run_open(const struct aob_rig *rig, struct aob_gpu *gpu, const char *name, const char *params,
+                      enum aob_fetch fetch, float *pixels, float (*bent)[3])
 {
     const struct aob_technique *technique = builtin(name);
     unsigned char values[4 * AOB_MAX_PARAM];
     struct aob_options options;
     aob_rig_params(technique, params, values, &options);
     options.fetch = (int32_t)fetch;
-    aob_rig_probe(rig, gpu, technique, values, &options, pixels);
+    draw(rig, gpu, technique, values, &options, pixels, bent);
 }
 
 void aob_rig_definition(const struct aob_rig *rig, const char *name, const char *params, int spp,

@@ -36,6 +36,10 @@ void aob_rig_finish(struct aob_rig *rig);
 void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique, const char *params,
                  enum aob_fetch fetch, float *pixels);
 
+/* The same with the bent normals, width x height vectors; NULL: not wanted. */
+void aob_rig_run_open(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique,
+                      const char *params, enum aob_fetch fetch, float *pixels, float (*bent)[3]);
+
 /* What such parameters make of a technique's values struct (4 * AOB_MAX_PARAM bytes), and of the options. */
 void aob_rig_params(const struct aob_technique *technique, const char *params, void *values,
                     struct aob_options *options);

@@ -75,6 +75,7 @@ static bool create_frame(struct aob_count *count, const struct aob_count_desc *d
     const struct aob_frame_desc frame = {.technique = desc->technique,
                                          .values = desc->values,
                                          .fetch = desc->fetch,
+                                         .wanted = desc->wanted,
                                          .readable = true,
                                          .rewrites = counting->rewrites,
                                          .storage = counting->buffer};

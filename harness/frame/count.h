@@ -14,6 +14,7 @@ struct aob_count_desc {
     const struct aob_technique *technique;
     const void *values;
     enum aob_fetch fetch;
+    uint32_t wanted; /* as of a frame (struct aob_frame_desc) */
     uint64_t
         limit; /* runs that a counter can hold: a pass of more is drawn in parts; 0: 2^32, and it is that at most */
 };

@@ -241,8 +241,7 @@ bool aob_frame_init_desc(struct aob_frame *frame, const struct aob_screen *scree
                                 .rewrites = desc->rewrites,
                                 .storage = desc->storage};
     memcpy(frame->values, desc->values, technique->values_size);
-    if (!aob_graph_build(&frame->graph, technique, desc->values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED,
-                         error))
+    if (!aob_graph_build(&frame->graph, technique, desc->values, desc->wanted, error))
         return false;
     bool ok = aob_geometry_serves(screen->geometry, &frame->graph, &screen->gbuffer->projection, error);
     frame->unfit = !ok;
@@ -289,7 +288,7 @@ static bool lays_the_same(const struct aob_frame *frame, const void *values, str
     const struct aob_technique *technique = frame->graph.technique;
     struct aob_pass_graph *graph = AOB_NEW(struct aob_pass_graph);
     char before[AOB_KEY_SIZE], after[AOB_KEY_SIZE];
-    bool ok = aob_graph_build(graph, technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, error);
+    bool ok = aob_graph_build(graph, technique, values, frame->graph.wanted, error);
     if (ok) {
         aob_graph_digest(&frame->graph, frame->values, before);
         aob_graph_digest(graph, values, after);
@@ -378,12 +377,13 @@ bool aob_frame_read(struct aob_frame *frame, enum aob_output which, int componen
     const struct aob_projection *view = &frame->screen->gbuffer->projection;
     size_t size = aob_gpu_texel_size(texture->format), stride = (size_t)texture->width;
     size_t guard = (size_t)frame->screen->gbuffer->guard, w = (size_t)view->width, h = (size_t)view->height;
+    int first = aob_graph_output_component(&frame->graph, which);
     unsigned char *texels = aob_alloc(stride * (size_t)texture->height, size);
     bool ok = aob_gpu_texture_read(frame->screen->gpu, texture, 0, texels, error);
     for (size_t y = guard; ok && y < h - guard; y++)
         for (size_t x = guard; x < w - guard; x++)
             for (int c = 0; c < components; c++)
-                *pixels++ = component(texels + (y * stride + x) * size, texture->format, c);
+                *pixels++ = component(texels + (y * stride + x) * size, texture->format, first + c);
     free(texels);
     return ok;
 }

@@ -51,7 +51,8 @@ struct aob_frame_desc {
     const struct aob_technique *technique;
     const void *values; /* the technique's own struct */
     enum aob_fetch fetch;
-    bool readable; /* as above */
+    uint32_t wanted; /* outputs besides visibility: bits 1 << enum aob_output (aob_options_wanted) */
+    bool readable;   /* as above */
     struct aob_programs
         *programs; /* frame/programs.h; borrowed from, must outlive the frame. NULL: it compiles its own */
     /* For frame/trace.c and frame/count.c. Each pass can be drawn in parts, and writes down what it does in `storage`: what
@@ -64,7 +65,8 @@ struct aob_frame_desc {
 bool aob_frame_init_desc(struct aob_frame *frame, const struct aob_screen *screen,
                          const struct aob_frame_desc *desc, struct aob_error *error);
 
-/* Builds the graph (module code runs here), compiles and allocates. False leaves nothing behind but `unfit`. */
+/* Builds the graph (module code runs here), compiles and allocates. Only visibility is wanted. False leaves nothing behind
+ * but `unfit`. */
 bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
                     const struct aob_technique *technique, const void *values, enum aob_fetch fetch,
                     struct aob_error *error);
@@ -88,7 +90,7 @@ bool aob_frame_run(struct aob_frame *frame, int repeats, struct aob_frame_time *
                    struct aob_error *error);
 
 /* An output that the graph gives (aob_graph_gives), guard band cropped: width x height pixels of `components` floats,
- * the texel's first ones, row 0 at the top. The texture has at least as many. */
+ * those of the texel from aob_graph_output_component on, row 0 at the top. The texture has as many. */
 bool aob_frame_read(struct aob_frame *frame, enum aob_output which, int components, float *pixels,
                     struct aob_error *error);
 #endif

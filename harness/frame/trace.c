@@ -68,6 +68,7 @@ static bool create_frame(struct aob_trace *trace, const struct aob_trace_desc *d
     const struct aob_frame_desc frame = {.technique = desc->technique,
                                          .values = desc->values,
                                          .fetch = desc->fetch,
+                                         .wanted = desc->wanted,
                                          .readable = true,
                                          .planes = &trace->capture->planes,
                                          .storage = trace->capture->buffer};

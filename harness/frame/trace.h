@@ -18,6 +18,7 @@ struct aob_trace_desc {
     const struct aob_technique *technique;
     const void *values;
     enum aob_fetch fetch;
+    uint32_t wanted; /* as of a frame (struct aob_frame_desc) */
     size_t
         device_bytes; /* of the buffer, at most; 0: AOB_TRACE_DEVICE_BYTES. A device with less has its own limit */
     size_t host_bytes; /* of the words held here at one time, at most; 0: AOB_TRACE_HOST_BYTES */

@@ -9,7 +9,10 @@ json_t *aob_layout_job_to_json(const struct aob_layout_job *job)
 {
     json_t *cases = json_array();
     for (size_t i = 0; i < job->case_count; i++)
-        json_array_append_new(cases, aob_json_vector(job->params + i * job->param_count, job->param_count));
+        json_array_append_new(cases,
+                              json_pack("{s:o, s:o}", "params",
+                                        aob_json_vector(job->params + i * job->param_count, job->param_count),
+                                        "wanted", aob_outputs_to_json(job->wanted[i])));
     return json_pack("{s:s, s:o, s:o}", "job", "layout", "technique", aob_address_to_json(&job->technique),
                      "cases", cases);
 }
@@ -17,23 +20,31 @@ json_t *aob_layout_job_to_json(const struct aob_layout_job *job)
 bool aob_layout_job_from_json(const json_t *object, struct aob_layout_job *job, struct aob_error *error)
 {
     const json_t *cases = json_object_get(object, "cases");
-    *job = (struct aob_layout_job){.case_count = json_array_size(cases),
-                                   .param_count = json_array_size(json_array_get(cases, 0))};
+    const json_t *first = json_object_get(json_array_get(cases, 0), "params");
+    *job =
+        (struct aob_layout_job){.case_count = json_array_size(cases), .param_count = json_array_size(first)};
     if (!aob_address_from_json(json_object_get(object, "technique"), &job->technique, error))
         return false;
     job->params = AOB_NEW_ARRAY(double, job->case_count * job->param_count);
-    for (size_t i = 0; i < job->case_count; i++)
-        if (!aob_json_to_vector(json_array_get(cases, i), job->params + i * job->param_count,
+    job->wanted = AOB_NEW_ARRAY(unsigned, job->case_count);
+    for (size_t i = 0; i < job->case_count; i++) {
+        const json_t *c = json_array_get(cases, i), *wanted = json_object_get(c, "wanted");
+        if (!json_is_array(wanted) ||
+            !aob_json_to_vector(json_object_get(c, "params"), job->params + i * job->param_count,
                                 job->param_count)) {
             aob_layout_job_finish(job);
-            return aob_fail(error, "case %zu of a layout job has not %zu numbers", i, job->param_count);
+            return aob_fail(error, "case %zu of a layout job has not %zu numbers and the outputs it wants", i,
+                            job->param_count);
         }
+        job->wanted[i] = aob_outputs_from_json(wanted);
+    }
     return true;
 }
 
 void aob_layout_job_finish(struct aob_layout_job *job)
 {
     free(job->params);
+    free(job->wanted);
     *job = (struct aob_layout_job){0};
 }
 

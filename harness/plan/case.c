@@ -11,12 +11,21 @@ static void add_values(const struct aob_param *params, size_t count, const doubl
     }
 }
 
+/* An output that is not wanted is not named, so that a key lasts when outputs are added to the program. */
+static void add_outputs(const double *options, struct aob_text *text)
+{
+    for (size_t i = AOB_OPTION_FIRST_OUTPUT; i < AOB_OPTION_COUNT; i++)
+        if (options[i] != 0)
+            add_values(&aob_option_params[i], 1, &options[i], text);
+}
+
 void aob_case_settings(const struct aob_case *c, struct aob_text *text)
 {
     aob_text_add(text, "%s", c->technique->name);
     add_values(c->technique->params, c->technique->param_count, c->params, text);
     aob_text_add(text, " %s %dx%d", c->backend, c->width, c->height);
-    add_values(aob_option_params, AOB_OPTION_COUNT, c->options, text);
+    add_values(aob_option_params, AOB_OPTION_FIRST_OUTPUT, c->options, text);
+    add_outputs(c->options, text);
 }
 
 struct aob_options aob_case_options(const struct aob_case *c)

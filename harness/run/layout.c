@@ -69,11 +69,15 @@ static json_t *make_job(const struct layout *layout)
                                  .case_count = layout->count - layout->answered,
                                  .param_count = technique->param_count};
     job.params = AOB_NEW_ARRAY(double, job.case_count *job.param_count);
-    for (size_t i = 0; i < job.case_count; i++)
-        memcpy(job.params + i * job.param_count, plan->cases[layout->indices[layout->answered + i]].params,
-               job.param_count * sizeof *job.params);
+    job.wanted = AOB_NEW_ARRAY(unsigned, job.case_count);
+    for (size_t i = 0; i < job.case_count; i++) {
+        const struct aob_case *c = &plan->cases[layout->indices[layout->answered + i]];
+        struct aob_options options = aob_case_options(c);
+        memcpy(job.params + i * job.param_count, c->params, job.param_count * sizeof *job.params);
+        job.wanted[i] = aob_options_wanted(&options);
+    }
     json_t *object = aob_layout_job_to_json(&job);
-    free(job.params);
+    aob_layout_job_finish(&job);
     return object;
 }
 

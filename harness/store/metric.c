@@ -58,6 +58,14 @@ const struct aob_metric aob_metric_table[] = {
     METRIC(bent_pixels, .output = AOB_OUT_BENT_NORMAL, .title = "bent normal pixels", .unit = "pixels",
            .whole = true, .better = AOB_BETTER_NONE,
            .doc = "Pixels whose angle counts: those that are not nearly closed."),
+    METRIC(bent_band, .output = AOB_OUT_BENT_NORMAL, .title = "bent normal in band", .unit = "degrees",
+           .brief = true, .better = AOB_BETTER_LESS,
+           .doc = "Mean of that angle over the pixels whose true visibility is below 0.995."),
+    METRIC(bent_band_normal, .output = AOB_OUT_BENT_NORMAL, .title = "plain normal in band",
+           .unit = "degrees", .better = AOB_BETTER_NONE,
+           .doc = "The same of the surface's own normal: what there is to gain."),
+    METRIC(bent_band_pixels, .output = AOB_OUT_BENT_NORMAL, .title = "bent normal pixels in band",
+           .unit = "pixels", .whole = true, .better = AOB_BETTER_NONE, .doc = "Pixels of these two."),
     {.name = NULL},
 };
 

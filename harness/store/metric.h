@@ -23,7 +23,7 @@ struct aob_metrics {
     double definition_rmse, missing_rmse, estimator_rmse, claim_bias;
     double definition_missing, definition_estimator, missing_estimator;
     double flip, ssim, pixels, band_pixels;
-    double bent_mean, bent_p95, bent_pixels;
+    double bent_mean, bent_p95, bent_pixels, bent_band, bent_band_normal, bent_band_pixels;
 };
 
 struct aob_metric {

@@ -30,34 +30,57 @@ static bool trace(const struct aob_exhibit *exhibit, const struct aob_visibility
                                     : trace_image(exhibit, &desc, traced, error);
 }
 
-float *aob_claim_trace(struct aob_trial *trial, const struct aob_shot *shot, enum aob_claim_of of, int spp)
+/* Traces the claim of a shot's values; false after an error or an excuse of the trial. */
+static bool trace_claim(struct aob_trial *trial, const struct aob_shot *shot, const void *values,
+                        enum aob_claim_of of, int spp, bool bent, struct aob_visibility *traced)
 {
-    unsigned char values[4 * AOB_MAX_PARAM];
-    struct aob_options options;
-    struct aob_visibility traced;
-    const struct aob_technique *technique = trial->subject->technique;
-    if (!shot->exhibit || *trial->error.text || *trial->excuse.text ||
-        !aob_subject_values(trial->subject, shot, values, &options, &trial->error))
-        return NULL;
     struct aob_definition_table *table = AOB_NEW(struct aob_definition_table);
-    bool ok = aob_definition_tabulate(technique, values, table, &trial->error);
+    bool ok = aob_definition_tabulate(trial->subject->technique, values, table, &trial->error);
     if (ok && !table->claims)
         aob_trial_excuse(trial, "it claims nothing that can be traced");
     const struct aob_visibility_term term = {.radius = (double)table->radius,
                                              .uniform = table->uniform,
                                              .of_triangle = table->of_triangle,
                                              .falloff = table->fades ? table->falloff : NULL,
-                                             .falloff_count = AOB_FALLOFF_ROWS};
-    ok = ok && table->claims && trace(shot->exhibit, &term, of, spp, &traced, &trial->error);
+                                             .falloff_count = AOB_FALLOFF_ROWS,
+                                             .bent = bent};
+    ok = ok && table->claims && trace(shot->exhibit, &term, of, spp, traced, &trial->error);
     free(table);
-    if (!ok)
-        return NULL;
-    float *pixels = aob_trial_image(trial, shot->exhibit);
-    for (size_t i = 0; i < aob_exhibit_pixels(shot->exhibit); i++)
-        pixels[i] =
-            technique->definition.map ? technique->definition.map(values, traced.ao[i]) : traced.ao[i];
+    return ok;
+}
+
+static struct aob_open claim(struct aob_trial *trial, const struct aob_shot *shot, enum aob_claim_of of,
+                             int spp, bool bent)
+{
+    unsigned char values[4 * AOB_MAX_PARAM];
+    struct aob_options options;
+    struct aob_visibility traced;
+    struct aob_open open = {NULL, NULL};
+    const struct aob_definition *definition = &trial->subject->technique->definition;
+    if (!shot->exhibit || *trial->error.text || *trial->excuse.text ||
+        !aob_subject_values(trial->subject, shot, values, &options, &trial->error) ||
+        !trace_claim(trial, shot, values, of, spp, bent, &traced))
+        return open;
+    open.visibility = aob_trial_image(trial, shot->exhibit);
+    open.bent = bent ? aob_trial_vectors(trial, shot->exhibit) : NULL;
+    for (size_t i = 0; i < aob_exhibit_pixels(shot->exhibit); i++) {
+        open.visibility[i] = definition->map ? definition->map(values, traced.ao[i]) : traced.ao[i];
+        for (int c = 0; bent && c < 3; c++)
+            open.bent[i][c] = traced.bent[i][c];
+    }
     aob_visibility_finish(&traced);
-    return pixels;
+    return open;
+}
+
+float *aob_claim_trace(struct aob_trial *trial, const struct aob_shot *shot, enum aob_claim_of of, int spp)
+{
+    return claim(trial, shot, of, spp, false).visibility;
+}
+
+struct aob_open aob_claim_trace_open(struct aob_trial *trial, const struct aob_shot *shot,
+                                     enum aob_claim_of of, int spp)
+{
+    return claim(trial, shot, of, spp, true);
 }
 
 double aob_claim_open(struct aob_trial *trial, const struct aob_shot *shot)

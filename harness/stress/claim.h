@@ -12,6 +12,10 @@ enum aob_claim_of {
  * technique claims nothing that can be traced. */
 float *aob_claim_trace(struct aob_trial *trial, const struct aob_shot *shot, enum aob_claim_of of, int spp);
 
+/* The same with the mean open directions, from the same rays; a map does not count for those. */
+struct aob_open aob_claim_trace_open(struct aob_trial *trial, const struct aob_shot *shot,
+                                     enum aob_claim_of of, int spp);
+
 /* What it claims where nothing occludes: 1, or what its map makes of that. NAN after a line in the trial. */
 double aob_claim_open(struct aob_trial *trial, const struct aob_shot *shot);
 #endif

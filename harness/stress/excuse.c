@@ -19,3 +19,8 @@ const char *aob_excuse_no_radius(const struct aob_subject *subject)
 {
     return aob_subject_has(subject, "radius") ? NULL : "it has no radius";
 }
+
+const char *aob_excuse_no_bent_normal(const struct aob_subject *subject)
+{
+    return aob_subject_gives(subject, AOB_OUT_BENT_NORMAL) ? NULL : "it gives no bent normal";
+}

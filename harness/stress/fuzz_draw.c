@@ -40,13 +40,15 @@ static void make_geometry(const struct aob_fuzz_frame *frame, struct aob_geometr
 
 /* A frame that nobody drew before: new textures, which hold whatever their memory held. */
 static enum aob_fuzz_fault draw_once(const struct aob_frame_desc *desc, const struct aob_screen *screen,
-                                     float *pixels, struct aob_error *error)
+                                     float *pixels, float (*bent)[3], struct aob_error *error)
 {
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     bool ok = aob_frame_init_desc(frame, screen, desc, error);
     bool unfit = !ok && frame->unfit;
     ok = ok && aob_frame_run(frame, 1, NULL, error) &&
-         aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, error);
+         aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, error) &&
+         (!aob_graph_gives(&frame->graph, AOB_OUT_BENT_NORMAL) ||
+          aob_frame_read(frame, AOB_OUT_BENT_NORMAL, 3, bent[0], error));
     aob_frame_finish(frame);
     free(frame);
     return ok ? AOB_FUZZ_FINE : unfit ? AOB_FUZZ_REFUSED : AOB_FUZZ_ERROR;
@@ -55,8 +57,8 @@ static enum aob_fuzz_fault draw_once(const struct aob_frame_desc *desc, const st
 static enum aob_fuzz_fault draw_twice(const struct aob_frame_desc *desc, const struct aob_screen *screen,
                                       struct aob_fuzz_sight *sight, struct aob_error *error)
 {
-    enum aob_fuzz_fault fault = draw_once(desc, screen, sight->image, error);
-    return fault == AOB_FUZZ_FINE ? draw_once(desc, screen, sight->again, error) : fault;
+    enum aob_fuzz_fault fault = draw_once(desc, screen, sight->image, sight->bent, error);
+    return fault == AOB_FUZZ_FINE ? draw_once(desc, screen, sight->again, sight->bent_again, error) : fault;
 }
 
 static enum aob_fuzz_fault draw(struct aob_fuzz_artist *artist, const struct aob_fuzz_frame *frame,
@@ -76,6 +78,7 @@ static enum aob_fuzz_fault draw(struct aob_fuzz_artist *artist, const struct aob
     const struct aob_frame_desc desc = {.technique = subject->technique,
                                         .values = values,
                                         .fetch = (enum aob_fetch)options.fetch,
+                                        .wanted = aob_options_wanted(&options),
                                         .programs = &subject->programs};
     enum aob_fuzz_fault fault = AOB_FUZZ_ERROR;
     if (artist->triangles) {
@@ -102,20 +105,40 @@ static enum aob_fuzz_fault judge_pixel(const struct aob_fuzz_frame *frame, size_
     return AOB_FUZZ_FINE;
 }
 
+static enum aob_fuzz_fault judge_bent(const struct aob_fuzz_frame *frame, size_t i, const float bent[3])
+{
+    double square = (double)bent[0] * bent[0] + (double)bent[1] * bent[1] + (double)bent[2] * bent[2];
+    if (!isfinite(square))
+        return AOB_FUZZ_NOT_FINITE;
+    bool surface = frame->pixels[aob_fuzz_frame_place(frame, i)] == AOB_FUZZ_SURFACE;
+    return surface && square > 1.01 * 1.01 ? AOB_FUZZ_RANGE : AOB_FUZZ_FINE;
+}
+
+static bool is_same(const struct aob_fuzz_sight *sight, size_t i)
+{
+    return memcmp(&sight->image[i], &sight->again[i], sizeof(float)) == 0 &&
+           memcmp(sight->bent[i], sight->bent_again[i], sizeof sight->bent[i]) == 0;
+}
+
 static void judge(const struct aob_fuzz_frame *frame, struct aob_fuzz_sight *sight)
 {
     static const char *const kinds[] = {"a surface", "sky", "hostile"};
     int width = aob_fuzz_frame_width(frame), height = aob_fuzz_frame_height(frame);
     size_t count = (size_t)width * (size_t)height;
     for (size_t i = 0; i < count && sight->fault == AOB_FUZZ_FINE; i++) {
+        const float *bent = sight->bent[i];
         sight->fault = judge_pixel(frame, i, sight->image[i]);
-        if (sight->fault == AOB_FUZZ_FINE && memcmp(&sight->image[i], &sight->again[i], sizeof(float)) != 0)
+        if (sight->fault == AOB_FUZZ_FINE)
+            sight->fault = judge_bent(frame, i, bent);
+        if (sight->fault == AOB_FUZZ_FINE && !is_same(sight, i))
             sight->fault = AOB_FUZZ_AGAIN;
         if (sight->fault != AOB_FUZZ_FINE)
-            aob_line_print(sight->sentence, sizeof sight->sentence, "pixel (%d, %d) of %dx%d, %s, is %.9g%s",
+            aob_line_print(sight->sentence, sizeof sight->sentence,
+                           "pixel (%d, %d) of %dx%d, %s, is %.9g, its bent normal (%.9g, %.9g, %.9g)%s",
                            (int)(i % (size_t)width), (int)(i / (size_t)width), width, height,
                            kinds[frame->pixels[aob_fuzz_frame_place(frame, i)]], (double)sight->image[i],
-                           sight->fault == AOB_FUZZ_AGAIN ? ", and another number in a second drawing" : "");
+                           (double)bent[0], (double)bent[1], (double)bent[2],
+                           sight->fault == AOB_FUZZ_AGAIN ? ", and another in a second drawing" : "");
     }
 }
 
@@ -124,8 +147,10 @@ void aob_fuzz_draw(struct aob_fuzz_artist *artist, const struct aob_fuzz_frame *
 {
     struct aob_error error = {{0}};
     size_t count = (size_t)aob_fuzz_frame_width(frame) * (size_t)aob_fuzz_frame_height(frame);
-    *sight =
-        (struct aob_fuzz_sight){.image = AOB_NEW_ARRAY(float, count), .again = AOB_NEW_ARRAY(float, count)};
+    *sight = (struct aob_fuzz_sight){.image = AOB_NEW_ARRAY(float, count),
+                                     .again = AOB_NEW_ARRAY(float, count),
+                                     .bent = aob_alloc(count, sizeof *sight->bent),
+                                     .bent_again = aob_alloc(count, sizeof *sight->bent)};
     sight->fault = draw(artist, frame, sight, &error);
     if (sight->fault == AOB_FUZZ_FINE)
         judge(frame, sight);
@@ -137,5 +162,7 @@ void aob_fuzz_sight_finish(struct aob_fuzz_sight *sight)
 {
     free(sight->image);
     free(sight->again);
+    free(sight->bent);
+    free(sight->bent_again);
     *sight = (struct aob_fuzz_sight){.image = NULL};
 }

@@ -21,7 +21,7 @@ const char *aob_excuse_one_level(const struct aob_subject *subject)
     struct aob_options options;
     bool reads = false;
     if (aob_subject_values(subject, &(struct aob_shot){0}, values, &options, NULL) &&
-        aob_graph_build(graph, subject->technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, NULL))
+        aob_graph_build(graph, subject->technique, values, aob_options_wanted(&options), NULL))
         for (int i = 0; i < graph->pass_count; i++)
             reads = reads || pass_reads_levels(&graph->passes[i]);
     free(graph);
@@ -94,7 +94,8 @@ static bool run_trace(struct aob_subject *subject, const struct aob_shot *shot, 
     const struct aob_trace_desc desc = {.screen = screen,
                                         .technique = subject->technique,
                                         .values = values,
-                                        .fetch = (enum aob_fetch)options->fetch};
+                                        .fetch = (enum aob_fetch)options->fetch,
+                                        .wanted = aob_options_wanted(options)};
     const struct aob_trace_sink sink = {.self = tally, .begin = begin, .band = band, .end = end};
     bool made = ok && aob_trace_init(trace, &desc, error);
     *unfit = trace->unfit;

@@ -23,15 +23,31 @@ bool aob_subject_has(const struct aob_subject *subject, const char *param)
     return aob_param_find(subject->technique->params, subject->technique->param_count, param);
 }
 
-bool aob_subject_draws_triangles(const struct aob_subject *subject)
+/* Its graph at its defaults, with these outputs wanted besides visibility; NULL where it cannot be built. */
+static struct aob_pass_graph *lay_defaults(const struct aob_subject *subject, uint32_t wanted)
 {
     struct aob_pass_graph *graph = AOB_NEW(struct aob_pass_graph);
     unsigned char values[4 * AOB_MAX_PARAM];
     struct aob_options options;
-    bool built =
-        aob_subject_values(subject, &(struct aob_shot){0}, values, &options, NULL) &&
-        aob_graph_build(graph, subject->technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, NULL);
-    bool draws = built && aob_graph_needs_triangles(graph);
+    if (aob_subject_values(subject, &(struct aob_shot){0}, values, &options, NULL) &&
+        aob_graph_build(graph, subject->technique, values, wanted, NULL))
+        return graph;
+    free(graph);
+    return NULL;
+}
+
+bool aob_subject_gives(const struct aob_subject *subject, enum aob_output which)
+{
+    struct aob_pass_graph *graph = lay_defaults(subject, 1u << which);
+    bool gives = graph && aob_graph_gives(graph, which);
+    free(graph);
+    return gives;
+}
+
+bool aob_subject_draws_triangles(const struct aob_subject *subject)
+{
+    struct aob_pass_graph *graph = lay_defaults(subject, 0);
+    bool draws = graph && aob_graph_needs_triangles(graph);
     free(graph);
     return draws;
 }
@@ -115,7 +131,7 @@ bool aob_subject_values(const struct aob_subject *subject, const struct aob_shot
 /* The triangles are uploaded for techniques that draw them only. */
 static bool draw_frame(struct aob_subject *subject, const struct aob_shot *shot,
                        const struct aob_frame_desc *desc, struct aob_screen *screen, float *pixels,
-                       bool *unfit, struct aob_error *error)
+                       float (*bent)[3], bool *unfit, struct aob_error *error)
 {
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_geometry geometry = shot->exhibit->geometry;
@@ -126,14 +142,15 @@ static bool draw_frame(struct aob_subject *subject, const struct aob_shot *shot,
     *unfit = frame->unfit;
     ok = ok && aob_frame_run(frame, shot->runs > 0 ? shot->runs : 1, NULL, error) &&
          aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, error);
+    ok = ok && (!bent || aob_frame_read(frame, AOB_OUT_BENT_NORMAL, 3, bent[0], error));
     aob_frame_finish(frame);
     aob_gpu_texture_destroy(subject->gpu, geometry.texture);
     free(frame);
     return ok;
 }
 
-bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, float *pixels, bool *unfit,
-                      struct aob_error *error)
+bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, float *pixels,
+                      float (*bent)[3], bool *unfit, struct aob_error *error)
 {
     unsigned char values[4 * AOB_MAX_PARAM];
     struct aob_options options;
@@ -151,8 +168,9 @@ bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, 
     const struct aob_frame_desc desc = {.technique = subject->technique,
                                         .values = values,
                                         .fetch = (enum aob_fetch)options.fetch,
+                                        .wanted = aob_options_wanted(&options),
                                         .programs = &subject->programs};
-    ok = ok && draw_frame(subject, shot, &desc, &screen, pixels, unfit, error);
+    ok = ok && draw_frame(subject, shot, &desc, &screen, pixels, bent, unfit, error);
     aob_screen_finish(&screen);
     return ok;
 }

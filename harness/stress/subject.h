@@ -19,6 +19,9 @@ void aob_subject_finish(struct aob_subject *subject);
 /* Whether it has a parameter of that name. */
 bool aob_subject_has(const struct aob_subject *subject, const char *param);
 
+/* Whether it gives an output besides visibility at its defaults. */
+bool aob_subject_gives(const struct aob_subject *subject, enum aob_output which);
+
 /* Whether its passes draw the scene's triangles at its defaults. */
 bool aob_subject_draws_triangles(const struct aob_subject *subject);
 
@@ -40,8 +43,9 @@ struct aob_shot {
 bool aob_subject_values(const struct aob_subject *subject, const struct aob_shot *shot, void *values,
                         struct aob_options *options, struct aob_error *error);
 
-/* Draws one frame and reads the visibility of width x height pixels. False after a line; *unfit then says that it is no
- * fault of the technique: the device lacks something, or the values are refused by its check(). */
-bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, float *pixels, bool *unfit,
-                      struct aob_error *error);
+/* Draws one frame and reads the visibility of width x height pixels; and their bent normals if `bent` is not NULL, for which
+ * the shot sets bent_normal=on and the technique gives them. False after a line; *unfit then says that it is no fault of
+ * the technique: the device lacks something, or the values are refused by its check(). */
+bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, float *pixels,
+                      float (*bent)[3], bool *unfit, struct aob_error *error);
 #endif

@@ -58,6 +58,11 @@ float *aob_trial_image(struct aob_trial *trial, const struct aob_exhibit *exhibi
     return keep(trial, AOB_NEW_ARRAY(float, aob_exhibit_pixels(exhibit)), false);
 }
 
+float (*aob_trial_vectors(struct aob_trial *trial, const struct aob_exhibit *exhibit))[3]
+{
+    return keep(trial, aob_alloc(aob_exhibit_pixels(exhibit), 3 * sizeof(float)), false);
+}
+
 bool *aob_trial_mask(struct aob_trial *trial, const struct aob_exhibit *exhibit)
 {
     return keep(trial, AOB_NEW_ARRAY(bool, aob_exhibit_pixels(exhibit)), false);
@@ -86,12 +91,44 @@ float *aob_trial_draw(struct aob_trial *trial, const struct aob_shot *shot)
     if (stopped(trial) || !shot->exhibit)
         return NULL;
     float *pixels = aob_trial_image(trial, shot->exhibit);
-    if (!aob_subject_draw(trial->subject, shot, pixels, &unfit, &error)) {
+    if (!aob_subject_draw(trial->subject, shot, pixels, NULL, &unfit, &error)) {
         *(unfit ? &trial->excuse : &trial->error) = error;
         return NULL;
     }
     look_through(trial, shot, pixels);
     return pixels;
+}
+
+static void look_through_bent(struct aob_trial *trial, const struct aob_shot *shot, struct aob_open open)
+{
+    for (size_t i = 0; i < aob_exhibit_pixels(shot->exhibit); i++) {
+        const float *b = open.bent[i];
+        double length = sqrt((double)b[0] * b[0] + (double)b[1] * b[1] + (double)b[2] * b[2]);
+        if (!aob_exhibit_is_surface(shot->exhibit, i) || length <= 1.01 || trial->broken)
+            continue;
+        int x = (int)(i % (size_t)shot->exhibit->width), y = (int)(i / (size_t)shot->exhibit->width);
+        aob_trial_take(trial, NAN, &(struct aob_seen){.shot = shot, .image = open.visibility},
+                       "pixel (%d, %d): the bent normal (%g, %g, %g) is not finite or longer than 1", x, y,
+                       (double)b[0], (double)b[1], (double)b[2]);
+        trial->broken = true;
+    }
+}
+
+struct aob_open aob_trial_draw_open(struct aob_trial *trial, const struct aob_shot *shot)
+{
+    const struct aob_open none = {NULL, NULL};
+    bool unfit = false;
+    struct aob_error error = {{0}};
+    if (stopped(trial) || !shot->exhibit)
+        return none;
+    struct aob_open open = {aob_trial_image(trial, shot->exhibit), aob_trial_vectors(trial, shot->exhibit)};
+    if (!aob_subject_draw(trial->subject, shot, open.visibility, open.bent, &unfit, &error)) {
+        *(unfit ? &trial->excuse : &trial->error) = error;
+        return none;
+    }
+    look_through(trial, shot, open.visibility);
+    look_through_bent(trial, shot, open);
+    return open;
 }
 
 float *aob_trial_trace(struct aob_trial *trial, const struct aob_exhibit *exhibit, double radius, int spp)

@@ -32,12 +32,21 @@ void aob_trial_finish(struct aob_trial *trial);
 /* An exhibit; NULL where that fails. The mesh is taken. */
 struct aob_exhibit *aob_trial_exhibit(struct aob_trial *trial, const struct aob_exhibit_desc *desc);
 
-/* width x height zeros. */
+/* width x height zeros, and as many zero vectors. */
 float *aob_trial_image(struct aob_trial *trial, const struct aob_exhibit *exhibit);
+float (*aob_trial_vectors(struct aob_trial *trial, const struct aob_exhibit *exhibit))[3];
 
 /* Draws a shot; NULL where that fails or the device lacks what it takes. Every image is looked through: a value that is not
  * finite, or a surface outside 0..1, fails the property whatever its measure is. */
 float *aob_trial_draw(struct aob_trial *trial, const struct aob_shot *shot);
+
+/* Draws a shot that sets bent_normal=on, of a technique that gives bent normals. Their arrays are NULL where that fails.
+ * What is looked through as well: a bent normal on a surface that is not finite or longer than 1 (by 1 %). */
+struct aob_open {
+    float *visibility; /* width * height */
+    float (*bent)[3];  /* width * height, view space, as the technique wrote them */
+};
+struct aob_open aob_trial_draw_open(struct aob_trial *trial, const struct aob_shot *shot);
 
 /* The traced visibility of the exhibit (aob_exhibit_trace), which is looked through as well. */
 float *aob_trial_trace(struct aob_trial *trial, const struct aob_exhibit *exhibit, double radius, int spp);

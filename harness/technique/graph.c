@@ -242,14 +242,13 @@ static const struct aob_graph_ops graph_ops = {graph_wants, graph_texture, graph
                                                graph_previous};
 
 bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *technique, const void *values,
-                     uint32_t required, uint32_t wanted, struct aob_error *error)
+                     uint32_t wanted, struct aob_error *error)
 {
     struct aob_error cause = {{0}};
     const char *why = NULL;
     *graph = (struct aob_pass_graph){.interface = {&graph_ops},
                                      .technique = technique,
-                                     .required = required,
-                                     .wanted = wanted | required,
+                                     .wanted = wanted | AOB_OUTPUTS_REQUIRED,
                                      .error = &cause};
     memset(graph->outputs, 0xff, sizeof graph->outputs);
     bool ok = true;

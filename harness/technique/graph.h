@@ -48,7 +48,7 @@ struct aob_graph_pass {
 struct aob_pass_graph {
     struct aob_graph interface; /* what build() sees; first member */
     const struct aob_technique *technique;
-    uint32_t required, wanted; /* bits 1 << enum aob_output; what is required is wanted as well */
+    uint32_t wanted; /* bits 1 << enum aob_output; what is required is among them */
     struct aob_graph_texture textures[AOB_MAX_TEXTURE];
     int texture_count;
     struct aob_graph_pass passes[AOB_MAX_PASS];
@@ -57,18 +57,21 @@ struct aob_pass_graph {
     struct aob_error *error;       /* during build() only */
 };
 
-/* What a run asks of a technique: every one gives visibility, some a bent normal. */
-enum { AOB_OUTPUTS_REQUIRED = 1 << AOB_OUT_VISIBILITY, AOB_OUTPUTS_WANTED = 1 << AOB_OUT_BENT_NORMAL };
+enum { AOB_OUTPUTS_REQUIRED = 1 << AOB_OUT_VISIBILITY }; /* what every technique gives */
 
 /* Runs check() and build() of the technique (its code: only ever in a worker) and judges the result: names
  * known and unique, every level of a texture written before it is read and by one pass only, outputs of a pass of one
  * size, every required output given, every given one full size and written. What nothing wanted depends on is not
- * live. On false the line names technique and object. required, wanted: bits 1 << enum aob_output. */
+ * live. On false the line names technique and object. wanted: bits 1 << enum aob_output of what is wanted besides
+ * AOB_OUTPUTS_REQUIRED; that a technique does not give all of them is no fault. */
 bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *technique, const void *values,
-                     uint32_t required, uint32_t wanted, struct aob_error *error);
+                     uint32_t wanted, struct aob_error *error);
 
 /* Whether the technique gives an output that is wanted. */
 bool aob_graph_gives(const struct aob_pass_graph *graph, enum aob_output which);
+
+/* The first component of its texture that an output has: 3 of a visibility that lies behind a bent normal, else 0. */
+int aob_graph_output_component(const struct aob_pass_graph *graph, enum aob_output which);
 const char *aob_output_name(enum aob_output which); /* "bent_normal" */
 
 /* Divisors, of the depth that a pass reads, of what it writes, and of the texels of a bind. */

@@ -110,7 +110,7 @@ static bool judge_outputs(struct aob_pass_graph *graph)
 {
     for (int which = 0; which < AOB_OUTPUT_COUNT; which++) {
         const char *name = aob_output_name((enum aob_output)which);
-        if (graph->required >> which & 1 && graph->outputs[which] < 0)
+        if (AOB_OUTPUTS_REQUIRED >> which & 1 && graph->outputs[which] < 0)
             return aob_fail(graph->error, "the graph gives no output %s", name);
         if (graph->outputs[which] < 0)
             continue;

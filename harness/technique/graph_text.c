@@ -48,6 +48,12 @@ bool aob_graph_gives(const struct aob_pass_graph *graph, enum aob_output which)
     return graph->wanted >> which & 1 && graph->outputs[which] >= 0;
 }
 
+int aob_graph_output_component(const struct aob_pass_graph *graph, enum aob_output which)
+{
+    return which == AOB_OUT_VISIBILITY && graph->outputs[which] == graph->outputs[AOB_OUT_BENT_NORMAL] ? 3
+                                                                                                       : 0;
+}
+
 const char *aob_output_name(enum aob_output which)
 {
     static const char *const names[AOB_OUTPUT_COUNT] = {

@@ -16,6 +16,7 @@ static const char *const depth_names[] = {"r32f",
 static const char *const normal_names[] = {"rgba32f", "oct_rg16f", "rgba8",        "packed8", "rgba16f",
                                            "oct_rg8", "rgb10",     "sphere_rg16f", NULL};
 static const char *const normals_names[] = {"geometric", "shading", "from_depth", NULL};
+static const char *const switch_names[] = {"off", "on", NULL};
 static const char *const gbuffer_names[] = {"canonical", "raster", NULL};
 
 const struct aob_param aob_option_params[AOB_OPTION_COUNT] = {
@@ -41,4 +42,12 @@ const struct aob_param aob_option_params[AOB_OPTION_COUNT] = {
               .doc = "Near plane of the device encodings; 0 is half the view's nearest depth."),
     AOB_PARAM(struct aob_options, far, .unit = AOB_UNIT_LENGTH, .min = 0, .max = 1e9,
               .doc = "Far plane of the device and 16-bit encodings; 0 is 1.01 of the view's farthest depth."),
+    AOB_PARAM(struct aob_options, bent_normal, .choices = switch_names,
+              .doc =
+                  "Whether the mean open direction is wanted too; off lays no pass and no texture for it."),
 };
+
+uint32_t aob_options_wanted(const struct aob_options *options)
+{
+    return options->bent_normal ? 1u << AOB_OUT_BENT_NORMAL : 0;
+}

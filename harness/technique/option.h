@@ -41,9 +41,14 @@ struct aob_options {
     int32_t gbuffer;    /* enum aob_gbuffer_source */
     int32_t threads;    /* of a software driver; 0: the driver's default */
     int32_t depth_encoding, normal_encoding, normals;
-    float near, far; /* of the depth encoding, scene units; 0: from the view's own depths */
+    float near, far;     /* of the depth encoding, scene units; 0: from the view's own depths */
+    int32_t bent_normal; /* whether that output is wanted */
 };
-enum { AOB_OPTION_COUNT = 9 };
+/* From the first output on an option says whether an output is wanted besides visibility. */
+enum { AOB_OPTION_FIRST_OUTPUT = 9, AOB_OPTION_COUNT = 10 };
 
 extern const struct aob_param aob_option_params[AOB_OPTION_COUNT];
+
+/* The outputs that they want besides visibility: bits 1 << enum aob_output. */
+uint32_t aob_options_wanted(const struct aob_options *options);
 #endif

@@ -32,7 +32,9 @@ static bool init_frame(struct aob_block *block, size_t index, const char **statu
         return false;
     }
     int64_t start = aob_clock_wall_ns();
-    if (!aob_frame_init(frame, part.screen, part.technique, part.values, part.fetch, error)) {
+    const struct aob_frame_desc desc = {
+        .technique = part.technique, .values = part.values, .fetch = part.fetch, .wanted = part.wanted};
+    if (!aob_frame_init_desc(frame, part.screen, &desc, error)) {
         *status = frame->unfit ? "unsupported" : "failed";
         return false;
     }

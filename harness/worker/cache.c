@@ -70,12 +70,15 @@ static bool init_trace(struct cached *cached, const char **status, struct aob_er
                         &(struct aob_trace_desc){.screen = part->screen,
                                                  .technique = part->technique,
                                                  .values = part->values,
-                                                 .fetch = part->fetch},
+                                                 .fetch = part->fetch,
+                                                 .wanted = part->wanted},
                         error)) {
         *status = cached->trace.unfit ? "unsupported" : "failed";
         return false;
     }
-    return aob_frame_init(&cached->plain, part->screen, part->technique, part->values, part->fetch, error) &&
+    const struct aob_frame_desc plain = {
+        .technique = part->technique, .values = part->values, .fetch = part->fetch, .wanted = part->wanted};
+    return aob_frame_init_desc(&cached->plain, part->screen, &plain, error) &&
            aob_frame_run(&cached->plain, 1, &time, error);
 }
 
@@ -128,7 +131,8 @@ static bool count_operations(struct cached *cached, struct aob_error *error)
     const struct aob_count_desc desc = {.screen = cached->part.screen,
                                         .technique = cached->part.technique,
                                         .values = cached->part.values,
-                                        .fetch = cached->part.fetch};
+                                        .fetch = cached->part.fetch,
+                                        .wanted = cached->part.wanted};
     if (!wants_operations(cached))
         return true;
     if (!aob_count_init(&count, &desc, error)) {

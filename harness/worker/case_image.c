@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/hash.h"
+#include "base/memory.h"
+#include "score/bent.h"
 #include "store/image.h"
 
 void aob_case_image_finish(struct aob_case_image *image)
@@ -11,6 +13,7 @@ void aob_case_image_finish(struct aob_case_image *image)
     free(image->depth);
     free(image->ao);
     free(image->bent);
+    free(image->normal);
     free(image->open);
     free(image->truth);
     free(image->se);
@@ -82,9 +85,29 @@ static void add_surface(struct aob_image *file, const struct aob_block *block,
 
 static void add_error(struct aob_image *file, const struct aob_case_image *image)
 {
-    float *error = image->truth ? aob_image_add(file, "error.AO") : NULL;
-    for (size_t i = 0; error && i < (size_t)file->width * (size_t)file->height; i++)
-        error[i] = is_sky(image, i) ? 0 : image->ao[i] - image->truth[i];
+    float *error = image->truth ? aob_image_add(file, "error.AO") : NULL,
+          *angle = image->open ? aob_image_add(file, "error.bent") : NULL;
+    for (size_t i = 0; i < (size_t)file->width * (size_t)file->height; i++) {
+        if (error)
+            error[i] = is_sky(image, i) ? 0 : image->ao[i] - image->truth[i];
+        if (angle)
+            angle[i] = is_sky(image, i) || !aob_bent_counts(image->open[i])
+                           ? 0
+                           : (float)aob_bent_angle(image->bent[i], image->open[i]);
+    }
+}
+
+float (*aob_case_image_normals(const struct aob_block *block))[3]
+{
+    const struct aob_gbuffer *gbuffer = &block->drawing.gbuffer;
+    const struct aob_job_view *view = &block->job.drawing.view;
+    float(*normals)[3] = aob_alloc((size_t)view->width * (size_t)view->height, sizeof *normals);
+    size_t at = 0, stride = (size_t)gbuffer->projection.width, guard = (size_t)view->guard;
+    for (size_t y = guard; y < guard + (size_t)view->height; y++)
+        for (size_t x = guard; x < guard + (size_t)view->width; x++, at++)
+            for (int c = 0; c < 3; c++)
+                normals[at][c] = gbuffer->normal[4 * (y * stride + x) + (size_t)c];
+    return normals;
 }
 
 void aob_case_image_digest(const struct aob_block *block, const struct aob_case_image *image,

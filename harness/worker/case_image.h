@@ -8,7 +8,8 @@ struct aob_case_image { /* width x height floats each, owned; NULL where the cas
     float *ao;          /* what the technique wrote */
     float (*bent)[3];   /* the bent normal that it wrote, view space; NULL where it gives none */
     float *truth, *se;  /* of the case's own target */
-    float (*open)[3];   /* that target's mean open direction; NULL where `bent` is */
+    float (*open)[3];   /* that target's mean open direction; NULL where `bent` is, like the next */
+    float (*normal)[3]; /* of the surface, view space */
     float *definition;  /* what the technique claims, mapped */
     float *screen;      /* the claim within the screen-space bound */
 };
@@ -16,6 +17,9 @@ void aob_case_image_finish(struct aob_case_image *image);
 
 /* Leaves the guard band out: one component, `stride` floats a pixel in `from`. */
 void aob_case_image_crop(const struct aob_block *block, const float *from, int stride, float *into);
+
+/* The surfaces' normals without the guard band: three floats a pixel, view space; the caller's to free. */
+float (*aob_case_image_normals(const struct aob_block *block))[3];
 
 /* What the technique wrote where there is a surface, visibility and bent normal, to the bit. */
 void aob_case_image_digest(const struct aob_block *block, const struct aob_case_image *image,

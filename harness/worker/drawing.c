@@ -51,6 +51,7 @@ bool aob_drawing_set(struct aob_drawing *drawing, const struct aob_job_frame *fr
     if (!aob_worker_values(part->technique, frame->params, frame->param_count, part->values, error))
         return false;
     part->fetch = (enum aob_fetch)options.fetch;
+    part->wanted = aob_options_wanted(&options);
     part->screen = use_screen(drawing, &options, &part->unfit, error);
     return part->screen;
 }

@@ -38,6 +38,7 @@ struct aob_drawing_part {
     const struct aob_screen
         *screen; /* in the encodings of the case's options, made when they are first wanted */
     enum aob_fetch fetch;
+    uint32_t wanted;                         /* outputs besides visibility (frame/frame.h) */
     unsigned char values[4 * AOB_MAX_PARAM]; /* the technique's own struct */
     bool unfit; /* after a refusal: the device lacks what the case's options need (unsupported) */
 };

@@ -49,18 +49,37 @@ static json_t *describe(const struct aob_pass_graph *graph, const void *values, 
     return answer;
 }
 
-static json_t *lay_case(const struct aob_technique *technique, const double *params, size_t count)
+/* False with a line about the first wanted output that the technique does not give. */
+static bool gives_all(const struct aob_pass_graph *graph, struct aob_error *error)
+{
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+        if (graph->wanted >> which & 1 && graph->outputs[which] < 0)
+            return aob_fail(error, "%s gives no %s: leave the option %s off for it", graph->technique->name,
+                            aob_output_name((enum aob_output)which), aob_output_name((enum aob_output)which));
+    return true;
+}
+
+static json_t *refuse(const char *status, const struct aob_error *error)
+{
+    return aob_layout_answer_to_json(&(struct aob_layout_answer){.status = status, .reason = error->text});
+}
+
+static json_t *lay_case(const struct aob_technique *technique, const double *params, size_t count,
+                        unsigned wanted)
 {
     struct aob_pass_graph *graph = AOB_NEW(struct aob_pass_graph);
     struct aob_error error = {{0}};
     unsigned char values[4 * AOB_MAX_PARAM];
     json_t *definition = NULL, *answer;
     bool ok = aob_worker_values(technique, params, count, values, &error) &&
-              aob_graph_build(graph, technique, values, AOB_OUTPUTS_REQUIRED, AOB_OUTPUTS_WANTED, &error);
-    ok = ok && define(technique, values, &definition, &error);
-    answer = ok ? describe(graph, values, definition)
-                : aob_layout_answer_to_json(
-                      &(struct aob_layout_answer){.status = "invalid", .reason = error.text});
+              aob_graph_build(graph, technique, values, wanted, &error) &&
+              define(technique, values, &definition, &error);
+    if (!ok)
+        answer = refuse("invalid", &error);
+    else if (!gives_all(graph, &error))
+        answer = refuse("unsupported", &error);
+    else
+        answer = describe(graph, values, definition);
     json_decref(definition);
     free(graph);
     return answer;
@@ -75,7 +94,8 @@ static bool layout(struct aob_worker *worker, struct aob_error *error)
     aob_registry_init(&registry);
     const struct aob_technique *technique = aob_registry_open(&registry, &job.technique, error);
     for (size_t i = 0; technique && i < job.case_count; i++)
-        aob_worker_reply(worker, lay_case(technique, job.params + i * job.param_count, job.param_count));
+        aob_worker_reply(
+            worker, lay_case(technique, job.params + i * job.param_count, job.param_count, job.wanted[i]));
     aob_registry_finish(&registry);
     aob_layout_job_finish(&job);
     return technique;

@@ -166,7 +166,8 @@ static json_t *score_target(const struct aob_block *block, const struct aob_bloc
     if (image->definition && image->screen)
         aob_split(&desc, image->definition, image->screen, &metrics);
     if (image->bent && truth->open) {
-        aob_bent_score(&desc, (const float(*)[3])image->bent, (const float(*)[3])truth->open, &metrics);
+        const struct aob_bent_truth bent = {(const float(*)[3])truth->open, (const float(*)[3])image->normal};
+        aob_bent_score(&desc, (const float(*)[3])image->bent, &bent, &metrics);
         outputs |= 1u << AOB_OUT_BENT_NORMAL;
     }
     json_t *entry = json_pack("{s:{s:o, s:s}, s:s}", "target", "radius", aob_json_number(target->radius),
@@ -270,6 +271,7 @@ static bool draw(struct aob_block *block, size_t f, struct aob_case_image *image
     if (!aob_graph_gives(&frame->graph, AOB_OUT_BENT_NORMAL))
         return true;
     image->bent = aob_alloc(pixels_of(block), sizeof *image->bent);
+    image->normal = aob_case_image_normals(block);
     return aob_frame_read(frame, AOB_OUT_BENT_NORMAL, 3, image->bent[0], error);
 }
 

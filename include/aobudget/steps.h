@@ -38,7 +38,8 @@
               .doc = "A composite's cross of five pixels, weighed by surface: on smooths by a pixel.")
 
 /* What a step is laid over. A step goes over visibility unless `output` says another; the passes and textures of the
- * bent normal have names that begin with bent_, so that both can go through one step in one graph. */
+ * bent normal have names that begin with bent_, so that both can go through one step in one graph. A bent normal's texture
+ * may hold the visibility in w (technique.h, AOB_OUT_BENT_NORMAL). */
 struct aob_step {
     aob_tex tex;
     int32_t divisor;        /* of tex; of `downsample`, to be reached */
@@ -53,6 +54,22 @@ static inline const char *aob_step_name(const struct aob_step *step, const char 
 static inline enum aob_format aob_step_format(const struct aob_step *step)
 {
     return step->output == AOB_OUT_BENT_NORMAL ? AOB_RGBA16F : AOB_R16F;
+}
+
+/* Visibility and bent normal in one texture, so that one pass computes them and one filter smooths them: aob_open_kind()
+ * says what its passes carry (`output` of the steps), and aob_open_outputs() gives what comes out in the end. */
+static inline enum aob_output aob_open_kind(const struct aob_graph *graph)
+{
+    return aob_wants(graph, AOB_OUT_BENT_NORMAL) ? AOB_OUT_BENT_NORMAL : AOB_OUT_VISIBILITY;
+}
+static inline enum aob_format aob_open_format(const struct aob_graph *graph)
+{
+    return aob_wants(graph, AOB_OUT_BENT_NORMAL) ? AOB_RGBA16F : AOB_R16F;
+}
+static inline bool aob_open_outputs(struct aob_graph *graph, aob_tex open)
+{
+    return (!aob_wants(graph, AOB_OUT_BENT_NORMAL) || aob_output(graph, AOB_OUT_BENT_NORMAL, open)) &&
+           aob_output(graph, AOB_OUT_VISIBILITY, open);
 }
 
 /* aob_step_downsample(graph, .divisor = 2): the depth divided, for aob_pass.depth. Id 0, which is the G-buffer's own

@@ -19,7 +19,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define AOB_ABI 5u /* raised by every change to this file: modules of another number are refused */
+#define AOB_ABI 6u /* raised by every change to this file: modules of another number are refused */
 enum {
     AOB_MAX_PARAM = 32,
     AOB_MAX_IN = 8,
@@ -111,7 +111,7 @@ enum aob_output {
     AOB_OUT_VISIBILITY,
     /* xyz: mean open direction, view space; 0 where closed. Optional; a target of rgba16f or rgba32f. A vector that is
      * not finite, or longer than 1 (within 1 %), makes the case `invalid`. Its angle to the traced mean is scored, not
-     * its length. */
+     * its length. Visibility may be given as the same texture: it is then read from w. */
     AOB_OUT_BENT_NORMAL,
     AOB_OUT_VISIBILITY_RGB, /* reserved: rgb, visibility after bounces, for each channel */
     AOB_OUT_SPECULAR,       /* reserved: r, open share of the GGX lobe */

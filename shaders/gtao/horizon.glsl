@@ -2,6 +2,7 @@
  * off-centre (docs/decisions/0009): slices even about the view vector, taps below the tangent plane ignored,
  * a search as long as the slice's disc, and the ratio to the open slice. The search ends at the image's edge
  * (docs/decisions/0040). */
+#include "common/bent.glsl"
 #include "common/facing.glsl"
 #include "common/frame.glsl"
 #include "common/noise.glsl"
@@ -27,6 +28,18 @@ vec2 search_end(vec3 position, vec3 v, vec3 t, float r)
 float arc(float h, float n)
 {
     return WEIGHTING == 0 ? 0.25 * (cos(n) + 2.0 * h * sin(n) - cos(2.0 * h - n)) : 1.0 - cos(h);
+}
+
+/* The same integral of the direction itself: its parts along the slice's direction and along the view vector (the text's t0 and
+ * t1, a side's half of each). */
+vec2 arc_mean(float h, float n)
+{
+#if WEIGHTING == 0
+    return vec2(6.0 * sin(h - n) - sin(3.0 * h - n) + 8.0 * sin(n) - 3.0 * sin(h + n),
+                4.0 * cos(n) - cos(3.0 * h - n) - 3.0 * cos(h + n)) / 12.0;
+#else
+    return vec2(0.5 * h - 0.25 * sin(2.0 * h), 0.5 * sin(h) * sin(h));
+#endif
 }
 
 /* Largest cosine of the elevation about v over the taps of one side; -1 if nothing occludes. */
@@ -57,6 +70,7 @@ void main()
     float turn = fract(noise_rotation(p) + noise_frame_rotation(param.noise_index));
     float offset = noise_offset(p) + noise_frame_offset(param.noise_index);
     float open = 0.0, total = 0.0;
+    vec3 bent = vec3(0.0);
     for (int slice = 0; slice < SLICES; slice++) {
         float psi = AOB_PI * (float(slice) + turn) / float(SLICES);
         float jitter = fract(offset + 0.125 + 0.618034 * float(slice));
@@ -71,8 +85,11 @@ void main()
         float minus = horizon_cosine(start, position, normal, v, back, jitter, cos(n - 0.5 * AOB_PI));
         float h1 = min(acos(clamp(plus, -1.0, 1.0)), n + 0.5 * AOB_PI);
         float h0 = max(-acos(clamp(minus, -1.0, 1.0)), n - 0.5 * AOB_PI);
+        vec2 mean = arc_mean(h0, n) + arc_mean(h1, n);
+        bent += len * (mean.x * t + mean.y * v);
         open += len * (arc(h0, n) + arc(h1, n));
         total += len * (arc(n - 0.5 * AOB_PI, n) + arc(n + 0.5 * AOB_PI, n));
     }
-    visibility = aob_surface_is_sky(p) ? 1.0 : clamp(open / max(total, 1e-6), 0.0, 1.0);
+    total = max(total, 1e-6);
+    visibility = open_of(aob_surface_is_sky(p) ? 1.0 : clamp(open / total, 0.0, 1.0), bent / total);
 }

@@ -3,7 +3,8 @@
 void main()
 {
     ivec2 p = aob_pixel;
-    float depth = aob_surface_z(p), centre = aob_fetch_raw(p), sum = centre, weights = 1.0;
+    AOB_TYPE_RAW centre = aob_fetch_raw(p), sum = centre;
+    float depth = aob_surface_z(p), weights = 1.0;
     const float sigma = float(BLUR) / 4.0;
     for (int i = -(BLUR / 2); i <= BLUR / 2; i++) {
         ivec2 q = p + (AXIS == 0 ? ivec2(i, 0) : ivec2(0, i));

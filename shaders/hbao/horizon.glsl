@@ -2,6 +2,7 @@
  * sample that raises the horizon, integrated in steps (equations 6.2.8 and 6.2.9). The text's space is left-handed;
  * here a surface nearer to the eye has the larger z. Outside the image there is nothing: the text clamps to the
  * edge, and reports the false occlusion that this makes. A direction's steps are even up to the image's edge. */
+#include "common/bent.glsl"
 #include "common/facing.glsl"
 #include "common/search.glsl"
 
@@ -27,6 +28,21 @@ float share_below(float sine, vec2 v, vec3 normal)
 #endif
 }
 
+/* The same integral of the direction itself, not in the text. */
+vec3 mean_below(float sine, vec2 v, vec3 normal)
+{
+    vec2 along = v * inversesqrt(max(dot(v, v), 1e-30));
+    float cosine = sqrt(max(0.0, 1.0 - sine * sine));
+#if WEIGHTING == 1
+    vec2 mean = 0.5 * vec2(atan(sine, cosine) + sine * cosine, sine * sine);
+#else
+    float lean = dot(normal.xy, along), cube = cosine * cosine * cosine;
+    vec2 mean = 2.0 / 3.0 * vec2(lean * sine * (3.0 - sine * sine) - normal.z * cube,
+                                 normal.z * sine * sine * sine - lean * cube);
+#endif
+    return vec3(along * mean.x, mean.y);
+}
+
 /* View-space point of sample i, 1 to STEPS, of a direction. */
 vec3 sample_of(vec2 start, vec2 step_size, float jitter, int i)
 {
@@ -39,21 +55,25 @@ vec3 sample_of(vec2 start, vec2 step_size, float jitter, int i)
 #endif
 }
 
-/* The inner sum of equation 6.2.9 (or 6.2.8) for one direction. */
-float occlusion_along(vec2 start, vec3 position, vec3 normal, vec2 step_size, float jitter)
+/* The inner sum of equation 6.2.9 (or 6.2.8) for one direction; in xyz the same sum of the closed directions. */
+vec4 occlusion_along(vec2 start, vec3 position, vec3 normal, vec2 step_size, float jitter)
 {
     step_size *= share_in_image(start, start + step_size * float(STEPS + 1));
     vec2 along = vec2(step_size.x, -step_size.y);
-    float ground = tangent_along(along, normal), highest = ground, above = 0.0, sum = 0.0;
+    float ground = tangent_along(along, normal), highest = ground;
+    vec4 above = vec4(0.0), sum = vec4(0.0);
     for (int i = 1; i <= STEPS; i++) {
         vec3 v = sample_of(start, step_size, jitter, i) - position;
         float l = length(v), r = l / param.radius, elevation = v.z / max(l, 1e-20);
         vec2 own = TANGENTS == 0 ? v.xy : along;
         float tangent = TANGENTS == 0 ? tangent_along(own, normal) : ground;
-        float grown = share_below(elevation, own, normal) - share_below(tangent, own, normal);
-        /* A sample on the point itself has no elevation. */
-        bool raises = r <= 1.0 && elevation > highest && l > -1e-6 * position.z;
-        sum += raises ? (1.0 - param.attenuation * r * r) * (grown - above) : 0.0;
+        vec4 grown = vec4(mean_below(elevation, own, normal) - mean_below(tangent, own, normal),
+                          share_below(elevation, own, normal) - share_below(tangent, own, normal));
+        /* A sample on the point itself has no elevation. One in the surface's own plane closes nothing: seen edge on, that plane
+         * has every elevation. A tangent of the direction does not know in which plane a sample lies. */
+        float least = -1e-6 * position.z + (TANGENTS == 0 ? 1e-3 * l : 0.0);
+        bool raises = r <= 1.0 && elevation > highest && (TANGENTS == 0 ? dot(v, normal) : l) > least;
+        sum += raises ? (1.0 - param.attenuation * r * r) * (grown - above) : vec4(0.0);
         above = raises ? grown : above;
         highest = raises ? elevation : highest;
     }
@@ -65,8 +85,10 @@ void main()
     ivec2 p = aob_pixel;
     vec3 position = aob_surface(p), normal = facing_normal(aob_surface_normal(p), position);
     vec4 jitter = aob_fetch_jitter(p & 3);
-    float pixels = aob_pixel_radius(-position.z, param.radius) / float(STEPS + 1), sum = 0.0;
-    visibility = 1.0;
+    float pixels = aob_pixel_radius(-position.z, param.radius) / float(STEPS + 1);
+    vec4 sum = vec4(0.0);
+    vec3 open = normal * (WEIGHTING == 1 ? 0.5 : 2.0 / 3.0); /* the mean over the whole hemisphere */
+    visibility = open_of(1.0, open);
     if (aob_surface_is_sky(p) || pixels < param.min_step)
         return;
     for (int i = 0; i < DIRECTIONS; i++) {
@@ -75,5 +97,6 @@ void main()
         d = vec2(d.x * jitter.x - d.y * jitter.y, d.x * jitter.y + d.y * jitter.x);
         sum += occlusion_along(aob_image(p), position, normal, d * pixels, jitter.z);
     }
-    visibility = clamp(1.0 - param.intensity * sum / float(DIRECTIONS), 0.0, 1.0);
+    sum /= float(DIRECTIONS);
+    visibility = open_of(clamp(1.0 - param.intensity * sum.w, 0.0, 1.0), open - sum.xyz);
 }

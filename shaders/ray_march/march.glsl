@@ -3,6 +3,7 @@
  * plane cannot stop a ray that rises from it: without that test the half pixel between a step and its texel's centre
  * darkens tilted planes. The plane is raised by a degree, since a normal of 8 bits leans by as much. Outside the image
  * there is nothing: a ray that leaves it ends there, and its steps are even up to there. */
+#include "common/bent.glsl"
 #include "common/facing.glsl"
 #include "common/frame.glsl"
 #include "common/noise.glsl"
@@ -30,6 +31,8 @@ void main()
     ivec2 p = aob_pixel;
     vec3 position = aob_surface(p), normal = facing_normal(aob_surface_normal(p), position), b1, b2;
     float sum = 0.0;
+    vec3 open = normal * (WEIGHTING == 1 ? 0.5 : 2.0 / 3.0); /* the mean over the whole hemisphere */
+    vec3 away = vec3(0.0);
     tangent_frame(normal, b1, b2);
     for (int i = 0; i < DIRECTIONS && !aob_surface_is_sky(p); i++) {
         float angle = 2.0 * AOB_PI * (float(i) + noise_rotation(p)) / float(DIRECTIONS);
@@ -40,8 +43,11 @@ void main()
             float u = (float(k) + offset) / float(RAYS);
             float rise = WEIGHTING == 1 ? 1.0 - u : sqrt(1.0 - u);
             vec3 d = normal * rise + along * sqrt(max(0.0, 1.0 - rise * rise));
-            sum += occlusion_along(position, normal, d);
+            float closed = occlusion_along(position, normal, d);
+            sum += closed;
+            away += closed * d;
         }
     }
-    visibility = clamp(1.0 - sum / float(DIRECTIONS * RAYS), 0.0, 1.0);
+    const float rays = float(DIRECTIONS * RAYS);
+    visibility = open_of(clamp(1.0 - sum / rays, 0.0, 1.0), open - away / rays);
 }

@@ -43,25 +43,31 @@ static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
     aob_tex depth = aob_step_downsample(graph, .divisor = v->depth_divisor);
-    aob_tex raw =
-        aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
+    aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(graph),
+                               .divisor = (uint32_t)v->divisor);
     aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = depth,
-             .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}});
-    raw = aob_step_blur(graph, .tex = raw, .taps = v->blur, .divisor = v->divisor);
-    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = raw, .divisor = v->divisor));
+             .border = AOB_FAR, .defines = {{"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)}},
+             .out = {{.name = "visibility", .tex = open}});
+    open = aob_step_blur(graph, .tex = open, .taps = v->blur, .divisor = v->divisor,
+                         .output = aob_open_kind(graph));
+    open = aob_step_upsample(graph, .tex = open, .divisor = v->divisor, .output = aob_open_kind(graph));
+    return aob_open_outputs(graph, open);
 }
 
 AOB_TECHNIQUE(
     gtao, .title = "Ground-truth ambient occlusion", .revision = 5, .shaders = aob_shaders_gtao,
     .summary = "Visibility from horizons: in each slice about the view vector the highest elevation on both "
                "sides within the radius, then the closed-form integral of the cosine between them.",
-    .notes = "Slices are even about the view vector, not in the image; taps below the tangent plane, or less "
-             "than 0.1 degrees above it, are "
-             "ignored; the search is as long as the slice of the ball; the integral is divided by the open "
-             "slice's (docs/decisions/0009); a search that would leave the image ends at its edge "
-             "(docs/decisions/0040). The text leaves open how half size is sampled up, and gives no "
-             "noise tables. Multi-bounce, bent "
-             "normals and specular occlusion of the text are not outputs yet.",
+    .notes =
+        "Slices are even about the view vector, not in the image; taps below the tangent plane, or less "
+        "than 0.1 degrees above it, are "
+        "ignored; the search is as long as the slice of the ball; the integral is divided by the open "
+        "slice's (docs/decisions/0009); a search that would leave the image ends at its edge "
+        "(docs/decisions/0040). The text leaves open how half size is sampled up, and gives no "
+        "noise tables. The bent normal is summed in the slices themselves, without the text's rotation, "
+        "which "
+        "takes a slice out of its plane; visibility and bent normal are filtered together. Multi-bounce and "
+        "specular occlusion of the text are not outputs yet.",
     .citation = "Jimenez, Wu, Pesce, Jarabo: Practical Real-Time Strategies for Accurate Indirect "
                 "Occlusion, ATVI-TR-19-01 (2016)",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),

@@ -91,13 +91,15 @@ static bool build(struct aob_graph *graph, const void *values)
     aob_tex depth = aob_step_downsample(graph, .divisor = v->depth_divisor);
     aob_tex jitter = aob_texture(graph, .name = "jitter", .format = AOB_RGBA32F, .width = TILE,
                                  .height = TILE, .fill = fill_jitter);
-    aob_tex raw =
-        aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
+    aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(graph),
+                               .divisor = (uint32_t)v->divisor);
     aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = depth,
-             .border = AOB_FAR, .in = {{.name = "jitter", .tex = jitter}},
-             .out = {{.name = "visibility", .tex = raw}});
-    raw = aob_step_blur(graph, .tex = raw, .taps = v->blur, .divisor = v->divisor);
-    return aob_output(graph, AOB_OUT_VISIBILITY, aob_step_upsample(graph, .tex = raw, .divisor = v->divisor));
+             .border = AOB_FAR, .defines = {{"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)}},
+             .in = {{.name = "jitter", .tex = jitter}}, .out = {{.name = "visibility", .tex = open}});
+    open = aob_step_blur(graph, .tex = open, .taps = v->blur, .divisor = v->divisor,
+                         .output = aob_open_kind(graph));
+    open = aob_step_upsample(graph, .tex = open, .divisor = v->divisor, .output = aob_open_kind(graph));
+    return aob_open_outputs(graph, open);
 }
 
 static const struct aob_by_definition by_definition[] = {
@@ -124,7 +126,10 @@ AOB_TECHNIQUE(
         "plane through the point and across its normal, perspective included; the text adds steps along "
         "the image's axes (6.2.11), which is not perspective correct. The text's early exit shows as an edge "
         "in deep views, and leaves all of "
-        "one open whose steps are below a texel, so it is off by default. MSAA is left out.",
+        "one open whose steps are below a texel, so it is off by default. MSAA is left out. "
+        "The bent normal is not in the text: it is the mean over the hemisphere less what the horizons "
+        "close, "
+        "by the same integral.",
     .citation = "Bavoil, Sainz: Image-Space Horizon-Based Ambient Occlusion, ShaderX7 (2009), 6.2",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff, .map = map},

@@ -1,7 +1,7 @@
 /* Brute-force ray marching of the depth buffer: Bavoil and Sainz, "Image-Space Horizon-Based Ambient Occlusion",
  * ShaderX7 (2009), 6.2, "Image space ambient occlusion with ray marching": what a depth buffer, taken as a height
  * field, can tell about occlusion. More of everything takes it there. */
-#include <aobudget/technique.h>
+#include <aobudget/steps.h>
 #include "shaders.h"
 
 struct values {
@@ -44,10 +44,11 @@ static float falloff(const void *values, float t)
 static bool build(struct aob_graph *graph, const void *values)
 {
     (void)values;
-    aob_tex visibility = aob_texture(graph, .name = "visibility", .format = AOB_R16F);
-    return aob_pass(graph, .name = "march", .shader = "march", .reads = AOB_DEPTH | AOB_NORMAL,
-                    .border = AOB_FAR, .out = {{.name = "visibility", .tex = visibility}}) &&
-           aob_output(graph, AOB_OUT_VISIBILITY, visibility);
+    aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(graph));
+    aob_pass(graph, .name = "march", .shader = "march", .reads = AOB_DEPTH | AOB_NORMAL, .border = AOB_FAR,
+             .defines = {{"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)}},
+             .out = {{.name = "visibility", .tex = open}});
+    return aob_open_outputs(graph, open);
 }
 
 static const struct aob_by_definition by_definition[] = {
@@ -70,7 +71,8 @@ AOB_TECHNIQUE(
         "text goes on. Depth samples under the tangent plane "
         "stop no ray, nor those less than 1.1 degrees above it, as normals of 8 bits lean: without that, "
         "texels darken tilted planes. The text gives no noise: directions turn "
-        "and elevations move in a 4x4 tile.",
+        "and elevations move in a 4x4 tile. The bent normal is not in the text: it is the mean over the "
+        "hemisphere less the closed rays.",
     .citation = "Bavoil, Sainz: Image-Space Horizon-Based Ambient Occlusion, ShaderX7 (2009), 6.2, with ray "
                 "marching",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),

@@ -7,8 +7,8 @@ cd "$folder"
 export AOBUDGET_CACHE=$folder/cache
 module=$AOBUDGET_BUILD/tests/modules/known.so
 layers=$AOBUDGET_BUILD/check_layers
-shot=("$program" shot --module "$module" --technique known --scene corner --backend gl-egl --reference-spp 256)
-names="N.X N.Y N.Z Z definition.AO error.AO reference.AO reference.SE reference.bent.X reference.bent.Y reference.bent.Z"
+shot=("$program" shot --module "$module" --technique known --scene corner --backend gl-egl --reference-spp 256 -p bent_normal=on)
+names="N.X N.Y N.Z Z definition.AO error.AO error.bent reference.AO reference.SE reference.bent.X reference.bent.Y reference.bent.Z"
 names+=" screen.AO technique.AO technique.bent.X technique.bent.Y technique.bent.Z"
 holds() { # WHAT NAMES ARGUMENTS...
   local what=$1 expected=$2
@@ -32,6 +32,7 @@ scenes:
      previous: {eye: [1.25, 1.875, 3.125], target: [0, 0.625, 0]}}
 resolutions: [32x18]
 backends: [gl-egl]
+options: {bent_normal: on}
 techniques: [{name: known, params: {radius: 1, claim: 0.75}}]
 measure: {time: false}
 reference: {spp: 256}

@@ -60,7 +60,7 @@ all_ok() {
 }
 
 # Two outputs, at full size and upsampled.
-config two_outputs "divisor: [1, 2]" "${backends#\"null\", }" >two.yaml
+config two_outputs "divisor: [1, 2]" "${backends#\"null\", }" | sed 's/^options: *{/&bent_normal: "on", /' >two.yaml
 check "two outputs" "$program" run two.yaml --module build/two_outputs.so --out two --quiet
 check "each case is ok" all_ok two
 check "the graph shows both" bash -c "grep -h -e '-> visibility;' two/graphs/*.dot && grep -h -e '-> bent_normal;' two/graphs/*.dot"

@@ -21,6 +21,7 @@ static const struct aob_shader shaders[] = {
     {"moving", "void main() {\n"
                "    visibility = param.scale * 0.125 + param.offset * 0.25 + float(aob_frame) / 64.0;\n"
                "    bent = vec4(float(aob_pixel.x), -float(aob_pixel.y), param.scale, 9.0);\n}\n"},
+    {"packed", "void main() { both = vec4(float(aob_pixel.x), -float(aob_pixel.y), param.scale, 0.125); }\n"},
     {"place", "void main() { place = vec2(aob_pixel) / 128.0; flat_place = place; }\n"},
     {"flat", "void main() { vec2 uv = (vec2(aob_pixel) + 0.5) / vec2(aob_target_size);\n"
              "    o = vec4(aob_sample_place(uv), aob_sample_place(vec2(2.0))); }\n"},
@@ -74,6 +75,15 @@ static bool build_levels(struct aob_graph *graph, const void *values)
            aob_output(graph, AOB_OUT_VISIBILITY, o);
 }
 
+/* Both outputs in one texture, where the visibility is the last component. */
+static bool build_packed(struct aob_graph *graph, const void *values)
+{
+    (void)values;
+    aob_tex both = aob_texture(graph, .name = "both", .format = AOB_RGBA32F);
+    return aob_pass(graph, .name = "only", .shader = "packed", .out = {{.name = "both", .tex = both}}) &&
+           aob_output(graph, AOB_OUT_VISIBILITY, both) && aob_output(graph, AOB_OUT_BENT_NORMAL, both);
+}
+
 static struct aob_technique technique = {.abi = AOB_ABI,
                                          .size = sizeof technique,
                                          .name = "trial",
@@ -102,8 +112,12 @@ static void stage_init(struct stage *stage, const char *backend, int guard, enum
     aob_rig_scene(&stage->rig, "spheres", NULL, W, H, guard);
     if (!aob_screen_init(&stage->screen, stage->gpu, &stage->rig.gbuffer,
                          &(struct aob_options){.fetch = (int32_t)fetch}, &error) ||
-        !aob_frame_init(&stage->frame, &stage->screen, &technique, &(struct values){.scale = 1}, fetch,
-                        &error))
+        !aob_frame_init_desc(&stage->frame, &stage->screen,
+                             &(struct aob_frame_desc){.technique = &technique,
+                                                      .values = &(struct values){.scale = 1},
+                                                      .fetch = fetch,
+                                                      .wanted = 1u << AOB_OUT_BENT_NORMAL},
+                             &error))
         fail_msg("%s: %s", backend, error.text);
 }
 
@@ -165,26 +179,35 @@ static void test_uniforms_change_between_runs(void **state)
     free(stage);
 }
 
-/* All components of the second output, with and without a guard band, whose pixels are cropped. */
+static void read_both(const char *backend, int guard, bool (*build)(struct aob_graph *, const void *))
+{
+    struct stage *stage = AOB_NEW(struct stage);
+    float(*bent)[3] = aob_alloc(W * H, sizeof *bent), *visibility = AOB_NEW_ARRAY(float, W *H);
+    stage_init(stage, backend, guard, AOB_FETCH_SAMPLED, build);
+    assert_true(aob_graph_gives(&stage->frame.graph, AOB_OUT_BENT_NORMAL));
+    run(stage, AOB_OUT_BENT_NORMAL, 3, &bent[0][0]);
+    run(stage, AOB_OUT_VISIBILITY, 1, visibility);
+    for (int y = 0; y < H; y++)
+        for (int x = 0; x < W; x++) {
+            const float *n = bent[y * W + x];
+            assert_true(n[0] == (float)(x + guard) && n[1] == -(float)(y + guard) && n[2] == 1);
+            assert_true(visibility[y * W + x] == 0.125f);
+        }
+    stage_finish(stage);
+    free(visibility);
+    free(bent);
+    free(stage);
+}
+
+/* All components of both outputs, in a texture each and in one; with and without a guard band, whose pixels are cropped. */
 static void test_bent_normal_is_read(void **state)
 {
     (void)state;
-    struct stage *stage = AOB_NEW(struct stage);
-    float(*bent)[3] = aob_alloc(W * H, sizeof *bent);
     for (size_t b = 0; b < AOB_COUNT(backends); b++)
         for (int guard = 0; guard <= 8; guard += 8) {
-            stage_init(stage, backends[b], guard, AOB_FETCH_SAMPLED, build_moving);
-            assert_true(aob_graph_gives(&stage->frame.graph, AOB_OUT_BENT_NORMAL));
-            run(stage, AOB_OUT_BENT_NORMAL, 3, &bent[0][0]);
-            for (int y = 0; y < H; y++)
-                for (int x = 0; x < W; x++) {
-                    const float *n = bent[y * W + x];
-                    assert_true(n[0] == (float)(x + guard) && n[1] == -(float)(y + guard) && n[2] == 1);
-                }
-            stage_finish(stage);
+            read_both(backends[b], guard, build_moving);
+            read_both(backends[b], guard, build_packed);
         }
-    free(bent);
-    free(stage);
 }
 
 /* What `coarser` leaves in texel p of a level. */

@@ -70,8 +70,7 @@ static struct rig *rig_create(bool (*build)(struct aob_graph *, const void *), i
                                             .param_count = 1,
                                             .values_size = sizeof(struct values),
                                             .build = build};
-    if (!aob_graph_build(&rig->graph, &rig->technique, &(struct values){0}, AOB_OUTPUTS_REQUIRED,
-                         AOB_OUTPUTS_WANTED, &error))
+    if (!aob_graph_build(&rig->graph, &rig->technique, &(struct values){0}, 0, &error))
         fail_msg("%s", error.text);
     rig->gbuffer.projection.width = width;
     rig->gbuffer.projection.height = height;

@@ -78,12 +78,13 @@ static void draw(const struct aob_rig *rig, struct aob_gpu *gpu, const struct va
                                             .values_size = sizeof *values,
                                             .shaders = shaders,
                                             .build = build};
+    const struct aob_frame_desc desc = {
+        .technique = &technique, .values = values, .wanted = 1u << AOB_OUT_BENT_NORMAL};
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_screen screen;
     struct aob_error error = {{0}};
     if (!aob_screen_init(&screen, gpu, &rig->gbuffer, &(struct aob_options){0}, &error) ||
-        !aob_frame_init(frame, &screen, &technique, values, AOB_FETCH_SAMPLED, &error) ||
-        !aob_frame_run(frame, 1, NULL, &error) ||
+        !aob_frame_init_desc(frame, &screen, &desc, &error) || !aob_frame_run(frame, 1, NULL, &error) ||
         !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, drawn->visibility, &error) ||
         !aob_frame_read(frame, AOB_OUT_BENT_NORMAL, 3, drawn->bent[0], &error))
         fail_msg("step %d: %s", values->step, error.text);

@@ -275,10 +275,12 @@ static void a_layout_job(void **state)
 {
     (void)state;
     double params[] = {0.5, 3, 1, 9};
+    unsigned wanted[] = {0, 1u << AOB_OUT_BENT_NORMAL};
     struct aob_layout_job out = {.technique = {"gtao", "two.so", "89"},
                                  .case_count = 2,
                                  .param_count = 2,
-                                 .params = params},
+                                 .params = params,
+                                 .wanted = wanted},
                           job;
     struct aob_error error = {{0}};
     json_t *message = send(aob_layout_job_to_json(&out));
@@ -288,10 +290,16 @@ static void a_layout_job(void **state)
     assert_string_equal(job.technique.digest, "89");
     assert_true(job.case_count == 2 && job.param_count == 2);
     assert_memory_equal(job.params, params, sizeof params);
+    assert_memory_equal(job.wanted, wanted, sizeof wanted);
     aob_layout_job_finish(&job);
-    json_array_append_new(json_array_get(json_object_get(message, "cases"), 1), json_real(1));
+    json_t *second = json_array_get(json_object_get(message, "cases"), 1);
+    json_array_append_new(json_object_get(second, "params"), json_real(1));
     assert_false(aob_layout_job_from_json(message, &job, &error));
     assert_contains(error.text, "case 1");
+    json_array_remove(json_object_get(second, "params"), 2);
+    json_object_del(second, "wanted");
+    assert_false(aob_layout_job_from_json(message, &job, &error));
+    assert_contains(error.text, "the outputs it wants");
     json_decref(message);
 }
 

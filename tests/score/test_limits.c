@@ -143,21 +143,22 @@ static void test_bent_limits(void **state)
     struct row row;
     struct aob_error error;
     struct aob_metrics m;
-    float image[21][3] = {{0}}, truth[21][3] = {{0}};
+    float image[21][3] = {{0}}, open[21][3] = {{0}};
+    const struct aob_bent_truth truth = {(const float(*)[3])open, (const float(*)[3])open};
     init(&row, 21);
     for (int i = 0; i < 21; i++) { /* turned by i degrees */
-        truth[i][2] = 1;
+        open[i][2] = 1;
         image[i][0] = (float)sin(i * M_PI / 180);
         image[i][2] = (float)cos(i * M_PI / 180);
     }
-    aob_bent_score(&row.desc, (const float(*)[3])image, (const float(*)[3])truth, &m);
+    aob_bent_score(&row.desc, (const float(*)[3])image, &truth, &m);
     assert_near(m.bent_mean, 10, 1e-4);
     assert_near(m.bent_p95, 19, 1e-4);
-    truth[20][2] = (float)AOB_BENT_LEAST * 0.999f;
-    aob_bent_score(&row.desc, (const float(*)[3])image, (const float(*)[3])truth, &m);
+    open[20][2] = (float)AOB_BENT_LEAST * 0.999f;
+    aob_bent_score(&row.desc, (const float(*)[3])image, &truth, &m);
     assert_int_equal(m.bent_pixels, 20);
-    truth[20][2] = (float)AOB_BENT_LEAST * 1.001f;
-    aob_bent_score(&row.desc, (const float(*)[3])image, (const float(*)[3])truth, &m);
+    open[20][2] = (float)AOB_BENT_LEAST * 1.001f;
+    aob_bent_score(&row.desc, (const float(*)[3])image, &truth, &m);
     assert_int_equal(m.bent_pixels, 21);
     image[3][0] = 0;
     image[3][2] = 1.0099f;

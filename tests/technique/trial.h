@@ -84,7 +84,6 @@ static bool try_build(struct aob_pass_graph *graph, bool (*build)(struct aob_gra
                                        .values_size = sizeof(struct values),
                                        .build = build};
     *error = (struct aob_error){{0}};
-    return aob_graph_build(graph, &technique, &(struct values){3, 1}, AOB_OUTPUTS_REQUIRED,
-                           AOB_OUTPUTS_WANTED, error);
+    return aob_graph_build(graph, &technique, &(struct values){3, 1}, 1u << AOB_OUT_BENT_NORMAL, error);
 }
 #endif
