@@ -34,8 +34,9 @@ static void take_plane(struct aob_trial *trial, const struct aob_exhibit *exhibi
         at = angles[i] > angles[at] ? i : at;
     }
     if (angles)
-        aob_trial_take(trial, (double)angles[at], &(struct aob_seen){&shot, angles, NULL}, "%s, pixel (%d, %d)",
-                       text, (int)(at % (size_t)exhibit->width), (int)(at / (size_t)exhibit->width));
+        aob_trial_take(trial, (double)angles[at], &(struct aob_seen){&shot, angles, NULL},
+                       "%s, pixel (%d, %d)", text, (int)(at % (size_t)exhibit->width),
+                       (int)(at / (size_t)exhibit->width));
 }
 
 static void take_tilted(struct aob_trial *trial, const struct aob_plane_desc *plane)
@@ -69,11 +70,12 @@ static struct aob_exhibit *plane_beside(struct aob_trial *trial, struct aob_vec3
         v = aob_vec(0, 400, 0);
     }
     aob_mesh_add_quad(&mesh, aob_vec_sub(out, aob_vec_scale(aob_vec_add(u, v), 0.5)), u, v);
-    const struct aob_exhibit_desc desc = {.mesh = &mesh,
-                                          .camera = {.target = {0, 0, -1}, .fov_deg = 90, .ortho_height = ortho_height},
-                                          .width = 64,
-                                          .height = 48,
-                                          .guard = 16};
+    const struct aob_exhibit_desc desc = {
+        .mesh = &mesh,
+        .camera = {.target = {0, 0, -1}, .fov_deg = 90, .ortho_height = ortho_height},
+        .width = 64,
+        .height = 48,
+        .guard = 16};
     return aob_trial_exhibit(trial, &desc);
 }
 
@@ -99,9 +101,8 @@ static void ask_crease(struct aob_trial *trial)
                                           .width = 96,
                                           .height = 64,
                                           .guard = 48};
-    struct aob_shot shot = {.exhibit = aob_trial_exhibit(trial, &desc),
-                            .radius = 0.5,
-                            .set = "bent_normal=on samples=64"};
+    struct aob_shot shot = {
+        .exhibit = aob_trial_exhibit(trial, &desc), .radius = 0.5, .set = "bent_normal=on samples=64"};
     struct aob_open open = aob_trial_draw_open(trial, &shot),
                     claim = aob_claim_trace_open(trial, &shot, AOB_CLAIM_OF_SCENE, RAYS);
     if (!open.bent || !claim.bent)
@@ -115,7 +116,8 @@ static void ask_crease(struct aob_trial *trial)
         whole += degrees_between(normal, claim.bent[i]);
     }
     aob_trial_take(trial, missed / whole, &(struct aob_seen){&shot, open.visibility, claim.visibility},
-                   "before a crease the directions are %.3g times as far off as the plain normals", missed / whole);
+                   "before a crease the directions are %.3g times as far off as the plain normals",
+                   missed / whole);
 }
 
 static void ask_same_visibility(struct aob_trial *trial)
@@ -125,11 +127,13 @@ static void ask_same_visibility(struct aob_trial *trial)
         struct aob_exhibit *exhibit = aob_set_default(trial);
         struct aob_shot alone = {.exhibit = exhibit, .radius = 0.5, .set = sets[s][0]},
                         both = {.exhibit = exhibit, .radius = 0.5, .set = sets[s][1]};
-        const float *wanted = aob_trial_draw(trial, &alone), *image = aob_trial_draw_open(trial, &both).visibility;
+        const float *wanted = aob_trial_draw(trial, &alone),
+                    *image = aob_trial_draw_open(trial, &both).visibility;
         if (!wanted || !image)
             return;
         struct aob_difference d = aob_difference_of(exhibit, image, wanted, NULL);
-        aob_trial_take(trial, d.most, &(struct aob_seen){&both, image, wanted}, "'%s': pixel %zu", sets[s][1], d.at);
+        aob_trial_take(trial, d.most, &(struct aob_seen){&both, image, wanted}, "'%s': pixel %zu", sets[s][1],
+                       d.at);
     }
 }
 
@@ -151,14 +155,15 @@ static void ask_hostile(struct aob_trial *trial)
             struct aob_open open = aob_trial_draw_open(trial, &shot);
             if (!open.bent)
                 return;
-            aob_trial_take(trial, 0, &(struct aob_seen){&shot, open.visibility, NULL}, "every seventh %s is %g",
-                           what == 0 ? "depth" : "normal", (double)values[v]);
+            aob_trial_take(trial, 0, &(struct aob_seen){&shot, open.visibility, NULL},
+                           "every seventh %s is %g", what == 0 ? "depth" : "normal", (double)values[v]);
         }
 }
 
 const struct aob_property aob_properties_directions[] = {
     {.name = "bent_on_plane",
-     .sentence = "On an open plane the mean open direction is the normal, at every tilt and place of the image.",
+     .sentence =
+         "On an open plane the mean open direction is the normal, at every tilt and place of the image.",
      .measure = "largest angle of a pixel, in degrees",
      .source = "docs/stress.md#bent-normals",
      .group = AOB_GROUP_DIRECTIONS,
@@ -188,7 +193,8 @@ const struct aob_property aob_properties_directions[] = {
      .excuse = aob_excuse_no_bent_normal,
      .ask = ask_same_visibility},
     {.name = "bent_is_finite",
-     .sentence = "Beside depths and normals that are none, the bent normals of surfaces are finite and no longer than 1.",
+     .sentence = "Beside depths and normals that are none, the bent normals of surfaces are finite and no "
+                 "longer than 1.",
      .measure = "0, or no number where one is not",
      .source = "docs/stress.md#bent-normals",
      .group = AOB_GROUP_DIRECTIONS,

@@ -42,6 +42,12 @@ vec2 arc_mean(float h, float n)
 #endif
 }
 
+/* What it is of an open slice, both sides together. */
+vec2 whole_mean(float n)
+{
+    return WEIGHTING == 0 ? vec2(4.0, 2.0) / 3.0 * vec2(sin(n), cos(n)) : vec2(n + 0.5 * sin(2.0 * n), cos(n) * cos(n));
+}
+
 /* Largest cosine of the elevation about v over the taps of one side; -1 if nothing occludes. */
 float horizon_cosine(vec2 start, vec3 position, vec3 normal, vec3 v, vec2 end, float jitter, float floor_cosine)
 {
@@ -70,7 +76,7 @@ void main()
     float turn = fract(noise_rotation(p) + noise_frame_rotation(param.noise_index));
     float offset = noise_offset(p) + noise_frame_offset(param.noise_index);
     float open = 0.0, total = 0.0;
-    vec3 bent = vec3(0.0);
+    vec3 closed = vec3(0.0);
     for (int slice = 0; slice < SLICES; slice++) {
         float psi = AOB_PI * (float(slice) + turn) / float(SLICES);
         float jitter = fract(offset + 0.125 + 0.618034 * float(slice));
@@ -85,11 +91,14 @@ void main()
         float minus = horizon_cosine(start, position, normal, v, back, jitter, cos(n - 0.5 * AOB_PI));
         float h1 = min(acos(clamp(plus, -1.0, 1.0)), n + 0.5 * AOB_PI);
         float h0 = max(-acos(clamp(minus, -1.0, 1.0)), n - 0.5 * AOB_PI);
-        vec2 mean = arc_mean(h0, n) + arc_mean(h1, n);
-        bent += len * (mean.x * t + mean.y * v);
+        vec2 mean = whole_mean(n) - arc_mean(h0, n) - arc_mean(h1, n);
+        closed += len * (mean.x * t + mean.y * v);
         open += len * (arc(h0, n) + arc(h1, n));
         total += len * (arc(n - 0.5 * AOB_PI, n) + arc(n + 0.5 * AOB_PI, n));
     }
     total = max(total, 1e-6);
-    visibility = open_of(aob_surface_is_sky(p) ? 1.0 : clamp(open / total, 0.0, 1.0), bent / total);
+    /* The mean over the hemisphere less what is closed: exact where all is open, however few the slices
+     * (docs/decisions/0042). */
+    vec3 mean = normal * (WEIGHTING == 0 ? 2.0 / 3.0 : 0.5) - closed / total;
+    visibility = open_of(aob_surface_is_sky(p) ? 1.0 : clamp(open / total, 0.0, 1.0), mean);
 }

@@ -80,7 +80,8 @@ static void add(struct sums *sums, struct aob_vec3 traced, struct aob_vec3 norma
                 double along_normal, double along_across)
 {
     struct aob_vec3 third = aob_vec_cross(normal, across);
-    const double parts[3] = {aob_vec_dot(traced, normal), aob_vec_dot(traced, across), aob_vec_dot(traced, third)};
+    const double parts[3] = {aob_vec_dot(traced, normal), aob_vec_dot(traced, across),
+                             aob_vec_dot(traced, third)};
     for (int c = 0; c < 3; c++)
         sums->traced[c] += parts[c];
     sums->form[0] += along_normal;
@@ -188,14 +189,15 @@ static void bowl_sees_its_rim(void **state)
         double out = hypot(p.x, p.z), below = atan2(-p.y, out) / (M_PI / 2);
         if (shot.hits.primitive[i] == AOB_NO_PRIMITIVE || below >= 1 || out < 1e-3)
             continue;
-        struct aob_vec3 normal = aob_vec_normalize(aob_vec_scale(p, -1)), aside = aob_vec(p.z / out, 0, -p.x / out);
+        struct aob_vec3 normal = aob_vec_normalize(aob_vec_scale(p, -1)),
+                        aside = aob_vec(p.z / out, 0, -p.x / out);
         const double *form = forms[(int)(below * BINS * 8)];
         add(&bins[(int)(below * BINS)], to_world(&shot, shot.visibility[0].bent[i]), normal,
             aob_vec_cross(aside, normal), form[0], form[1]);
     }
     for (int b = 0; b < BINS; b++) {
-        printf("bowl, %d of %d from the rim down: %.0f pixels, %.3f degrees off, %.4f long for %.4f\n", b, BINS,
-               bins[b].count, degrees_off(&bins[b]), bins[b].traced[0] / bins[b].count,
+        printf("bowl, %d of %d from the rim down: %.0f pixels, %.3f degrees off, %.4f long for %.4f\n", b,
+               BINS, bins[b].count, degrees_off(&bins[b]), bins[b].traced[0] / bins[b].count,
                bins[b].form[0] / bins[b].count);
         assert_true(bins[b].count > 30);
         assert_true(degrees_off(&bins[b]) <= 0.3);
@@ -232,7 +234,8 @@ static void asking_changes_nothing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(open_plane), cmocka_unit_test(foot_of_a_wall),
-                                       cmocka_unit_test(corner_at_every_distance), cmocka_unit_test(bowl_sees_its_rim),
+                                       cmocka_unit_test(corner_at_every_distance),
+                                       cmocka_unit_test(bowl_sees_its_rim),
                                        cmocka_unit_test(asking_changes_nothing)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

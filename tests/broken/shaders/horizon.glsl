@@ -162,7 +162,8 @@ void main()
         v = aob_view_vector(position);
     }
     vec2 sums = gather(start, position, unit_normal(p, v), v);
-    float ratio = FAULT == NAN_PASSES && isnan(sums.x) ? sums.x : clamp(sums.x / max(sums.y, 1e-6), 0.0, 1.0);
+    bool passes = FAULT == NAN_PASSES || FAULT == NAN_SPREADS;
+    float ratio = passes && isnan(sums.x) ? sums.x : clamp(sums.x / max(sums.y, 1e-6), 0.0, 1.0);
     if (FAULT == ONE_ROW_DIVIDES) /* a gradient against banding, too small to see; 0/0 in an image of one row */
         ratio -= 1e-9 * dot(vec2(p) / vec2(aob_size - 1), vec2(1.0));
     if (FAULT == ONE_STEP_DIVIDES) /* by the spaces between steps */

@@ -18,8 +18,9 @@ void main()
         vec3 other = aob_surface(q);
         float w = 0.5 * same_surface(position, normal, other, unit_normal(q, aob_view_vector(other)));
         float tap = FAULT == SHORT_FILTER_TABLE && away > TABLE ? 0.0 : aob_fetch_raw(q);
-        sum += w > 0.0 ? w * tap : 0.0;
-        weights += w > 0.0 ? w : 0.0;
+        bool counts = w > 0.0 || FAULT == NAN_SPREADS;
+        sum += counts ? w * tap : 0.0;
+        weights += counts ? w : 0.0;
     }
     softened = aob_surface_is_sky(p) ? centre : sum / weights;
 }
