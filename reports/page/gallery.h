@@ -9,6 +9,7 @@ enum aob_figure_kind {
     AOB_FIGURE_SPLIT,
     AOB_FIGURE_HEIGHT,
     AOB_FIGURE_VTI,
+    AOB_FIGURE_BENT, /* a map of the angles between bent normals and their truth */
     AOB_FIGURE_CHART,
     AOB_FIGURE_CACHE /* a chart of cache figures */
 };

@@ -47,6 +47,24 @@ static const struct aob_row **best_rows(const struct aob_rows *rows, const struc
     return best;
 }
 
+/* Each technique's row of the panel whose bent normals are the nearest, or NULL; free() the list. Their angles are in the image
+ * against the row's own target only. */
+static const struct aob_row **best_bent(const struct aob_rows *rows, const struct aob_panel *panel)
+{
+    const struct aob_section *section = &rows->sections[panel->section];
+    const struct aob_row **best = AOB_NEW_ARRAY(const struct aob_row *, rows->technique_count);
+    for (size_t i = 0; i < section->count; i++) {
+        const struct aob_row *row = &rows->list[section->rows[i]], **place = &best[row->technique_place];
+        const struct aob_score *score = aob_row_score(row, panel->target);
+        if (strcmp(row->backend, section->backend) != 0 || !is_pictured(panel, row) || !score ||
+            !score->own || !isfinite(score->metrics.bent_band))
+            continue;
+        if (!*place || score->metrics.bent_band < aob_row_score(*place, panel->target)->metrics.bent_band)
+            *place = row;
+    }
+    return best;
+}
+
 static char *facts_of(const struct aob_rows *rows, const struct aob_row *row, const struct aob_score *score,
                       const char *label)
 {
@@ -106,9 +124,13 @@ static void set_truth(json_t *job, const struct aob_rows *rows, const struct aob
 static struct aob_figure *add_image(struct aob_gallery *g, const struct aob_panel *panel,
                                     enum aob_figure_kind kind, const struct aob_row *row, const char *label)
 {
-    static const char *const ends[] = {".png", "-map.png", "-split.png", "-height.png", ".vti"};
-    static const char *const titles[] = {"%s", "%s: AO error", "%s: where the error comes from",
-                                         "%s: AO error as height", "%s"};
+    static const char *const ends[] = {".png", "-map.png", "-split.png", "-height.png", ".vti", "-bent.png"};
+    static const char *const titles[] = {"%s",
+                                         "%s: AO error",
+                                         "%s: where the error comes from",
+                                         "%s: AO error as height",
+                                         "%s",
+                                         "%s: bent normals, degrees off"};
     const struct aob_score *score = aob_row_score(row, panel->target);
     char *facts = facts_of(g->rows, row, score, label);
     struct aob_text title = {0}, heading = {0};
@@ -125,6 +147,21 @@ static struct aob_figure *add_image(struct aob_gallery *g, const struct aob_pane
     aob_text_finish(&heading);
     free(facts);
     return figure;
+}
+
+static void add_bent(struct aob_gallery *g, const struct aob_panel *panel)
+{
+    const struct aob_row **best = best_bent(g->rows, panel);
+    for (size_t k = 0; k < g->rows->technique_count; k++) {
+        if (!best[k])
+            continue;
+        struct aob_figure *figure = add_image(g, panel, AOB_FIGURE_BENT, best[k], best[k]->label);
+        json_object_set_new(figure->job, "error", json_string("error.bent"));
+        json_object_set_new(figure->job, "amount", json_string("degrees"));
+        json_object_set_new(figure->job, "limit_group",
+                            json_sprintf("bent %zu %zu", panel->section, panel->target));
+    }
+    free(best);
 }
 
 static void add_images(struct aob_gallery *g, const struct aob_panel *panel)
@@ -146,6 +183,7 @@ static void add_images(struct aob_gallery *g, const struct aob_panel *panel)
     }
     if (top)
         add_image(g, panel, AOB_FIGURE_HEIGHT, top, top->label);
+    add_bent(g, panel);
     free(best);
 }
 

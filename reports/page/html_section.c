@@ -140,6 +140,23 @@ static bool add_triptychs(struct aob_text *page, const struct view *view, const 
     return any;
 }
 
+static void add_bent(struct aob_text *page, const struct view *view)
+{
+    bool any = false;
+    for (size_t i = 0; i < view->count; i++) {
+        const struct aob_figure *figure = &view->figures[i];
+        if (figure->kind != AOB_FIGURE_BENT)
+            continue;
+        aob_text_add(page, "%s<figure class=half>",
+                     any ? "" : "<h4>How far bent normals point elsewhere than what is open</h4>\n");
+        any = true;
+        add_picture(page, figure, figure->file);
+        aob_text_add(page, "<figcaption>");
+        aob_html_label(page, figure->row);
+        aob_text_add(page, "</figcaption></figure>\n");
+    }
+}
+
 static void add_landscape(struct aob_text *page, const struct view *view)
 {
     for (size_t i = 0; i < view->count; i++) {
@@ -168,6 +185,7 @@ static void add_panel(struct aob_text *page, const struct aob_gallery *g, const 
     else if (!add_triptychs(page, &view, "Each technique\u2019s most accurate case"))
         aob_text_add(page, "<p class=soft>The run keeps no image of these cases, or not this truth.</p>\n");
     add_landscape(page, &view);
+    add_bent(page, &view);
     aob_text_add(page, "</div>\n");
 }
 

@@ -29,8 +29,8 @@ static const float *normal_at(const struct aob_rig *rig, int x, int y)
            4 * ((size_t)(y + rig->guard) * (size_t)(rig->width + 2 * rig->guard) + (size_t)(x + rig->guard));
 }
 
-static void add(struct angles *angles, const struct aob_rig *rig, const float bent[3], const float truth[3], int x,
-                int y)
+static void add(struct angles *angles, const struct aob_rig *rig, const float bent[3], const float truth[3],
+                int x, int y)
 {
     angles->bent += aob_bent_angle(bent, truth);
     angles->plain += aob_bent_angle(normal_at(rig, x, y), truth);
