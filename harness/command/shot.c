@@ -77,7 +77,7 @@ static void print_record(const struct aob_sweep *sweep, const json_t *record, st
         print_time(time, &text);
     struct aob_metrics metrics;
     aob_metrics_from_json(&metrics, error);
-    aob_metrics_print_brief(&metrics, ", ", &text);
+    aob_metrics_print_brief(&metrics, ~0u, ", ", &text);
     if (isfinite(metrics.reference_se))
         aob_text_add(&text, " (reference SE %.4f)", metrics.reference_se);
     aob_text_add_line(out, "%s", text.data);

@@ -95,11 +95,12 @@ void aob_metrics_init(struct aob_metrics *metrics)
         aob_metric_set(metrics, m, NAN);
 }
 
-void aob_metrics_print_brief(const struct aob_metrics *metrics, const char *between, struct aob_text *text)
+void aob_metrics_print_brief(const struct aob_metrics *metrics, unsigned outputs, const char *between,
+                             struct aob_text *text)
 {
     for (const struct aob_metric *m = aob_metric_table; m->name; m++) {
         double value = aob_metric_get(metrics, m);
-        if (m->brief && isfinite(value))
+        if (m->brief && outputs >> m->output & 1 && isfinite(value))
             aob_text_add(text, "%s%s %s%.4f%s%s", between, m->title, value < 0 ? "\u2212" : "", fabs(value),
                          m->unit ? " " : "", m->unit ? m->unit : "");
     }

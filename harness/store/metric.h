@@ -46,9 +46,10 @@ const struct aob_metric *aob_metric_find(const char *name); /* or NULL */
 double aob_metric_get(const struct aob_metrics *metrics, const struct aob_metric *metric);
 void aob_metric_set(struct aob_metrics *metrics, const struct aob_metric *metric, double value);
 
-/* Adds `between`, title and value of each brief metric that is known, with a true minus: " · RMSE 0.0458 · bias
- * −0.0116". */
-void aob_metrics_print_brief(const struct aob_metrics *metrics, const char *between, struct aob_text *text);
+/* Adds `between`, title and value of each brief metric of the outputs in `outputs` (bits 1 << enum aob_output) that is known,
+ * with a true minus: " · RMSE 0.0458 · bias −0.0116". */
+void aob_metrics_print_brief(const struct aob_metrics *metrics, unsigned outputs, const char *between,
+                             struct aob_text *text);
 
 /* All NAN. */
 void aob_metrics_init(struct aob_metrics *metrics);

@@ -65,8 +65,9 @@ static const struct aob_row **best_bent(const struct aob_rows *rows, const struc
     return best;
 }
 
+/* The figures of the output that the picture is of. */
 static char *facts_of(const struct aob_rows *rows, const struct aob_row *row, const struct aob_score *score,
-                      const char *label)
+                      enum aob_output output, const char *label)
 {
     struct aob_text text = {0};
     aob_text_add(&text, "%s \u00b7 %s", row->scene, row->view);
@@ -78,7 +79,7 @@ static char *facts_of(const struct aob_rows *rows, const struct aob_row *row, co
         char *target = aob_target_say(&rows->targets[score->target]);
         aob_text_add(&text, " \u00b7 against %s", target);
         free(target);
-        aob_metrics_print_brief(&score->metrics, " \u00b7 ", &text);
+        aob_metrics_print_brief(&score->metrics, 1u << output, " \u00b7 ", &text);
     }
     return text.data;
 }
@@ -132,7 +133,8 @@ static struct aob_figure *add_image(struct aob_gallery *g, const struct aob_pane
                                          "%s",
                                          "%s: bent normals, degrees off"};
     const struct aob_score *score = aob_row_score(row, panel->target);
-    char *facts = facts_of(g->rows, row, score, label);
+    char *facts = facts_of(g->rows, row, score,
+                           kind == AOB_FIGURE_BENT ? AOB_OUT_BENT_NORMAL : AOB_OUT_VISIBILITY, label);
     struct aob_text title = {0}, heading = {0};
     aob_text_add(&title, titles[kind], row->technique);
     aob_text_add(&heading, "Technique: %s", row->technique);

@@ -79,3 +79,21 @@ if wanted split; then
     echo "split: no sponza-crytek in AOBUDGET_SCENES: the hall is skipped"
   fi
 fi
+
+# What a bent normal costs beside the visibility, and what filtering both at once saves.
+if wanted bent; then
+  { entry gtao 'slices: 9, steps: 12' '{param: blur, values: [0, 5]}'; entry hbao '' ''; entry ray_march '' ''; } | sed 's/, sweep: \[\]//' |
+    config bent '{name: atrium}' 480x270 'error: false, seconds: 4' 'spp: 2' >"$folder/bent.yaml"
+  sed -i 's/^measure/options: {bent_normal: [off, on]}\nmeasure/' "$folder/bent.yaml"
+  build/release/aobudget run "$folder/bent.yaml" --out "$folder/bent" --quiet
+  of() { jq "select(.technique == \"$1\" and .options.bent_normal == \"$2\" and (.params.blur // 0) == $3) | $4" "$folder/bent/journal.jsonl"; }
+  quotient() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.3f", a / b }'; }
+  for case in "gtao 0" "gtao 5" "hbao 9" "ray_march 0"; do
+    read -r name blur <<<"$case"
+    row "bent: $name blur $blur, with / without" "$(quotient "$(of "$name" on "$blur" .time.ratio_to_ref)" "$(of "$name" off "$blur" .time.ratio_to_ref)")" ratio
+  done
+  blurs='[.time.passes[] | select(.name | test("blur")) | .ratio_to_ref] | add'
+  both=$(of gtao on 5 "$blurs") alone=$(of gtao off 5 "$blurs")
+  row "bent: gtao, one filter of both / two filters" "$(quotient "$both" "$(awk -v a="$both" -v b="$alone" 'BEGIN { print a + b }')")" ratio "<=" 1
+  row "bent: gtao, one filter of both / the visibility's" "$(quotient "$both" "$alone")" ratio
+fi

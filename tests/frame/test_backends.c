@@ -151,6 +151,35 @@ static void test_backends_agree_at_odd_sizes(void **state)
     aob_gpu_close(egl);
 }
 
+/* Bent normals, component by component, from each backend and each kind of read. */
+static void test_backends_agree_on_bent_normals(void **state)
+{
+    (void)state;
+    enum { COUNT = 4, FLOATS = 3 * SMALL_W * SMALL_H };
+    static const char *const techniques[] = {"gtao", "hbao", "ray_march"}, *const backends[COUNT] = {
+                                                                               "gl-egl", "gl-osmesa",
+                                                                               "vulkan", "vulkan"};
+    float *ao = AOB_NEW_ARRAY(float, SMALL_W *SMALL_H), *bent[COUNT];
+    struct rigs rigs;
+    rigs_init(&rigs, SMALL_W, SMALL_H);
+    for (size_t t = 0; t < AOB_COUNT(techniques); t++) {
+        for (int b = 0; b < COUNT; b++) {
+            struct aob_gpu *gpu = aob_rig_gpu(backends[b]);
+            bent[b] = AOB_NEW_ARRAY(float, FLOATS);
+            aob_rig_run_open(&rigs.spheres, gpu, techniques[t], "",
+                             b == 3 ? AOB_FETCH_STORAGE : AOB_FETCH_SAMPLED, ao, (float(*)[3])bent[b]);
+            aob_gpu_close(gpu);
+        }
+        check_close("bent normals, vulkan against gl-egl", techniques[t], bent[2], bent[0], FLOATS);
+        check_close("bent normals, storage against sampled", techniques[t], bent[3], bent[2], FLOATS);
+        assert_int_equal(compare(bent[0], bent[1], FLOATS).equal, FLOATS);
+        for (int b = 0; b < COUNT; b++)
+            free(bent[b]);
+    }
+    rigs_finish(&rigs);
+    free(ao);
+}
+
 /* The same frame twice on one device, and again after another technique ran there. */
 static void test_frames_repeat(void **state)
 {
@@ -194,9 +223,11 @@ static void test_guard_band_is_cropped(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_backends_agree), cmocka_unit_test(test_backends_agree_on_encodings),
-        cmocka_unit_test(test_backends_agree_at_odd_sizes), cmocka_unit_test(test_frames_repeat),
-        cmocka_unit_test(test_guard_band_is_cropped)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_backends_agree),
+                                       cmocka_unit_test(test_backends_agree_on_encodings),
+                                       cmocka_unit_test(test_backends_agree_at_odd_sizes),
+                                       cmocka_unit_test(test_backends_agree_on_bent_normals),
+                                       cmocka_unit_test(test_frames_repeat),
+                                       cmocka_unit_test(test_guard_band_is_cropped)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

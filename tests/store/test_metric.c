@@ -57,12 +57,15 @@ static void a_line_has_the_brief_ones(void **state)
     metrics.rmse = 0.04567;
     metrics.mae = 0.5;
     metrics.bias = -0.01;
-    aob_metrics_print_brief(&metrics, ", ", &text);
+    aob_metrics_print_brief(&metrics, ~0u, ", ", &text);
     assert_string_equal(text.data, ", RMSE 0.0457, bias \u22120.0100");
     metrics.bent_mean = 12.5;
     aob_text_finish(&text);
-    aob_metrics_print_brief(&metrics, "; ", &text);
+    aob_metrics_print_brief(&metrics, ~0u, "; ", &text);
     assert_string_equal(text.data, "; RMSE 0.0457; bias \u22120.0100; bent normal 12.5000 degrees");
+    aob_text_finish(&text);
+    aob_metrics_print_brief(&metrics, 1u << AOB_OUT_VISIBILITY, "; ", &text);
+    assert_string_equal(text.data, "; RMSE 0.0457; bias \u22120.0100");
     aob_text_finish(&text);
 }
 
