@@ -101,6 +101,9 @@ bool aob_canvas_show(struct aob_canvas *canvas, const char *name, const json_t *
         !use_screen(canvas, options, error))
         return false;
     aob_param_pack(technique->params, technique->param_count, numbers, values, sizeof values);
-    return aob_frame_init(frame, &canvas->screen, technique, values, (enum aob_fetch)canvas->options.fetch,
-                          error);
+    const struct aob_frame_desc desc = {.technique = technique,
+                                        .values = values,
+                                        .fetch = (enum aob_fetch)canvas->options.fetch,
+                                        .wanted = aob_options_wanted(&canvas->options)};
+    return aob_frame_init_desc(frame, &canvas->screen, &desc, error);
 }

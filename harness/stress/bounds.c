@@ -207,10 +207,14 @@ const struct aob_bound aob_bounds[] = {
     {"seed_does_not_shift_mean", 0.01, 0.01,
      "6000 pixels whose noise spreads by .2, a tile of 16 being repeated: 16 of 384 patches, .2 / 20."},
     /* --- directions --- */
-    {"bent_on_plane", 0.5, 0.5,
-     "Half floats round a component by 2^-12, which is .03 degrees; the rest is for slices that are few."},
-    {"bent_axial", 0.5, 0.5,
-     "Half floats round a component by 2^-12, which is .03 degrees; the rest is for slices that are few."},
+    {"bent_on_plane", 0.12, 0.12,
+     "Half floats round a component by 2^-12, which is .03 degrees, in the pass itself and in each of a "
+     "filter's; nothing else "
+     "is off on a plane."},
+    {"bent_axial", 0.12, 0.12,
+     "Half floats round a component by 2^-12, which is .03 degrees, in the pass itself and in each of a "
+     "filter's; nothing else "
+     "is off on a plane."},
     {"bent_in_crease", 0.5, 0.5, "Chosen: it is of use only if it is much nearer than the plain normal."},
     {"bent_keeps_visibility", 0, 1.0 / 2048,
      "The arithmetic is the same; a GPU may contract it otherwise, by one bit of a half float."},

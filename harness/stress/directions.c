@@ -3,23 +3,10 @@
 #include "base/memory.h"
 #include "claim.h"
 #include "groups.h"
+#include "score/bent.h"
 #include "sets.h"
 
 enum { RAYS = 256 };
-
-static double length_of(const float v[3])
-{
-    return sqrt((double)v[0] * v[0] + (double)v[1] * v[1] + (double)v[2] * v[2]);
-}
-
-/* Degrees between two directions, by their difference, which is exact for small angles; 90 where one of them is none. */
-static double degrees_between(const float a[3], const float b[3])
-{
-    double la = length_of(a), lb = length_of(b), square = 0;
-    for (int c = 0; c < 3; c++)
-        square += pow((double)a[c] / la - (double)b[c] / lb, 2);
-    return la > 0 && lb > 0 ? 2 * asin(fmin(1, sqrt(square) / 2)) * 180 / M_PI : 90;
-}
 
 /* Takes the largest angle to the surface's own normal, which is the mean open direction of a plane. */
 static void take_plane(struct aob_trial *trial, const struct aob_exhibit *exhibit, const char *text)
@@ -30,7 +17,7 @@ static void take_plane(struct aob_trial *trial, const struct aob_exhibit *exhibi
     size_t at = 0;
     for (size_t i = 0; angles && i < aob_exhibit_pixels(exhibit); i++) {
         const float *normal = exhibit->gbuffer.normal + 4 * aob_exhibit_place(exhibit, i);
-        angles[i] = aob_exhibit_is_surface(exhibit, i) ? (float)degrees_between(open.bent[i], normal) : 0;
+        angles[i] = aob_exhibit_is_surface(exhibit, i) ? (float)aob_bent_angle(open.bent[i], normal) : 0;
         at = angles[i] > angles[at] ? i : at;
     }
     if (angles)
@@ -112,8 +99,8 @@ static void ask_crease(struct aob_trial *trial)
         const float *normal = shot.exhibit->gbuffer.normal + 4 * aob_exhibit_place(shot.exhibit, i);
         if (!aob_exhibit_is_surface(shot.exhibit, i) || !(claim.visibility[i] < 0.98f))
             continue;
-        missed += degrees_between(open.bent[i], claim.bent[i]);
-        whole += degrees_between(normal, claim.bent[i]);
+        missed += aob_bent_angle(open.bent[i], claim.bent[i]);
+        whole += aob_bent_angle(normal, claim.bent[i]);
     }
     aob_trial_take(trial, missed / whole, &(struct aob_seen){&shot, open.visibility, claim.visibility},
                    "before a crease the directions are %.3g times as far off as the plain normals",

@@ -140,9 +140,13 @@ static bool trace(struct taps *taps, const struct aob_shot *shot, bool *unfit, s
     }
     struct aob_trace *trace = AOB_NEW(struct aob_trace);
     const struct aob_trace_sink sink = {taps, begin, band, end};
-    bool ok = aob_trace_init(
-        trace, &(struct aob_trace_desc){.screen = &screen, .technique = subject->technique, .values = values},
-        error);
+    bool ok = aob_trace_init(trace,
+                             &(struct aob_trace_desc){.screen = &screen,
+                                                      .technique = subject->technique,
+                                                      .values = values,
+                                                      .fetch = (enum aob_fetch)options.fetch,
+                                                      .wanted = aob_options_wanted(&options)},
+                             error);
     *unfit = trace->unfit;
     taps->graph = &trace->frame.graph;
     ok = ok && aob_trace_run(trace, &sink, error);

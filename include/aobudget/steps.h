@@ -64,7 +64,7 @@ static inline enum aob_output aob_open_kind(const struct aob_graph *graph)
 }
 static inline enum aob_format aob_open_format(const struct aob_graph *graph)
 {
-    return aob_wants(graph, AOB_OUT_BENT_NORMAL) ? AOB_RGBA16F : AOB_R16F;
+    return aob_step_format(&(struct aob_step){.output = aob_open_kind(graph)});
 }
 static inline bool aob_open_outputs(struct aob_graph *graph, aob_tex open)
 {

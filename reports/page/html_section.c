@@ -148,7 +148,7 @@ static void add_bent(struct aob_text *page, const struct view *view)
         if (figure->kind != AOB_FIGURE_BENT)
             continue;
         aob_text_add(page, "%s<figure class=half>",
-                     any ? "" : "<h4>How far bent normals point elsewhere than what is open</h4>\n");
+                     any ? "" : "<h4>Angle between bent normals and what is open</h4>\n");
         any = true;
         add_picture(page, figure, figure->file);
         aob_text_add(page, "<figcaption>");

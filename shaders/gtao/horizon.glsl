@@ -96,9 +96,12 @@ void main()
         open += len * (arc(h0, n) + arc(h1, n));
         total += len * (arc(n - 0.5 * AOB_PI, n) + arc(n + 0.5 * AOB_PI, n));
     }
-    total = max(total, 1e-6);
-    /* The mean over the hemisphere less what is closed: exact where all is open, however few the slices
-     * (docs/decisions/0042). */
-    vec3 mean = normal * (WEIGHTING == 0 ? 2.0 / 3.0 : 0.5) - closed / total;
-    visibility = open_of(aob_surface_is_sky(p) ? 1.0 : clamp(open / total, 0.0, 1.0), mean);
+    /* The mean over the hemisphere less what is closed: exact where all is open, also of one slice (docs/decisions/0042). */
+#if WEIGHTING == 0
+    vec3 mean = 2.0 / 3.0 * normal - closed / float(SLICES);
+#else
+    vec3 mean = 0.5 * (normal - closed / float(SLICES));
+#endif
+    float share = clamp(open / max(total, 1e-6), 0.0, 1.0);
+    visibility = open_of(aob_surface_is_sky(p) ? 1.0 : share, mean);
 }

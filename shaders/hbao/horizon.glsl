@@ -70,9 +70,11 @@ vec4 occlusion_along(vec2 start, vec3 position, vec3 normal, vec2 step_size, flo
         vec4 grown = vec4(mean_below(elevation, own, normal) - mean_below(tangent, own, normal),
                           share_below(elevation, own, normal) - share_below(tangent, own, normal));
         /* A sample on the point itself has no elevation. One in the surface's own plane closes nothing: seen edge on, that plane
-         * has every elevation. A tangent of the direction does not know in which plane a sample lies. */
-        float least = -1e-6 * position.z + (TANGENTS == 0 ? 1e-3 * l : 0.0);
-        bool raises = r <= 1.0 && elevation > highest && (TANGENTS == 0 ? dot(v, normal) : l) > least;
+         * has every elevation. A normal of 8 bits leans by a degree. A tangent of the direction does not know in which
+         * plane a sample lies. */
+        float least = -1e-6 * position.z + (TANGENTS == 0 ? 0.02 * l : 0.0);
+        float off_plane = TANGENTS == 0 ? dot(normal.xy, v.xy) + normal.z * v.z : l;
+        bool raises = r <= 1.0 && elevation > highest && off_plane > least;
         sum += raises ? (1.0 - param.attenuation * r * r) * (grown - above) : vec4(0.0);
         above = raises ? grown : above;
         highest = raises ? elevation : highest;

@@ -103,10 +103,9 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 static const struct aob_by_definition by_definition[] = {
-    {"crease_to_corner",
-     "Directions and jittering: \"For each angle theta, we sample the depth image along a line segment in "
-     "image space\", of the "
-     "radius as it is on the axis, so that directions and their lengths are even in the image only."},
+    {"crease_to_corner", "Directions and jittering: \"We pick N_d 2D directions theta in image space\", with "
+                         "one projected size of the radius "
+                         "for all, so that directions and lengths are even in the image only."},
     {0},
 };
 
@@ -124,12 +123,14 @@ AOB_TECHNIQUE(
         "Outside the image there is nothing, where the text repeats the edge, and a direction's steps are "
         "even up to the edge, where the text goes on. A tangent is that of the exact "
         "plane through the point and across its normal, perspective included; the text adds steps along "
-        "the image's axes (6.2.11), which is not perspective correct. The text's early exit shows as an edge "
+        "the image's axes (6.2.11), which is not perspective correct. With a tangent for each sample, those "
+        "less than 1.1 degrees above the surface's plane close nothing, as normals of 8 bits lean and a "
+        "plane that is seen edge on has every elevation. The text's early exit shows as an edge "
         "in deep views, and leaves all of "
         "one open whose steps are below a texel, so it is off by default. MSAA is left out. "
         "The bent normal is not in the text: it is the mean over the hemisphere less what the horizons "
         "close, "
-        "by the same integral.",
+        "by the same integral; `intensity` does not act on it.",
     .citation = "Bavoil, Sainz: Image-Space Horizon-Based Ambient Occlusion, ShaderX7 (2009), 6.2",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff, .map = map},

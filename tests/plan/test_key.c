@@ -55,6 +55,7 @@ static const struct {
     {NAME SCENE SIZE BACKEND "techniques: [{name: gtao, params: {slices: 3}}]\n", true, true},
     {NAME SCENE SIZE BACKEND "techniques: [{name: none}]\n", true, true},
     {ALL "options: {fetch: storage}\n", true, true},
+    {ALL "options: {bent_normal: on}\n", true, true},
     {NAME SCENE "resolutions: [8x9]\n" BACKEND TECHNIQUE, true, true},
     {NAME SCENE SIZE "backends: [vulkan]\n" TECHNIQUE, true, true},
     {NAME "scenes: [{name: corner, eye: [0, 1, 4], target: [0, 1, 0], fov_deg: 61}]\n" SIZE BACKEND TECHNIQUE,
@@ -78,6 +79,24 @@ static void test_changes_of_a_config(void **state)
     struct identity other = identify(ALL, "discrete");
     assert_string_equal(other.key, first.key);
     assert_string_not_equal(other.series, first.series);
+}
+
+/* Keys of the time before an output was an option last: one that is off is not named in what they are made of. */
+static void test_outputs_that_are_off(void **state)
+{
+    (void)state;
+    for (int on = 0; on < 2; on++) {
+        struct aob_config config;
+        struct aob_plan plan;
+        struct aob_error error;
+        struct aob_text settings = {0};
+        assert_true(make(on ? ALL "options: {bent_normal: on}\n" : ALL, &config, &plan, &error));
+        aob_case_settings(&plan.cases[0], &settings);
+        assert_true((strstr(settings.data, "bent_normal") != NULL) == on);
+        aob_text_finish(&settings);
+        aob_plan_finish(&plan);
+        aob_config_finish(&config);
+    }
 }
 
 /* Another build of a technique is another case of the same history. */
@@ -139,8 +158,8 @@ static void test_meshes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_changes_of_a_config),
-                                       cmocka_unit_test(test_changes_of_a_technique),
-                                       cmocka_unit_test(test_meshes)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_changes_of_a_config), cmocka_unit_test(test_outputs_that_are_off),
+        cmocka_unit_test(test_changes_of_a_technique), cmocka_unit_test(test_meshes)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

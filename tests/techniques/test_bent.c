@@ -180,7 +180,41 @@ static void test_open_planes(void **state)
     aob_gpu_close(gpu);
 }
 
-/* Who asks for the second output gets the same first one, to the bit; who does not, pays for no pass and no byte of it. */
+/* A floor, a ceiling and two walls that the eye sees along: their normals lie exactly across its axis. */
+static void test_axial(void **state)
+{
+    (void)state;
+    static const char *const rows[][2] = {
+        {"gtao", ""}, {"hbao", "weighting=uniform"}, {"hbao", "weighting=cosine"}, {"ray_march", ""}};
+    static const struct aob_vec3 sides[] = {{0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}};
+    static float ao[64 * 48], bent[64 * 48][3];
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    double worst[AOB_COUNT(rows)] = {0};
+    for (size_t side = 0; side < AOB_COUNT(sides); side++) {
+        struct aob_rig rig;
+        struct aob_mesh mesh = {0};
+        const struct aob_camera camera = {.target = {0, 0, -1}, .fov_deg = 90};
+        struct aob_vec3 ahead = aob_vec(0, 0, -400), across = aob_vec_cross(ahead, sides[side]);
+        struct aob_vec3 corner = aob_vec_sub(sides[side], aob_vec_scale(aob_vec_add(ahead, across), 0.5));
+        aob_mesh_add_quad(&mesh, corner, ahead, across);
+        aob_rig_init(&rig, &mesh, &camera, 64, 48, 16);
+        for (size_t r = 0; r < AOB_COUNT(rows); r++) {
+            aob_rig_run_open(&rig, gpu, rows[r][0], rows[r][1], AOB_FETCH_SAMPLED, ao, bent);
+            for (int i = 0; i < 64 * 48; i++)
+                if (normal_at(&rig, i % 64, i / 64)[0] != 0 || normal_at(&rig, i % 64, i / 64)[1] != 0)
+                    worst[r] = fmax(worst[r], aob_bent_angle(bent[i], normal_at(&rig, i % 64, i / 64)));
+        }
+        aob_mesh_finish(&mesh);
+        aob_rig_finish(&rig);
+    }
+    for (size_t r = 0; r < AOB_COUNT(rows); r++) {
+        printf("floors and walls, %s %s: at most %.3f degrees\n", rows[r][0], rows[r][1], worst[r]);
+        assert_true(worst[r] <= 0.5);
+    }
+    aob_gpu_close(gpu);
+}
+
+/* Who asks for the second output gets the same first one, to the bit. */
 static void test_nothing_else_changes(void **state)
 {
     (void)state;
@@ -202,7 +236,7 @@ static void test_nothing_else_changes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_corner), cmocka_unit_test(test_atrium),
-                                       cmocka_unit_test(test_open_planes),
+                                       cmocka_unit_test(test_open_planes), cmocka_unit_test(test_axial),
                                        cmocka_unit_test(test_nothing_else_changes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
