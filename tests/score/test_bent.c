@@ -32,9 +32,7 @@ static void angles_are_those_that_were_turned(void **state)
         .width = W, .height = H, .depth = depth, .sky_depth = 5e8f, .truth = visibility};
     const struct aob_bent_truth truth = {(const float(*)[3])open, (const float(*)[3])normal};
     struct aob_metrics m;
-    struct aob_error error = {{0}};
     aob_metrics_init(&m);
-    assert_true(aob_bent_judge(&desc, (const float(*)[3])image, &error));
     aob_bent_score(&desc, (const float(*)[3])image, &truth, &m);
     assert_near(m.bent_pixels, 15, 0); /* 20 less 4 of sky and a closed one */
     assert_near(m.bent_mean, sum / 15, 1e-4);
@@ -44,6 +42,19 @@ static void angles_are_those_that_were_turned(void **state)
     assert_near(m.bent_band, (90 + 2 + 3 + 5 + 6 + 7 + 8) / 7.0, 1e-4);
     assert_near(m.bent_band_normal, (4 * 90 + 3 * 45) / 7.0, 1e-4);
     assert_true(isnan(m.rmse)); /* the rest is left alone */
+}
+
+static void what_is_no_direction_is_refused(void **state)
+{
+    (void)state;
+    float depth[W * H], image[W * H][3] = {{0}};
+    struct aob_score_desc desc = {.width = W, .height = H, .depth = depth, .sky_depth = 5e8f};
+    struct aob_error error = {{0}};
+    for (int i = 0; i < W * H; i++)
+        depth[i] = i % W == W - 1 ? 1e9f : 1;
+    image[W - 1][0] = NAN; /* sky */
+    image[3][1] = 1;
+    assert_true(aob_bent_judge(&desc, (const float(*)[3])image, &error));
     image[7][2] = INFINITY;
     assert_false(aob_bent_judge(&desc, (const float(*)[3])image, &error));
     assert_contains(error.text, "pixel (2, 1)");
@@ -70,6 +81,7 @@ static void a_small_angle_is_exact(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(angles_are_those_that_were_turned),
+                                       cmocka_unit_test(what_is_no_direction_is_refused),
                                        cmocka_unit_test(a_small_angle_is_exact)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
