@@ -1,5 +1,6 @@
 /* Draws a frame of the fuzzer and says what is wrong with its image: whether there is one, all of it is finite, surfaces are
- * within 0..1, sky is 1, a bent normal is no longer than 1, and a second drawing is the same to the bit. Threads: the one that opened the device. */
+ * within 0..1, sky is 1, a bent normal is no longer than 1, and a second drawing is the same to the bit. Threads: the one that
+ * opened the device. */
 #ifndef AOB_STRESS_FUZZ_DRAW_H
 #define AOB_STRESS_FUZZ_DRAW_H
 #include "fuzz_frame.h"

@@ -155,13 +155,13 @@ static void test_backends_agree_at_odd_sizes(void **state)
 static void test_backends_agree_on_bent_normals(void **state)
 {
     (void)state;
-    enum { COUNT = 4, FLOATS = 3 * SMALL_W * SMALL_H };
+    enum { COUNT = 4, TINY_W = 160, TINY_H = 90, FLOATS = 3 * TINY_W * TINY_H };
     static const char *const techniques[] = {"gtao", "hbao", "ray_march"}, *const backends[COUNT] = {
                                                                                "gl-egl", "gl-osmesa",
                                                                                "vulkan", "vulkan"};
-    float *ao = AOB_NEW_ARRAY(float, SMALL_W *SMALL_H), *bent[COUNT];
+    float *ao = AOB_NEW_ARRAY(float, TINY_W *TINY_H), *bent[COUNT];
     struct rigs rigs;
-    rigs_init(&rigs, SMALL_W, SMALL_H);
+    rigs_init(&rigs, TINY_W, TINY_H);
     for (size_t t = 0; t < AOB_COUNT(techniques); t++) {
         for (int b = 0; b < COUNT; b++) {
             struct aob_gpu *gpu = aob_rig_gpu(backends[b]);
