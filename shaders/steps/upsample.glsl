@@ -4,6 +4,11 @@
  * far: no value between two depths appears. */
 #include "common/surface.glsl"
 
+/* What is written at the sky: it is open, and no bent normal belongs to it. The argument tells the type only. */
+float open_sky(float like) { return 1.0; }
+vec2 open_sky(vec2 like) { return vec2(1.0); }
+vec4 open_sky(vec4 like) { return vec4(0.0, 0.0, 0.0, 1.0); }
+
 void main()
 {
     ivec2 p = aob_pixel, base = p / AOB_DIVISOR_LOW;
@@ -28,5 +33,5 @@ void main()
         nearest = away < least ? value : nearest;
         least = away < least ? away : least;
     }
-    full = aob_surface_is_sky(p) ? AOB_TYPE_LOW(1.0) : weights > 1e-3 ? sum / weights : nearest;
+    full = aob_surface_is_sky(p) ? open_sky(sum) : weights > 1e-3 ? sum / weights : nearest;
 }
