@@ -9,10 +9,15 @@ static double length_of(const float v[3])
     return sqrt((double)v[0] * v[0] + (double)v[1] * v[1] + (double)v[2] * v[2]);
 }
 
+bool aob_bent_is_sound(const float bent[3])
+{
+    return length_of(bent) <= 1.01; /* false of what is no number */
+}
+
 bool aob_bent_judge(const struct aob_score_desc *desc, const float (*image)[3], struct aob_error *error)
 {
     for (size_t i = 0; i < (size_t)desc->width * (size_t)desc->height; i++)
-        if (!aob_score_is_sky(desc, i) && !(length_of(image[i]) <= 1.01))
+        if (!aob_score_is_sky(desc, i) && !aob_bent_is_sound(image[i]))
             return aob_fail(
                 error,
                 "pixel (%zu, %zu) of the bent normal is (%g, %g, %g): it must be finite and no longer than 1",

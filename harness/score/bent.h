@@ -8,6 +8,9 @@
  * direction is noise. */
 #define AOB_BENT_LEAST 0.05
 
+/* Whether a vector can be a mean open direction: it is finite and not longer than 1 (within 1 %). */
+bool aob_bent_is_sound(const float bent[3]);
+
 /* False with a line if a vector over a surface is not finite or longer than 1 (within 1 %). */
 bool aob_bent_judge(const struct aob_score_desc *desc, const float (*image)[3], struct aob_error *error);
 

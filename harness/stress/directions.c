@@ -77,8 +77,8 @@ static void ask_axial(struct aob_trial *trial)
     take_plane(trial, plane_beside(trial, aob_vec(1, 0, 0), 0), "a wall on the right");
 }
 
-/* Before a crease the mean open direction leans away from the wall: how much of the lean is missed. Both are weighed by how much
- * is open, as a light that comes from everywhere weighs them. */
+/* Before a crease the mean open direction leans away from the wall. The plain normal is off by all of that lean, so that its angle
+ * is the measure. */
 static void ask_crease(struct aob_trial *trial)
 {
     struct aob_mesh mesh = {0};

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "frame/frame.h"
+#include "score/bent.h"
 
 static const char *const fault_words[AOB_FUZZ_FAULT_COUNT] = {
     "fine",         "refused", "error", "not finite", "out of range", "sky not open", "not the same again",
@@ -107,11 +108,10 @@ static enum aob_fuzz_fault judge_pixel(const struct aob_fuzz_frame *frame, size_
 
 static enum aob_fuzz_fault judge_bent(const struct aob_fuzz_frame *frame, size_t i, const float bent[3])
 {
-    double square = (double)bent[0] * bent[0] + (double)bent[1] * bent[1] + (double)bent[2] * bent[2];
-    if (!isfinite(square))
+    if (!isfinite(bent[0]) || !isfinite(bent[1]) || !isfinite(bent[2]))
         return AOB_FUZZ_NOT_FINITE;
     bool surface = frame->pixels[aob_fuzz_frame_place(frame, i)] == AOB_FUZZ_SURFACE;
-    return surface && square > 1.01 * 1.01 ? AOB_FUZZ_RANGE : AOB_FUZZ_FINE;
+    return surface && !aob_bent_is_sound(bent) ? AOB_FUZZ_RANGE : AOB_FUZZ_FINE;
 }
 
 static bool is_same(const struct aob_fuzz_sight *sight, size_t i)

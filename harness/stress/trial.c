@@ -6,6 +6,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "base/text.h"
+#include "score/bent.h"
 
 void aob_trial_init(struct aob_trial *trial, struct aob_subject *subject, bool quick)
 {
@@ -103,8 +104,7 @@ static void look_through_bent(struct aob_trial *trial, const struct aob_shot *sh
 {
     for (size_t i = 0; i < aob_exhibit_pixels(shot->exhibit); i++) {
         const float *b = open.bent[i];
-        double length = sqrt((double)b[0] * b[0] + (double)b[1] * b[1] + (double)b[2] * b[2]);
-        if (!aob_exhibit_is_surface(shot->exhibit, i) || length <= 1.01 || trial->broken)
+        if (!aob_exhibit_is_surface(shot->exhibit, i) || aob_bent_is_sound(b) || trial->broken)
             continue;
         int x = (int)(i % (size_t)shot->exhibit->width), y = (int)(i / (size_t)shot->exhibit->width);
         aob_trial_take(trial, NAN, &(struct aob_seen){.shot = shot, .image = open.visibility},

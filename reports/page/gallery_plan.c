@@ -7,12 +7,23 @@
 #include "base/text.h"
 #include "curves.h"
 
-/* The smaller the better; a score without a band comes after those that have one. */
+/* Orders the scores of one technique: the smaller the better, NAN does not take part. A score is NULL where there is no target. */
+typedef double ranker(const struct aob_score *score);
+
+/* A score without a band comes after those that have one. */
 static double rank_of(const struct aob_score *score)
 {
+    if (!score)
+        return 0;
     if (isfinite(score->metrics.band_rmse))
         return score->metrics.band_rmse;
     return isfinite(score->metrics.rmse) ? 1e3 + score->metrics.rmse : 1e6;
+}
+
+/* Angles are in the image against the case's own target only. */
+static double rank_of_bent(const struct aob_score *score)
+{
+    return score && score->own ? score->metrics.bent_band : NAN;
 }
 
 /* Has the run what a picture of the row against the panel's target shows: the image, and the truth in it or beside it?
@@ -26,7 +37,8 @@ static bool is_pictured(const struct aob_panel *panel, const struct aob_row *row
 }
 
 /* Each technique's best row of the panel, or NULL; free() the list. */
-static const struct aob_row **best_rows(const struct aob_rows *rows, const struct aob_panel *panel)
+static const struct aob_row **best_rows(const struct aob_rows *rows, const struct aob_panel *panel,
+                                        ranker *rank)
 {
     const struct aob_section *section = &rows->sections[panel->section];
     const struct aob_row **best = AOB_NEW_ARRAY(const struct aob_row *, rows->technique_count);
@@ -36,32 +48,14 @@ static const struct aob_row **best_rows(const struct aob_rows *rows, const struc
         scored[row->technique_place] |= row->score_count > 0;
         if (strcmp(row->backend, section->backend) != 0 || !is_pictured(panel, row))
             continue;
-        if (!*place || (row->score_count && rank_of(aob_row_score(row, panel->target)) <
-                                                rank_of(aob_row_score(*place, panel->target))))
+        double own = rank(aob_row_score(row, panel->target));
+        if (!isnan(own) && (!*place || own < rank(aob_row_score(*place, panel->target))))
             *place = row;
     }
     for (size_t k = 0; k < rows->technique_count; k++)
         if (panel->target == AOB_NO_TARGET && scored[k])
             best[k] = NULL;
     free(scored);
-    return best;
-}
-
-/* Each technique's row of the panel whose bent normals are the nearest, or NULL; free() the list. Their angles are in the image
- * against the row's own target only. */
-static const struct aob_row **best_bent(const struct aob_rows *rows, const struct aob_panel *panel)
-{
-    const struct aob_section *section = &rows->sections[panel->section];
-    const struct aob_row **best = AOB_NEW_ARRAY(const struct aob_row *, rows->technique_count);
-    for (size_t i = 0; i < section->count; i++) {
-        const struct aob_row *row = &rows->list[section->rows[i]], **place = &best[row->technique_place];
-        const struct aob_score *score = aob_row_score(row, panel->target);
-        if (strcmp(row->backend, section->backend) != 0 || !is_pictured(panel, row) || !score ||
-            !score->own || !isfinite(score->metrics.bent_band))
-            continue;
-        if (!*place || score->metrics.bent_band < aob_row_score(*place, panel->target)->metrics.bent_band)
-            *place = row;
-    }
     return best;
 }
 
@@ -153,7 +147,7 @@ static struct aob_figure *add_image(struct aob_gallery *g, const struct aob_pane
 
 static void add_bent(struct aob_gallery *g, const struct aob_panel *panel)
 {
-    const struct aob_row **best = best_bent(g->rows, panel);
+    const struct aob_row **best = best_rows(g->rows, panel, rank_of_bent);
     for (size_t k = 0; k < g->rows->technique_count; k++) {
         if (!best[k])
             continue;
@@ -168,7 +162,7 @@ static void add_bent(struct aob_gallery *g, const struct aob_panel *panel)
 
 static void add_images(struct aob_gallery *g, const struct aob_panel *panel)
 {
-    const struct aob_row **best = best_rows(g->rows, panel), *top = NULL;
+    const struct aob_row **best = best_rows(g->rows, panel, rank_of), *top = NULL;
     for (size_t k = 0; k < g->rows->technique_count; k++) {
         const struct aob_row *row = best[k];
         if (!row)

@@ -31,3 +31,8 @@
 #define FAR_PLANE_COUNTS 30
 #define UNEVEN_SLICES 31
 #define NAN_SPREADS 32
+#define BENT_ROTATED 33
+#define BENT_ON_AXIS 34
+#define BENT_MIRRORED 35
+#define BENT_NOISE 36
+#define BENT_NAN 37

@@ -1,5 +1,6 @@
 /* Horizons on both sides of slices even about the view vector, and the ratio of the closed-form integrals with and without
  * occluders: the same for every plane. */
+#include "common/bent.glsl"
 #include "common/noise.glsl"
 #include "common/frame.glsl"
 #include "fault.glsl"
@@ -92,6 +93,13 @@ float horizon(vec2 start, vec3 position, vec3 normal, vec3 v, vec2 end, float ji
 
 float arc(float h, float n) { return 0.25 * (cos(n) + 2.0 * h * sin(n) - cos(2.0 * h - n)); }
 
+/* The same of the direction itself, along the slice's direction and along v. */
+vec2 arc_mean(float h, float n)
+{
+    return vec2(6.0 * sin(h - n) - sin(3.0 * h - n) + 8.0 * sin(n) - 3.0 * sin(h + n),
+                4.0 * cos(n) - cos(3.0 * h - n) - 3.0 * cos(h + n)) / 12.0;
+}
+
 /* The angle from v of the normal's part in the slice of v and t. */
 float lean_of(vec3 normal, vec3 v, vec3 t)
 {
@@ -116,14 +124,17 @@ vec3 direction_of(float psi, vec3 v)
     return b1 * cos(psi) + b2 * sin(psi);
 }
 
-/* Sums over the slices: x with the occluders, y without. */
-vec2 gather(vec2 start, vec3 position, vec3 normal, vec3 v)
+/* Sums over the slices: x with the occluders, y without; and of the directions that are closed. */
+vec2 gather(vec2 start, vec3 position, vec3 normal, vec3 v, out vec3 closed)
 {
     vec2 sums = vec2(0.0);
+    closed = vec3(0.0);
     ivec2 tile = aob_pixel;
     if (FAULT == NOISE_ABOUT_MIDDLE)
         tile -= aob_target_size / 2;
     float turn = noise_rotation(tile), offset = noise_offset(tile);
+    if (FAULT == BENT_NOISE)
+        offset += 0.3 * float(BENT);
     for (int slice = 0; slice < SLICES; slice++) {
         int which = FAULT == REPEATED_JITTERS ? slice / 2 * 2 : slice;
         vec3 t = direction_of(AOB_PI * (float(which) + turn) / float(SLICES), v);
@@ -135,6 +146,12 @@ vec2 gather(vec2 start, vec3 position, vec3 normal, vec3 v)
         if (isnan(plus + minus)) /* only a fault hands it on */
             return vec2(plus + minus);
         float h1 = min(acos(clamp(plus, -1.0, 1.0)), high), h0 = max(-acos(clamp(minus, -1.0, 1.0)), low);
+        vec2 mean = arc_mean(low, n) + arc_mean(high, n) - arc_mean(h0, n) - arc_mean(h1, n);
+        if (FAULT == BENT_ROTATED) /* what is open, in slices that a rotation from the axis took out of their planes */
+            t = vec3(cos(AOB_PI * (float(which) + turn) / float(SLICES)), sin(AOB_PI * (float(which) + turn) / float(SLICES)), 0.0);
+        if (FAULT == BENT_ROTATED)
+            mean = arc_mean(h0, n) + arc_mean(h1, n);
+        closed += len * ((FAULT == BENT_MIRRORED ? -mean.x : mean.x) * t + mean.y * v);
         sums += len * vec2(arc(FAULT == ONE_SIDED ? low : h0, n) + arc(h1, n), arc(low, n) + arc(high, n));
     }
     return sums;
@@ -161,7 +178,8 @@ void main()
         position = aob_position(middle);
         v = aob_view_vector(position);
     }
-    vec2 sums = gather(start, position, unit_normal(p, v), v);
+    vec3 normal = unit_normal(p, v), closed;
+    vec2 sums = gather(start, position, normal, v, closed);
     bool passes = FAULT == NAN_PASSES || FAULT == NAN_SPREADS;
     float ratio = passes && isnan(sums.x) ? sums.x : clamp(sums.x / max(sums.y, 1e-6), 0.0, 1.0);
     if (FAULT == ONE_ROW_DIVIDES) /* a gradient against banding, too small to see; 0/0 in an image of one row */
@@ -174,5 +192,15 @@ void main()
         ratio = floor(ratio * 32.0 + 0.5) / 32.0;
     if (FAULT == LOW_SIZE_CUT && any(greaterThanEqual(p, max(aob_size / AOB_DIVISOR, 1))))
         ratio = 0.0;
-    visibility = aob_surface_is_sky(p) ? (FAULT == BLACK_SKY ? 0.0 : 1.0) : ratio;
+    vec3 mean = 2.0 / 3.0 * normal - closed / float(SLICES);
+    if (FAULT == BENT_ROTATED)
+        mean = closed / float(SLICES);
+    if (FAULT == BENT_ON_AXIS) /* towards the eye, which sign() does not say of what lies across the axis */
+        mean *= sign(normal.z);
+    float value = aob_surface_is_sky(p) ? (FAULT == BLACK_SKY ? 0.0 : 1.0) : ratio;
+    visibility = open_of(value, mean);
+#if BENT == 1
+    if (FAULT == BENT_NAN && isnan(aob_surface_normal(p).x))
+        visibility.xyz = aob_surface_normal(p);
+#endif
 }
