@@ -89,7 +89,7 @@ static void ask_crease(struct aob_trial *trial)
                                           .height = 64,
                                           .guard = 48};
     struct aob_shot shot = {
-        .exhibit = aob_trial_exhibit(trial, &desc), .radius = 0.5, .set = "bent_normal=on samples=64"};
+        .exhibit = aob_trial_exhibit(trial, &desc), .radius = 0.5, .set = "bent_normal=on"};
     struct aob_open open = aob_trial_draw_open(trial, &shot),
                     claim = aob_claim_trace_open(trial, &shot, AOB_CLAIM_OF_SCENE, RAYS);
     if (!open.bent || !claim.bent)

@@ -16,14 +16,10 @@ static bool pass_reads_levels(const struct aob_graph_pass *pass)
 
 const char *aob_excuse_one_level(const struct aob_subject *subject)
 {
-    struct aob_pass_graph *graph = AOB_NEW(struct aob_pass_graph);
-    unsigned char values[4 * AOB_MAX_PARAM];
-    struct aob_options options;
+    struct aob_pass_graph *graph = aob_subject_lay(subject, 0);
     bool reads = false;
-    if (aob_subject_values(subject, &(struct aob_shot){0}, values, &options, NULL) &&
-        aob_graph_build(graph, subject->technique, values, aob_options_wanted(&options), NULL))
-        for (int i = 0; i < graph->pass_count; i++)
-            reads = reads || pass_reads_levels(&graph->passes[i]);
+    for (int i = 0; graph && i < graph->pass_count; i++)
+        reads = reads || pass_reads_levels(&graph->passes[i]);
     free(graph);
     return reads ? NULL : "it reads one level of each texture";
 }

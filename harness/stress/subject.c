@@ -23,8 +23,7 @@ bool aob_subject_has(const struct aob_subject *subject, const char *param)
     return aob_param_find(subject->technique->params, subject->technique->param_count, param);
 }
 
-/* Its graph at its defaults, with these outputs wanted besides visibility; NULL where it cannot be built. */
-static struct aob_pass_graph *lay_defaults(const struct aob_subject *subject, uint32_t wanted)
+struct aob_pass_graph *aob_subject_lay(const struct aob_subject *subject, uint32_t wanted)
 {
     struct aob_pass_graph *graph = AOB_NEW(struct aob_pass_graph);
     unsigned char values[4 * AOB_MAX_PARAM];
@@ -38,7 +37,7 @@ static struct aob_pass_graph *lay_defaults(const struct aob_subject *subject, ui
 
 bool aob_subject_gives(const struct aob_subject *subject, enum aob_output which)
 {
-    struct aob_pass_graph *graph = lay_defaults(subject, 1u << which);
+    struct aob_pass_graph *graph = aob_subject_lay(subject, 1u << which);
     bool gives = graph && aob_graph_gives(graph, which);
     free(graph);
     return gives;
@@ -46,7 +45,7 @@ bool aob_subject_gives(const struct aob_subject *subject, enum aob_output which)
 
 bool aob_subject_draws_triangles(const struct aob_subject *subject)
 {
-    struct aob_pass_graph *graph = lay_defaults(subject, 0);
+    struct aob_pass_graph *graph = aob_subject_lay(subject, 0);
     bool draws = graph && aob_graph_needs_triangles(graph);
     free(graph);
     return draws;

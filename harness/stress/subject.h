@@ -19,6 +19,10 @@ void aob_subject_finish(struct aob_subject *subject);
 /* Whether it has a parameter of that name. */
 bool aob_subject_has(const struct aob_subject *subject, const char *param);
 
+/* Its graph at its defaults, with these outputs wanted besides visibility (bits 1 << enum aob_output). NULL where it cannot be
+ * built; free() it. */
+struct aob_pass_graph *aob_subject_lay(const struct aob_subject *subject, uint32_t wanted);
+
 /* Whether it gives an output besides visibility at its defaults. */
 bool aob_subject_gives(const struct aob_subject *subject, enum aob_output which);
 
