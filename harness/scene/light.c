@@ -9,17 +9,34 @@ static const double k22 = 0.546274215296039535; /* 0.25 sqrt(15/pi) */
 const struct aob_light aob_light_uniform = {
     .sh = {{3.5449077018110321, 3.5449077018110321, 3.5449077018110321}}}; /* 2 sqrt(pi) */
 
+void aob_light_of_moments(const struct aob_light_moments *moments, double sh[9])
+{
+    sh[0] = k0 * moments->one;
+    sh[1] = k1 * moments->y;
+    sh[2] = k1 * moments->z;
+    sh[3] = k1 * moments->x;
+    sh[4] = k2 * moments->xy;
+    sh[5] = k2 * moments->yz;
+    sh[6] = k20 * (3 * moments->zz - moments->one);
+    sh[7] = k2 * moments->xz;
+    sh[8] = k22 * (moments->xx - moments->yy);
+}
+
 void aob_light_basis(struct aob_vec3 d, double basis[9])
 {
-    basis[0] = k0;
-    basis[1] = k1 * d.y;
-    basis[2] = k1 * d.z;
-    basis[3] = k1 * d.x;
-    basis[4] = k2 * d.x * d.y;
-    basis[5] = k2 * d.y * d.z;
-    basis[6] = k20 * (3 * d.z * d.z - 1);
-    basis[7] = k2 * d.x * d.z;
-    basis[8] = k22 * (d.x * d.x - d.y * d.y);
+    const struct aob_light_moments point = {
+        .one = 1,
+        .x = d.x,
+        .y = d.y,
+        .z = d.z,
+        .xy = d.x * d.y,
+        .yz = d.y * d.z,
+        .xz = d.x * d.z,
+        .xx = d.x * d.x,
+        .yy = d.y * d.y,
+        .zz = d.z * d.z,
+    };
+    aob_light_of_moments(&point, basis);
 }
 
 static void add_up(const struct aob_light *light, struct aob_vec3 direction, const double bands[3],

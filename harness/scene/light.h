@@ -55,7 +55,14 @@ typedef void aob_light_radiance_fn(void *user, struct aob_vec3 direction, double
  * integral, are kept. The same radiance gives the same bits. */
 void aob_light_project(aob_light_radiance_fn *radiance, void *user, struct aob_light_projection *projection);
 
-/* For what integrates by itself: applies the window to projection->light, whose coefficients are the raw integrals, and
+/* For what integrates by itself. Integrals over the sphere of a radiance times 1, a coordinate, or a product of two, and
+ * the nine coefficients of that radiance. */
+struct aob_light_moments {
+    double one, x, y, z, xy, yz, xz, xx, yy, zz;
+};
+void aob_light_of_moments(const struct aob_light_moments *moments, double sh[9]);
+
+/* For the same: applies the window to projection->light, whose coefficients are the raw integrals, and
  * sets the rest. `energy` is the integral of L^2 over the sphere, added up over the channels. */
 void aob_light_window(struct aob_light_projection *projection, double energy);
 
