@@ -22,6 +22,7 @@ struct aob_scene_info {
     void (*build)(struct aob_mesh *mesh); /* procedural; NULL: loaded from `file` */
     const char *file;                     /* absolute path of a packaged mesh, or NULL */
     const char *package;                  /* the Debian package that brings it, or NULL */
+    const char *light;                    /* name of its light (light.h); NULL: uniform */
     const char *licence, *sha256;         /* of `file`: in words; of Debian 12's bytes. NULL if procedural */
 };
 

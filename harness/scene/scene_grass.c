@@ -1,22 +1,6 @@
 #include "scene_table.h"
-#include <stdint.h>
 #include "base/memory.h"
-
-/* A clump's random numbers are its own number, hashed again and again, so the geometry is fixed. The hash is "pcg" of
- * Jarzynski and Olano, Hash Functions for GPU Rendering, JCGT 2020. */
-static uint32_t pcg(uint32_t v)
-{
-    uint32_t state = v * 747796405u + 2891336453u;
-    uint32_t word = ((state >> ((state >> 28) + 4)) ^ state) * 277803737u;
-    return (word >> 22) ^ word;
-}
-
-/* The next number of a sequence, in [0, 1). */
-static double draw(uint32_t *sequence)
-{
-    *sequence = pcg(*sequence);
-    return *sequence * 0x1p-32;
-}
+#include "scene_random.h"
 
 enum { CLUMPS = 640, CLUMP_BLADES = 46, ROCK_SEGMENTS = 48 };
 static const double half_field = 2.5;
@@ -83,14 +67,14 @@ static void add_blade(struct aob_mesh *mesh, const struct blade *blade)
 /* Blades stand within `spread` of the middle and lean away from it. */
 static void add_clump(struct aob_mesh *mesh, double x, double z, uint32_t *sequence)
 {
-    double tall = 0.16 + 0.22 * draw(sequence), spread = 0.05 + 0.1 * draw(sequence);
+    double tall = 0.16 + 0.22 * aob_scene_draw(sequence), spread = 0.05 + 0.1 * aob_scene_draw(sequence);
     for (int i = 0; i < CLUMP_BLADES; i++) {
-        double turn = 2 * M_PI * draw(sequence), away = spread * sqrt(draw(sequence));
+        double turn = 2 * M_PI * aob_scene_draw(sequence), away = spread * sqrt(aob_scene_draw(sequence));
         struct blade blade = {.x = x + away * cos(turn), .z = z + away * sin(turn)};
-        blade.height = tall * (0.55 + 0.45 * draw(sequence));
-        blade.width = 0.004 + 0.006 * draw(sequence);
-        turn += 1.6 * (draw(sequence) - 0.5);
-        double lean = blade.height * (0.08 + 0.5 * draw(sequence));
+        blade.height = tall * (0.55 + 0.45 * aob_scene_draw(sequence));
+        blade.width = 0.004 + 0.006 * aob_scene_draw(sequence);
+        turn += 1.6 * (aob_scene_draw(sequence) - 0.5);
+        double lean = blade.height * (0.08 + 0.5 * aob_scene_draw(sequence));
         blade.lean = aob_vec(lean * cos(turn), 0, lean * sin(turn));
         if (!on_rock(blade.x, blade.z))
             add_blade(mesh, &blade);
@@ -104,7 +88,8 @@ static void build_grass(struct aob_mesh *mesh)
         add_rock(mesh, &rocks[i], (int)i);
     for (uint32_t i = 0; i < CLUMPS; i++) {
         uint32_t sequence = i;
-        double x = half_field * (2 * draw(&sequence) - 1), z = half_field * (2 * draw(&sequence) - 1);
+        double x = half_field * (2 * aob_scene_draw(&sequence) - 1),
+               z = half_field * (2 * aob_scene_draw(&sequence) - 1);
         add_clump(mesh, x, z, &sequence);
     }
 }

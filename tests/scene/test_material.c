@@ -191,7 +191,7 @@ static void ply_colours_are_averaged(void **state)
     aob_mesh_finish(&mesh);
 }
 
-static void cornell_is_painted_and_the_rest_is_not(void **state)
+static void what_has_a_light_and_cornell_are_painted(void **state)
 {
     (void)state;
     size_t red = 0, green = 0;
@@ -200,8 +200,8 @@ static void cornell_is_painted_and_the_rest_is_not(void **state)
         if (!(*s)->build)
             continue;
         (*s)->build(&mesh);
-        assert_int_equal(mesh.materials != NULL, strcmp((*s)->name, "cornell") == 0);
-        for (uint32_t i = 0; mesh.materials && i < mesh.triangle_count; i++) {
+        assert_int_equal(mesh.materials != NULL, (*s)->light || strcmp((*s)->name, "cornell") == 0);
+        for (uint32_t i = 0; !(*s)->light && mesh.materials && i < mesh.triangle_count; i++) {
             const struct aob_material *m = aob_mesh_material(&mesh, i);
             double x = mesh.positions[mesh.triangles[i][1]].x;
             assert_true(fabs(x) <= 1);
@@ -217,6 +217,53 @@ static void cornell_is_painted_and_the_rest_is_not(void **state)
         aob_mesh_finish(&mesh);
     }
     assert_true(red == 2 && green == 2);
+}
+
+/* The bounds of all triangles' materials, and how many triangles are of metal. */
+static size_t range_of(const char *scene, struct aob_material *low, struct aob_material *high)
+{
+    struct aob_mesh mesh = {0};
+    size_t metal = 0;
+    aob_scene_find(scene)->build(&mesh);
+    *low = *high = *aob_mesh_material(&mesh, 0);
+    for (uint32_t i = 0; i < mesh.triangle_count; i++) {
+        const struct aob_material *m = aob_mesh_material(&mesh, i);
+        for (int c = 0; c < 3; c++) {
+            low->base_colour[c] = fminf(low->base_colour[c], m->base_colour[c]);
+            high->base_colour[c] = fmaxf(high->base_colour[c], m->base_colour[c]);
+        }
+        low->roughness = fminf(low->roughness, m->roughness);
+        high->roughness = fmaxf(high->roughness, m->roughness);
+        metal += m->metalness > 0;
+    }
+    aob_mesh_finish(&mesh);
+    return metal;
+}
+
+static void lit_scenes_are_of_what_their_titles_say(void **state)
+{
+    (void)state;
+    struct aob_material low, high;
+    static const struct {
+        const char *scene;
+        double colour;
+    } plain[] = {{"matte_white_room", 0.85}, {"matte_dark_room", 0.05}, {"window_room", 0.7}};
+    for (size_t i = 0; i < AOB_COUNT(plain); i++) {
+        double c = plain[i].colour;
+        assert_int_equal(range_of(plain[i].scene, &low, &high), 0);
+        assert_material(&low, c, c, c, 1, 0);
+        assert_material(&high, c, c, c, 1, 0);
+    }
+    assert_int_equal(range_of("rocks", &low, &high), 0);
+    assert_material(&low, 0.35, 0.33, 0.3, 1, 0);
+    assert_material(&high, 0.35, 0.33, 0.3, 1, 0);
+    range_of("coloured_walls", &low, &high);
+    assert_material(&low, 0.05, 0.05, 0.04, 1, 0);
+    assert_material(&high, 0.8, 0.8, 0.8, 1, 0);
+    assert_int_equal(range_of("gallery", &low, &high), 96 * 94); /* the ball */
+    assert_true(low.roughness == 0.2f && high.roughness == 0.9f);
+    assert_int_equal(range_of("thicket", &low, &high), 0);
+    assert_true(low.roughness == 0.7f && high.roughness == 1);
 }
 
 static void paint_begins_where_it_is_called(void **state)
@@ -259,7 +306,8 @@ int main(void)
         cmocka_unit_test(a_colour_that_is_no_number_is_refused),
         cmocka_unit_test(the_digest_knows_the_library),
         cmocka_unit_test(ply_colours_are_averaged),
-        cmocka_unit_test(cornell_is_painted_and_the_rest_is_not),
+        cmocka_unit_test(what_has_a_light_and_cornell_are_painted),
+        cmocka_unit_test(lit_scenes_are_of_what_their_titles_say),
         cmocka_unit_test(paint_begins_where_it_is_called),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
