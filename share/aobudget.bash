@@ -1,5 +1,5 @@
 # Bash completion of aobudget. It offers commands, flags, and the names that the program itself lists.
-_aobudget_names() { # techniques|scenes|backends|profiles|budgets
+_aobudget_names() { # techniques|scenes|lights|backends|profiles|budgets
   "${COMP_WORDS[0]}" list "$1" --json - 2>/dev/null | sed -n 's/^      "name": "\([^"]*\)".*/\1/p'
 }
 
@@ -19,7 +19,7 @@ _aobudget() {
       --target-weighting) words="cosine uniform" ;;
       --profile) words=$(_aobudget_names profiles) ;;
       --budget) words=$(_aobudget_names budgets) ;;
-      list) words="techniques scenes backends profiles budgets" ;;
+      list) words="techniques scenes lights backends profiles budgets" ;;
       --property) words=$("${COMP_WORDS[0]}" stress --list 2>/dev/null | sed -n 's/^\([a-z0-9_]*\) (.*/\1/p') ;;
       --index) words="modulo xor" ;;
       *)

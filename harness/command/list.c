@@ -1,15 +1,12 @@
 #include <math.h>
 #include <string.h>
-#include "base/file.h"
 #include "base/json.h"
 #include "base/shelf.h"
 #include "budget/budget.h"
 #include "command.h"
 #include "gpu/gpu.h"
+#include "list_scene.h"
 #include "profile/profile.h"
-#include "scene/camera_json.h"
-#include "scene/scene.h"
-#include "scene/scene_folder.h"
 #include "technique/option.h"
 #include "technique/param.h"
 
@@ -72,79 +69,6 @@ static void print_techniques(const struct aob_technique_list *list, struct aob_t
     }
     aob_text_add_line(out, "options of every run");
     print_params(aob_option_params, AOB_OPTION_COUNT, out);
-}
-
-static json_t *scene_to_json(const struct aob_scene_info *scene)
-{
-    json_t *views = json_array();
-    for (size_t i = 0; i < scene->view_count; i++) {
-        json_t *view = aob_camera_to_json(&scene->views[i].camera);
-        json_object_set_new(view, "name", json_string(scene->views[i].name));
-        json_array_append_new(views, view);
-    }
-    return json_pack("{s:s, s:s, s:f, s:f, s:s?, s:s?, s:s?, s:s?, s:b, s:o}", "name", scene->name,
-                     "geometry", scene->title, "metres_per_unit", scene->metres_per_unit, "metre",
-                     scene->metre, "file", scene->file, "package", scene->package, "licence", scene->licence,
-                     "sha256", scene->sha256, "available", !scene->file || aob_file_exists(scene->file),
-                     "views", views);
-}
-
-/* A file name that is not UTF-8 cannot be in JSON, nor in a plan: jansson packs no object then. */
-static json_t *scenes_to_json(const struct aob_scene_folder *folder)
-{
-    json_t *array = json_array(), *own = json_array(), *known = json_array();
-    for (const struct aob_scene_info *const *s = aob_scenes; *s; s++)
-        json_array_append_new(array, scene_to_json(*s));
-    for (size_t i = 0; i < folder->count; i++)
-        json_array_append_new(
-            own, json_pack("{s:s, s:s}", "name", folder->files[i].name, "file", folder->files[i].path));
-    for (const struct aob_known_scene *k = aob_known_scenes; k->name; k++)
-        json_array_append_new(known, json_pack("{s:s, s:s, s:s, s:s}", "name", k->name, "geometry", k->title,
-                                               "source", k->source, "licence", k->licence));
-    return json_pack("{s:o, s:o, s:o}", "scenes", array, "own", own, "known_elsewhere", known);
-}
-
-static void print_scene(const struct aob_scene_info *scene, struct aob_text *out)
-{
-    struct aob_text views = {0};
-    for (size_t i = 0; i < scene->view_count; i++)
-        aob_text_add(&views, " %s", scene->views[i].name);
-    aob_text_add_line(out, "%s: %s", scene->name, scene->title);
-    aob_text_add_line(out, "    views:%s", views.data);
-    aob_text_finish(&views);
-    if (!scene->file)
-        return;
-    aob_text_add_line(out, "    %s (package %s)%s", scene->file, scene->package,
-                      aob_file_exists(scene->file) ? "" : ": not installed");
-    aob_text_add_line(out, "    licence %s; sha256 %s", scene->licence, scene->sha256);
-}
-
-static void print_scenes(const struct aob_scene_folder *folder, struct aob_text *out)
-{
-    for (const struct aob_scene_info *const *s = aob_scenes; *s; s++)
-        print_scene(*s, out);
-    if (folder->count)
-        aob_text_add_line(out, "your own, in AOBUDGET_SCENES");
-    for (size_t i = 0; i < folder->count; i++)
-        aob_text_add_line(out, "    %s: %s", folder->files[i].name, folder->files[i].path);
-    aob_text_add_line(out,
-                      "known elsewhere: put a mesh into the folder AOBUDGET_SCENES to use it by its name");
-    for (const struct aob_known_scene *k = aob_known_scenes; k->name; k++) {
-        aob_text_add_line(out, "    %s: %s", k->name, k->title);
-        aob_text_add_line(out, "        %s; %s", k->source, k->licence);
-    }
-}
-
-static bool list_scenes(struct aob_common *common, struct aob_error *error)
-{
-    struct aob_scene_folder folder;
-    bool ok = aob_scene_folder_read(&folder, error);
-    if (ok && common->json)
-        ok = write_document(scenes_to_json(&folder), common->json, error);
-    else if (ok)
-        print_scenes(&folder, &common->out);
-    aob_scene_folder_finish(&folder);
-    return ok;
 }
 
 static json_t *backends_to_json(const struct aob_dispatch *dispatch)
@@ -313,8 +237,13 @@ static bool list_budgets(struct aob_common *common, struct aob_error *error)
 static const struct listed {
     const char *name;
     bool (*print)(struct aob_common *common, struct aob_error *error);
-} lists[] = {{"techniques", list_techniques}, {"scenes", list_scenes},   {"backends", list_backends},
-             {"profiles", list_profiles},     {"budgets", list_budgets}, {0}};
+} lists[] = {{"techniques", list_techniques},
+             {"scenes", aob_list_scenes},
+             {"backends", list_backends},
+             {"profiles", list_profiles},
+             {"budgets", list_budgets},
+             {"lights", aob_list_lights},
+             {0}};
 
 static enum aob_exit list(void *options, struct aob_error *error)
 {
@@ -324,7 +253,8 @@ static enum aob_exit list(void *options, struct aob_error *error)
     while (listed->name && strcmp(listed->name, what) != 0)
         listed++;
     if (!listed->name)
-        return aob_fail(error, "list: '%s' is not one of techniques, scenes, backends, profiles, budgets",
+        return aob_fail(error,
+                        "list: '%s' is not one of techniques, scenes, lights, backends, profiles, budgets",
                         what),
                AOB_EXIT_USAGE;
     return listed->print(common, error) ? AOB_EXIT_OK : AOB_EXIT_USAGE;
@@ -332,9 +262,9 @@ static enum aob_exit list(void *options, struct aob_error *error)
 
 const struct aob_command aob_command_list = {
     .name = "list",
-    .help = "what there is: techniques, scenes, backends, profiles, budgets",
-    .usage = "techniques|scenes|backends|profiles|budgets [--device NAME|N] [--json FILE]",
-    .summary = "What there is, with parameters, units, bounds and geometry.",
+    .help = "what there is: techniques, scenes, lights, backends, profiles, budgets",
+    .usage = "techniques|scenes|lights|backends|profiles|budgets [--device NAME|N] [--json FILE]",
+    .summary = "What there is, with parameters, units, bounds, geometry and light.",
     .modules = true,
     .devices = true,
     .least = 1,

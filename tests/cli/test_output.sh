@@ -29,7 +29,7 @@ shot=("$program" shot --technique none --scene plane --backend null --size 8x8 -
 full "$program"
 full "$program" --help
 full "$program" --version
-for what in techniques scenes backends; do
+for what in techniques scenes lights backends; do
   full "$program" list $what
   full "$program" list $what --json -
 done
