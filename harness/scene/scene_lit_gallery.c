@@ -36,7 +36,7 @@ static void add_exhibit(struct aob_mesh *mesh, double x, double z, int number)
         aob_mesh_add_lathe(mesh, aob_vec(x, top, z), aob_vec(0, 1, 0), vase, AOB_COUNT(vase), 48);
 }
 
-/* A frame on the left wall (side -1) or the right one (1) about z, and its picture 3 cm behind the rim. */
+/* A frame on the left wall (side -1) or the right one (1) about z, and its picture 3 cm before the wall, half as far as the rim. */
 static void add_picture(struct aob_mesh *mesh, double side, double z, int number)
 {
     static const double signs[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -52,9 +52,9 @@ static void add_picture(struct aob_mesh *mesh, double side, double z, int number
     aob_mesh_paint(mesh, paint(0.12f, 0.08f, 0.05f, 0.4f));
     aob_mesh_add_band(mesh, outer, inner, 4, aob_vec(-0.06 * side, 0, 0), true);
     aob_mesh_paint(mesh, paint(paints[0], paints[1], paints[2], 0.5f));
-    double behind = wall - 0.03 * side;
-    aob_mesh_add_box(mesh, aob_vec(fmin(wall, behind), y - half_y + rim / 2, z - half_z + rim / 2),
-                     aob_vec(fmax(wall, behind), y + half_y - rim / 2, z + half_z - rim / 2), 0);
+    double back = wall - 0.01 * side, front = wall - 0.03 * side;
+    aob_mesh_add_box(mesh, aob_vec(fmin(back, front), y - half_y + rim / 2, z - half_z + rim / 2),
+                     aob_vec(fmax(back, front), y + half_y - rim / 2, z + half_z - rim / 2), 0);
 }
 
 static void add_hall(struct aob_mesh *mesh)
