@@ -49,9 +49,8 @@ typedef void aob_light_radiance_fn(void *user, struct aob_vec3 direction, double
 /* Projects a radiance onto the nine functions, then weakens bands 1 and 2 of all channels by one window, so that the
  * result is nowhere negative (Sloan, Deringing Spherical Harmonics, 2017, does so by one window a light). The integral is
  * over 256 rings of Gauss-Legendre nodes about +Y, of 512 directions each: exact for polynomials, and an edge is right to
- * about half a degree. The window is that of diffusion on the sphere, w for band 1 and w^3 for band 2, which raises the
- * least radiance as it grows; w is the largest in 0..1, found by bisection, with which no channel is below 0 in any
- * direction. "Nowhere negative" is up to rounding, 1e-12 of the channel's mean. The mean of the radiance, and so the
+ * about half a degree. The window is that of diffusion on the sphere, w for band 1 and w^3 for band 2: the least radiance
+ * rises as w falls. w is the largest in 0..1, found by bisection, with which no channel is below 0 in any direction. "Nowhere negative" is up to rounding, 1e-12 of the channel's mean. The mean of the radiance, and so the
  * integral, are kept. The same radiance gives the same bits. */
 void aob_light_project(aob_light_radiance_fn *radiance, void *user, struct aob_light_projection *projection);
 

@@ -36,7 +36,8 @@ static void add_exhibit(struct aob_mesh *mesh, double x, double z, int number)
         aob_mesh_add_lathe(mesh, aob_vec(x, top, z), aob_vec(0, 1, 0), vase, AOB_COUNT(vase), 48);
 }
 
-/* A frame on the left wall (side -1) or the right one (1) about z, and its picture 3 cm before the wall, half as far as the rim. */
+/* A frame on the left wall (side -1) or the right one (1) about z. Its picture is 3 cm before the wall, half as far as
+ * the rim. */
 static void add_picture(struct aob_mesh *mesh, double side, double z, int number)
 {
     static const double signs[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
