@@ -170,3 +170,12 @@ aob_sampler_directions(const struct aob_sampler *sampler, const struct aob_basis
         cosine[i] = c;
     }
 }
+
+void aob_sampler_direction(const struct aob_basis *basis, uint64_t seed, float direction[3])
+{
+    struct pair p = turn((uint32_t)seed);
+    float c = at_least(root(unit_float((uint32_t)(seed >> 32))), 1 / 4096.f), r = root(1 - c * c);
+    for (int k = 0; k < 3; k++)
+        direction[k] =
+            r * p.cosine * basis->tangent[k] + r * p.sine * basis->bitangent[k] + c * basis->normal[k];
+}
