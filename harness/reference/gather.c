@@ -62,6 +62,7 @@ static void start_at(const struct aob_tracer *tracer, struct aob_vec3 local, str
     surface->origin[0] = (float)p.x;
     surface->origin[1] = (float)p.y;
     surface->origin[2] = (float)p.z;
+    surface->back = back;
     build_basis(n, &surface->basis);
 }
 

@@ -5,10 +5,12 @@
 #include "embree_mesh.h"
 #include "sampler.h"
 
-/* In unit space: the raised start of the rays, and the frame about the geometric normal. */
+/* In unit space: the raised start of the rays, the frame about the geometric normal, and the unit vector to where the
+ * point is seen from. */
 struct aob_surface {
     float origin[3];
     struct aob_basis basis;
+    struct aob_vec3 back;
 };
 
 /* `camera` is the one that cast the hits; the pixel must not be sky. */

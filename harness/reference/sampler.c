@@ -171,6 +171,18 @@ aob_sampler_directions(const struct aob_sampler *sampler, const struct aob_basis
     }
 }
 
+__attribute__((target_clones("avx2", "default"))) void aob_sampler_points(const struct aob_sampler *sampler,
+                                                                          uint64_t seed, float *u, float *v)
+{
+    const uint32_t *azimuth = sampler->azimuth, *height = sampler->height;
+    const uint32_t seed_u = (uint32_t)seed, seed_v = (uint32_t)(seed >> 32);
+#pragma omp simd
+    for (size_t i = 0; i < sampler->padded; i++) {
+        u[i] = unit_float(scrambled(azimuth[i], seed_u));
+        v[i] = unit_float(scrambled(height[i], seed_v));
+    }
+}
+
 void aob_sampler_direction(const struct aob_basis *basis, uint64_t seed, float direction[3])
 {
     struct pair p = turn((uint32_t)seed);
