@@ -4,38 +4,19 @@
 #include <string.h>
 #include "base/memory.h"
 #include "gather.h"
+#include "bounces.h"
 #include "tiles.h"
 
 const char aob_incident_version[] = "1";
 
 struct job {
-    const struct aob_tracer *tracer;
+    struct aob_bounces bounces;
     const struct aob_camera *camera;
     const struct aob_hits *hits;
-    const struct aob_light *light; /* or NULL */
     struct aob_sampler sampler;
-    float reach; /* unit space */
-    int bounces;
     uint32_t seed;
     struct aob_incident *result;
 };
-
-/* A ray in unit space, what it has met, and the share of the light on it that reaches the pixel. */
-struct path {
-    float origin[3], direction[3];
-    uint32_t primitive;
-    double share[3];
-};
-
-static void add_light(const struct job *job, const struct path *path, double sum[3])
-{
-    double radiance[3] = {1, 1, 1};
-    if (job->light)
-        aob_light_radiance(job->light, aob_vec(path->direction[0], path->direction[1], path->direction[2]),
-                           radiance);
-    for (int c = 0; c < 3; c++)
-        sum[c] += path->share[c] * radiance[c];
-}
 
 static void add_open(struct aob_light_moments *open, double x, double y, double z)
 {
@@ -58,39 +39,11 @@ static void add_moments(const struct job *job, const struct aob_light_moments *o
     double basis[9];
     aob_light_of_moments(open, basis);
     for (int c = 0; c < 3; c++) {
-        if (!job->light)
+        if (!job->bounces.light)
             sum[c] += open->one;
-        for (int i = 0; job->light && i < 9; i++)
-            sum[c] += basis[i] * job->light->sh[i][c];
+        for (int i = 0; job->bounces.light && i < 9; i++)
+            sum[c] += basis[i] * job->bounces.light->sh[i][c];
     }
-}
-
-/* False if nothing is reflected. */
-static bool absorb(const struct job *job, struct path *path)
-{
-    const struct aob_material *m =
-        aob_tracer_material(job->tracer, job->tracer->triangle_of[path->primitive]);
-    bool any = false;
-    for (int c = 0; c < 3; c++) {
-        path->share[c] *= (double)m->base_colour[c] * (1 - (double)m->metalness);
-        any |= path->share[c] > 0;
-    }
-    return any;
-}
-
-/* Follows a path from its first ray on to the light, or until it ends in the dark. */
-static void follow(const struct job *job, struct path *path, uint64_t seed, double sum[3])
-{
-    for (int bounce = 0; path->primitive != AOB_NO_PRIMITIVE; bounce++) {
-        if (bounce == job->bounces || !absorb(job, path))
-            return;
-        struct aob_surface surface;
-        aob_surface_met(job->tracer, path->origin, path->direction, path->primitive, &surface);
-        memcpy(path->origin, surface.origin, sizeof path->origin);
-        aob_sampler_direction(&surface.basis, aob_sampler_mix(seed, (uint64_t)bounce), path->direction);
-        aob_gather_distance(job->tracer, path->origin, path->direction, job->reach, &path->primitive);
-    }
-    add_light(job, path, sum);
 }
 
 static void trace_half(const struct job *job, const struct aob_surface *surface, size_t pixel, int half,
@@ -101,16 +54,16 @@ static void trace_half(const struct job *job, const struct aob_surface *surface,
     struct aob_light_moments open = {0};
     double sum[3] = {0, 0, 0};
     aob_sampler_directions(&job->sampler, &surface->basis, seed, d);
-    aob_gather_distances(job->tracer, surface->origin, d, job->sampler.count, job->reach, rays->distance,
-                         rays->primitive);
+    aob_gather_distances(job->bounces.tracer, surface->origin, d, job->sampler.count, job->bounces.reach,
+                         rays->distance, rays->primitive);
     for (size_t i = 0; i < job->sampler.count; i++) {
-        struct path path = {
+        struct aob_bounce_path path = {
             {0}, {d->x[i], d->y[i], d->z[i]}, .primitive = rays->primitive[i], .share = {1, 1, 1}};
         memcpy(path.origin, surface->origin, sizeof path.origin);
         if (path.primitive == AOB_NO_PRIMITIVE)
             add_open(&open, d->x[i], d->y[i], d->z[i]);
         else
-            follow(job, &path, aob_sampler_mix(seed, i), sum);
+            aob_bounces_follow(&job->bounces, &path, aob_sampler_mix(seed, i), sum);
     }
     add_moments(job, &open, sum);
     for (int c = 0; c < 3; c++)
@@ -124,7 +77,7 @@ static void do_pixel(const void *context, size_t pixel, size_t out, void *scratc
         return;
     struct aob_surface surface;
     double half[2][3];
-    aob_surface_at(job->tracer, job->camera, job->hits, pixel, &surface);
+    aob_surface_at(job->bounces.tracer, job->camera, job->hits, pixel, &surface);
     for (int h = 0; h < 2; h++)
         trace_half(job, &surface, pixel, h, scratch, half[h]);
     for (int c = 0; c < 3; c++) {
@@ -143,39 +96,26 @@ static void scratch_finish(void *scratch)
     aob_rays_finish(scratch);
 }
 
-static bool check_desc(const struct aob_incident_desc *desc, struct aob_error *error)
-{
-    if (!(desc->radius > 0))
-        return aob_fail(error, "incident light: radius %g: must be above 0", desc->radius);
-    if (desc->bounces < 0 || desc->bounces > AOB_MOST_BOUNCES)
-        return aob_fail(error, "incident light: %d bounces: must be 0 to %d", desc->bounces,
-                        AOB_MOST_BOUNCES);
-    for (int i = 0; desc->light && i < 9; i++)
-        for (int c = 0; c < 3; c++)
-            if (!isfinite(desc->light->sh[i][c]))
-                return aob_fail(error, "incident light: coefficient %d of channel %d is not finite", i, c);
-    return true;
-}
-
 bool aob_tracer_incident(const struct aob_tracer *tracer, const struct aob_camera *camera,
                          const struct aob_hits *hits, const struct aob_incident_desc *desc,
                          struct aob_incident *result, struct aob_error *error)
 {
     const int part[] = {desc->x0, desc->y0, desc->width, desc->height};
     struct aob_tiles tiles;
-    if (!check_desc(desc, error) || !aob_tiles_init(&tiles, hits, part, desc->spp, "incident light", error))
+    if (!(desc->radius > 0))
+        return aob_fail(error, "incident light: radius %g: must be above 0", desc->radius);
+    if (!aob_bounces_check(desc->bounces, desc->light, "incident light", error) ||
+        !aob_tiles_init(&tiles, hits, part, desc->spp, "incident light", error))
         return false;
     size_t pixels = (size_t)tiles.width * (size_t)tiles.height;
     result->rgb = aob_alloc(pixels, sizeof *result->rgb);
     result->se = aob_alloc(pixels, sizeof *result->se);
-    struct job job = {.tracer = tracer,
-                      .camera = camera,
-                      .hits = hits,
-                      .light = desc->light,
-                      .reach = (float)(desc->radius * tracer->to_unit),
-                      .bounces = desc->bounces,
-                      .seed = desc->seed,
-                      .result = result};
+    struct job job = {
+        .bounces = {tracer, desc->light, (float)(desc->radius * tracer->to_unit), desc->bounces},
+        .camera = camera,
+        .hits = hits,
+        .seed = desc->seed,
+        .result = result};
     aob_sampler_init(&job.sampler, (size_t)desc->spp / 2, false);
     const struct aob_tiles_work work = {&job, sizeof(struct aob_rays), scratch_init, scratch_finish,
                                         do_pixel};

@@ -1,8 +1,10 @@
 #include "specular.h"
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "base/memory.h"
 #include "gather.h"
+#include "bounces.h"
 #include "tiles.h"
 
 const char aob_specular_version[] = "1";
@@ -13,11 +15,10 @@ static const double least_alpha = 1e-3;
 static const double least_cosine = 1 / 4096.0;
 
 struct job {
-    const struct aob_tracer *tracer;
+    struct aob_bounces bounces;
     const struct aob_camera *camera;
     const struct aob_hits *hits;
     struct aob_sampler sampler;
-    float reach;      /* unit space */
     double roughness; /* below 0: the materials' */
     uint32_t seed;
     struct aob_specular *result;
@@ -105,50 +106,85 @@ static size_t draw(const struct job *job, const struct lobe *lobe, uint64_t seed
     return kept;
 }
 
-/* NAN if no direction is above the surface. */
-static double trace_half(const struct job *job, const struct aob_surface *surface, const struct lobe *lobe,
-                         uint64_t seed, const struct scratch *scratch)
+struct half {
+    double so; /* NAN if no direction is above the surface */
+    double rgb[3];
+};
+
+/* Fresnel's factor is 1, so a direction's weight is what it brings of the light on it. */
+static void add_radiance(const struct job *job, const struct aob_surface *surface, uint64_t seed,
+                         size_t count, const struct scratch *scratch, double mean[3])
+{
+    const struct aob_directions *d = &scratch->rays.directions;
+    for (size_t i = 0; i < count; i++) {
+        double weight = (double)scratch->weight[i] / (double)job->sampler.count;
+        struct aob_bounce_path path = {{0},
+                                       {d->x[i], d->y[i], d->z[i]},
+                                       .primitive = scratch->rays.primitive[i],
+                                       .share = {weight, weight, weight}};
+        memcpy(path.origin, surface->origin, sizeof path.origin);
+        aob_bounces_follow(&job->bounces, &path, aob_sampler_mix(seed, i), mean);
+    }
+}
+
+static struct half trace_half(const struct job *job, const struct aob_surface *surface,
+                              const struct lobe *lobe, uint64_t seed, const struct scratch *scratch)
 {
     size_t count = draw(job, lobe, seed, scratch);
-    const float *distance = scratch->rays.distance;
+    const float *distance = scratch->rays.distance, *weight = scratch->weight;
     double open = 0, all = 0;
-    aob_gather_distances(job->tracer, surface->origin, &scratch->rays.directions, count, job->reach,
-                         scratch->rays.distance, NULL);
+    struct half half = {0, {0, 0, 0}};
+    aob_gather_distances(job->bounces.tracer, surface->origin, &scratch->rays.directions, count,
+                         job->bounces.reach, scratch->rays.distance, scratch->rays.primitive);
     for (size_t i = 0; i < count; i++) {
-        all += (double)scratch->weight[i];
-        open += distance[i] < job->reach ? 0 : (double)scratch->weight[i];
+        all += (double)weight[i];
+        open += distance[i] < job->bounces.reach ? 0 : (double)weight[i];
     }
-    return all > 0 ? open / all : (double)NAN;
+    half.so = all > 0 ? open / all : (double)NAN;
+    if (job->result->rgb)
+        add_radiance(job, surface, seed, count, scratch, half.rgb);
+    return half;
+}
+
+static void store(const struct job *job, size_t out, struct half a, struct half b)
+{
+    struct aob_specular *result = job->result;
+    if (!isnan(a.so) || !isnan(b.so)) {
+        double first = isnan(a.so) ? b.so : a.so, second = isnan(b.so) ? a.so : b.so;
+        result->so[out] = (float)((first + second) / 2);
+        result->se[out] = (float)(fabs(first - second) / 2);
+    }
+    for (int c = 0; result->rgb && c < 3; c++) {
+        result->rgb[out][c] = (float)((a.rgb[c] + b.rgb[c]) / 2);
+        result->rgb_se[out][c] = (float)(fabs(a.rgb[c] - b.rgb[c]) / 2);
+    }
 }
 
 static void do_pixel(const void *context, size_t pixel, size_t out, void *scratch)
 {
     const struct job *job = context;
+    const struct aob_tracer *tracer = job->bounces.tracer;
     uint32_t triangle = job->hits->primitive[pixel];
     job->result->so[out] = 1;
     if (triangle == AOB_NO_PRIMITIVE)
         return;
     struct aob_surface surface;
     struct lobe lobe;
-    double half[2];
-    aob_surface_at(job->tracer, job->camera, job->hits, pixel, &surface);
+    struct half half[2];
+    aob_surface_at(tracer, job->camera, job->hits, pixel, &surface);
     lobe_init(&lobe, &surface,
-              job->roughness < 0 ? (double)aob_tracer_material(job->tracer, triangle)->roughness
-                                 : job->roughness);
+              job->roughness < 0 ? (double)aob_tracer_material(tracer, triangle)->roughness : job->roughness);
     for (int h = 0; h < 2; h++)
         half[h] = trace_half(job, &surface, &lobe, aob_gather_seed(job->hits, pixel, h, job->seed), scratch);
-    double a = isnan(half[0]) ? half[1] : half[0], b = isnan(half[1]) ? half[0] : half[1];
-    if (isnan(a))
-        return;
-    job->result->so[out] = (float)((a + b) / 2);
-    job->result->se[out] = (float)(fabs(a - b) / 2);
+    store(job, out, half[0], half[1]);
 }
 
 static void scratch_init(void *at, const void *context)
 {
     struct scratch *scratch = at;
-    const struct aob_sampler *sampler = &((const struct job *)context)->sampler;
-    aob_rays_init(&scratch->rays, sampler, false);
+    const struct job *job = context;
+    const struct aob_sampler *sampler = &job->sampler;
+    aob_rays_init(&scratch->rays, sampler, job->result->rgb);
     scratch->u = aob_alloc(3 * sampler->padded, sizeof *scratch->u);
     scratch->v = scratch->u + sampler->padded;
     scratch->weight = scratch->v + sampler->padded;
@@ -161,28 +197,41 @@ static void scratch_finish(void *at)
     free(scratch->u);
 }
 
+static bool check_desc(const struct aob_specular_desc *desc, struct aob_error *error)
+{
+    if (!(desc->radius > 0))
+        return aob_fail(error, "specular occlusion: radius %g: must be above 0", desc->radius);
+    if (!(desc->roughness <= 1))
+        return aob_fail(error, "specular occlusion: roughness %g: must be at most 1", desc->roughness);
+    return !desc->radiance || aob_bounces_check(desc->bounces, desc->light, "specular occlusion", error);
+}
+
+static void result_init(struct aob_specular *result, const struct aob_tiles *tiles, bool radiance)
+{
+    size_t pixels = (size_t)tiles->width * (size_t)tiles->height;
+    result->so = aob_alloc(pixels, sizeof *result->so);
+    result->se = aob_alloc(pixels, sizeof *result->se);
+    result->rgb = radiance ? aob_alloc(pixels, sizeof *result->rgb) : NULL;
+    result->rgb_se = radiance ? aob_alloc(pixels, sizeof *result->rgb_se) : NULL;
+}
+
 bool aob_tracer_specular(const struct aob_tracer *tracer, const struct aob_camera *camera,
                          const struct aob_hits *hits, const struct aob_specular_desc *desc,
                          struct aob_specular *result, struct aob_error *error)
 {
     const int part[] = {desc->x0, desc->y0, desc->width, desc->height};
     struct aob_tiles tiles;
-    if (!(desc->radius > 0))
-        return aob_fail(error, "specular occlusion: radius %g: must be above 0", desc->radius);
-    if (!(desc->roughness <= 1))
-        return aob_fail(error, "specular occlusion: roughness %g: must be at most 1", desc->roughness);
-    if (!aob_tiles_init(&tiles, hits, part, desc->spp, "specular occlusion", error))
+    if (!check_desc(desc, error) ||
+        !aob_tiles_init(&tiles, hits, part, desc->spp, "specular occlusion", error))
         return false;
-    size_t pixels = (size_t)tiles.width * (size_t)tiles.height;
-    result->so = aob_alloc(pixels, sizeof *result->so);
-    result->se = aob_alloc(pixels, sizeof *result->se);
-    struct job job = {.tracer = tracer,
-                      .camera = camera,
-                      .hits = hits,
-                      .reach = (float)(desc->radius * tracer->to_unit),
-                      .roughness = desc->roughness,
-                      .seed = desc->seed,
-                      .result = result};
+    result_init(result, &tiles, desc->radiance);
+    struct job job = {
+        .bounces = {tracer, desc->light, (float)(desc->radius * tracer->to_unit), desc->bounces},
+        .camera = camera,
+        .hits = hits,
+        .roughness = desc->roughness,
+        .seed = desc->seed,
+        .result = result};
     aob_sampler_init(&job.sampler, (size_t)desc->spp / 2, false);
     const struct aob_tiles_work work = {&job, sizeof(struct scratch), scratch_init, scratch_finish, do_pixel};
     aob_tiles_run(&tiles, &work);
@@ -194,5 +243,7 @@ void aob_specular_finish(struct aob_specular *specular)
 {
     free(specular->so);
     free(specular->se);
+    free(specular->rgb);
+    free(specular->rgb_se);
     *specular = (struct aob_specular){0};
 }

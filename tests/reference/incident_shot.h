@@ -15,6 +15,21 @@ static inline struct aob_incident light_shot(const struct shot *shot, struct aob
     return incident;
 }
 
+/* Positive everywhere, and of another direction in each channel. */
+static inline const struct aob_light *slanted_light(void)
+{
+    static const struct aob_light light = {{{2, 1.5, 3},
+                                            {0.5, -0.2, 0.1},
+                                            {-0.3, 0.4, 0.2},
+                                            {0.2, 0.3, -0.9},
+                                            {0.1, -0.1, 0.3},
+                                            {-0.2, 0.1, 0.2},
+                                            {0.2, 0.2, -0.3},
+                                            {0.1, -0.2, 0.1},
+                                            {-0.1, 0.1, 0.4}}};
+    return &light;
+}
+
 static inline void paint(struct aob_mesh *mesh, float red, float green, float blue)
 {
     aob_mesh_paint(mesh, (struct aob_material){.base_colour = {red, green, blue}, .roughness = 1});

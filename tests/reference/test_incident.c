@@ -35,17 +35,6 @@ static void without_bounces_it_is_visibility(void **state)
         }
 }
 
-/* Positive everywhere, and of another direction in each channel. */
-static const struct aob_light slanted = {{{2, 1.5, 3},
-                                          {0.5, -0.2, 0.1},
-                                          {-0.3, 0.4, 0.2},
-                                          {0.2, 0.3, -0.9},
-                                          {0.1, -0.1, 0.3},
-                                          {-0.2, 0.1, 0.2},
-                                          {0.2, 0.2, -0.3},
-                                          {0.1, -0.2, 0.1},
-                                          {-0.1, 0.1, 0.4}}};
-
 static void plane_shot(struct shot *shot, struct aob_vec3 n)
 {
     struct aob_vec3 u = aob_vec_normalize(aob_vec_cross(aob_vec(0.3, 1, 0.2), n)), v = aob_vec_cross(n, u);
@@ -67,9 +56,10 @@ static void open_planes_have_the_closed_form(void **state)
         struct aob_incident plain =
             light_shot(&shot, (struct aob_incident_desc){.radius = INFINITY, .bounces = 8, .spp = 16});
         struct aob_incident light = light_shot(
-            &shot, (struct aob_incident_desc){.radius = 2, .bounces = 8, .light = &slanted, .spp = 256});
+            &shot,
+            (struct aob_incident_desc){.radius = 2, .bounces = 8, .light = slanted_light(), .spp = 256});
         struct light_mean mean = mean_light(&shot, &light, NULL);
-        aob_light_irradiance(&slanted, n, wanted);
+        aob_light_irradiance(slanted_light(), n, wanted);
         assert_true(mean.pixels == pixel_count(&shot));
         for (int c = 0; c < 3; c++) {
             for (size_t p = 0; p < pixel_count(&shot); p++) {
@@ -126,7 +116,7 @@ static void closed_rooms_are_dark(void **state)
         room_shot(&shot, w ? white : grey);
         struct aob_incident dark = light_shot(
             &shot, (struct aob_incident_desc){
-                       .radius = INFINITY, .bounces = AOB_MOST_BOUNCES, .light = &slanted, .spp = 64});
+                       .radius = INFINITY, .bounces = AOB_MOST_BOUNCES, .light = slanted_light(), .spp = 64});
         for (size_t i = 0; i < pixel_count(&shot); i++)
             for (int c = 0; c < 3; c++)
                 assert_true(dark.rgb[i][c] == 0 && dark.se[i][c] == 0);
@@ -166,7 +156,7 @@ static void standard_errors_are_honest(void **state)
     enum { SEEDS = 16 };
     struct shot shot;
     corner_shot(&shot, "front", 64, 36);
-    struct aob_incident_desc desc = {.radius = 1, .bounces = 8, .light = &slanted, .spp = 4096};
+    struct aob_incident_desc desc = {.radius = 1, .bounces = 8, .light = slanted_light(), .spp = 4096};
     struct aob_incident fine = light_shot(&shot, desc);
     double square[3] = {0}, claimed[3] = {0}, bias[3] = {0};
     desc.spp = 64;
@@ -199,7 +189,7 @@ static void neither_threads_nor_the_part_show(void **state)
     (void)state;
     struct shot shot;
     corner_shot(&shot, "front", 64, 36);
-    struct aob_incident_desc desc = {.radius = 1, .bounces = 8, .light = &slanted, .spp = 66};
+    struct aob_incident_desc desc = {.radius = 1, .bounces = 8, .light = slanted_light(), .spp = 66};
     int before = omp_get_max_threads();
     omp_set_num_threads(1);
     struct aob_incident one = light_shot(&shot, desc);
@@ -222,7 +212,7 @@ static void neither_threads_nor_the_part_show(void **state)
 static void bad_requests_are_refused(void **state)
 {
     (void)state;
-    struct aob_light broken = slanted;
+    struct aob_light broken = *slanted_light();
     struct shot shot;
     broken.sh[4][1] = NAN;
     const struct {

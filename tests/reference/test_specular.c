@@ -1,18 +1,6 @@
 /* Specular occlusion against a quadrature whose GGX is written anew here, against a mirror, and where it is 1. */
-#include "check.h"
-#include "reference/specular.h"
-#include "shot.h"
+#include "specular_shot.h"
 #include <omp.h>
-
-static struct aob_specular specular_shot(const struct shot *shot, struct aob_specular_desc desc)
-{
-    struct aob_error error = {""};
-    struct aob_specular specular;
-    bool done = aob_tracer_specular(shot->tracer, &shot->camera, &shot->hits, &desc, &specular, &error);
-    assert_string_equal(error.text, "");
-    assert_true(done);
-    return specular;
-}
 
 static void open_planes_are_one(void **state)
 {
@@ -38,35 +26,6 @@ static void open_planes_are_one(void **state)
         }
 }
 
-/* Walter et al. 2007, equation 33, as a function of the squared cosine. */
-static double ggx_density(double cosine, double alpha)
-{
-    double square = cosine * cosine, t = square * (alpha * alpha - 1) + 1;
-    return alpha * alpha / (M_PI * t * t);
-}
-
-static double ggx_lambda(double cosine, double alpha)
-{
-    double tangent = tan(acos(cosine));
-    return (sqrt(1 + alpha * alpha * tangent * tangent) - 1) / 2;
-}
-
-/* The reflected share of light from `l`, times the cosine and without what is the same for all l. */
-static double ggx_lobe(struct aob_vec3 n, struct aob_vec3 v, struct aob_vec3 l, double alpha)
-{
-    double view = aob_vec_dot(n, v), light = aob_vec_dot(n, l);
-    struct aob_vec3 h = aob_vec_normalize(aob_vec_add(v, l));
-    return ggx_density(aob_vec_dot(n, h), alpha) / (1 + ggx_lambda(view, alpha) + ggx_lambda(light, alpha)) /
-           (4 * view * light) * light;
-}
-
-/* Whether the other plane of the corner is met within the radius. `n` is the point's own normal, (0,1,0) or (0,0,1). */
-static bool is_blocked(struct aob_vec3 p, struct aob_vec3 n, struct aob_vec3 l, double radius)
-{
-    double distance = n.y > 0.5 ? p.z : p.y, towards = n.y > 0.5 ? -l.z : -l.y;
-    return towards > 0 && distance < radius * towards;
-}
-
 static double quadrature(struct aob_vec3 p, struct aob_vec3 n, struct aob_vec3 v, double alpha, double radius)
 {
     enum { RINGS = 600, STEPS = 1200 };
@@ -84,22 +43,6 @@ static double quadrature(struct aob_vec3 p, struct aob_vec3 n, struct aob_vec3 v
             open += is_blocked(p, n, l, radius) ? 0 : weight;
         }
     return open / all;
-}
-
-static struct aob_vec3 pixel_normal(struct aob_vec3 p)
-{
-    return p.y < p.z ? aob_vec(0, 1, 0) : aob_vec(0, 0, 1);
-}
-
-/* The camera looks along the wall to the floor and to the wall, so that lobes reach both open and blocked directions. */
-static void slanted_corner_shot(struct shot *shot, int width, int height)
-{
-    const struct aob_scene_info *scene = aob_scene_find("corner");
-    struct aob_mesh mesh = {0};
-    scene->build(&mesh);
-    cast_shot(shot, &mesh,
-              (struct aob_camera){.eye = {1.5, 0.9, 1.2}, .target = {0, 0.2, 0.2}, .fov_deg = 60}, width,
-              height);
 }
 
 static void corners_have_the_quadrature(void **state)
