@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "embree_mesh.h"
 #include "sampler.h"
+#include "triangle.h"
 
 enum { LANES = AOB_PACKET };
 
@@ -68,28 +69,6 @@ static void set_lane(const struct cast *cast, const struct primary *ray, struct 
     valid[k] = ray->entry >= 0 ? -1 : 0;
 }
 
-/* Finds in double precision where the ray meets the triangle's plane, and keeps it within the triangle. Embree's
- * floats decide only which triangle it is. */
-static void refine(const struct primary *ray, const struct aob_vec3 corner[3], struct aob_vec3 normal,
-                   double *u, double *v)
-{
-    double det = aob_vec_dot(normal, ray->direction);
-    struct aob_vec3 c = aob_vec_cross(aob_vec_sub(corner[0], ray->origin), ray->direction);
-    double a = aob_vec_dot(aob_vec_sub(corner[2], corner[0]), c) / det;
-    double b = aob_vec_dot(aob_vec_sub(corner[0], corner[1]), c) / det;
-    if (isfinite(a) && isfinite(b)) {
-        *u = a;
-        *v = b;
-    }
-    *u = fmin(fmax(*u, 0), 1);
-    *v = fmin(fmax(*v, 0), 1);
-    double sum = *u + *v;
-    if (sum > 1) {
-        *u /= sum;
-        *v /= sum;
-    }
-}
-
 static void to_view(const struct aob_frame_axes *axes, struct aob_vec3 n, float out[3])
 {
     out[0] = (float)aob_vec_dot(n, axes->right);
@@ -147,7 +126,8 @@ static void store_hit(const struct cast *cast, const struct primary *ray, uint32
 {
     struct aob_vec3 corner[3];
     struct aob_vec3 normal = aob_tracer_corners(cast->tracer, triangle, corner);
-    refine(ray, corner, normal, &u, &v);
+    /* Embree's floats decide only which triangle it is. */
+    aob_triangle_meet(ray->origin, ray->direction, corner, normal, &u, &v);
     struct aob_vec3 p = blend(cast->tracer->points, cast->tracer->triangles[triangle], u, v);
     normal = aob_vec_normalize(normal);
     if (aob_vec_dot(normal, ray->direction) > 0)

@@ -16,7 +16,9 @@ struct aob_tracer {
     struct aob_vec3 *normals;      /* shading, or NULL */
     uint32_t (*triangles)[3];      /* triangle_count */
     size_t vertex_count, triangle_count, unit_count;
-    struct aob_vec3 centre, half; /* of the box, scene units */
+    struct aob_material *materials; /* a table, [0] the default one */
+    uint32_t *material_of;          /* of a triangle, its place in the table, or NULL: all are of [0] */
+    struct aob_vec3 centre, half;   /* of the box, scene units */
     double to_unit;
 };
 
@@ -28,4 +30,7 @@ void aob_float_mode_end(unsigned mode);
  * normalised. */
 struct aob_vec3 aob_tracer_corners(const struct aob_tracer *tracer, uint32_t triangle,
                                    struct aob_vec3 corner[3]);
+
+/* What a triangle is made of. */
+const struct aob_material *aob_tracer_material(const struct aob_tracer *tracer, uint32_t triangle);
 #endif

@@ -170,3 +170,24 @@ aob_sampler_directions(const struct aob_sampler *sampler, const struct aob_basis
         cosine[i] = c;
     }
 }
+
+__attribute__((target_clones("avx2", "default"))) void aob_sampler_points(const struct aob_sampler *sampler,
+                                                                          uint64_t seed, float *u, float *v)
+{
+    const uint32_t *azimuth = sampler->azimuth, *height = sampler->height;
+    const uint32_t seed_u = (uint32_t)seed, seed_v = (uint32_t)(seed >> 32);
+#pragma omp simd
+    for (size_t i = 0; i < sampler->padded; i++) {
+        u[i] = unit_float(scrambled(azimuth[i], seed_u));
+        v[i] = unit_float(scrambled(height[i], seed_v));
+    }
+}
+
+void aob_sampler_direction(const struct aob_basis *basis, uint64_t seed, float direction[3])
+{
+    struct pair p = turn((uint32_t)seed);
+    float c = at_least(root(unit_float((uint32_t)(seed >> 32))), 1 / 4096.f), r = root(1 - c * c);
+    for (int k = 0; k < 3; k++)
+        direction[k] =
+            r * p.cosine * basis->tangent[k] + r * p.sine * basis->bitangent[k] + c * basis->normal[k];
+}

@@ -37,6 +37,13 @@ struct aob_directions {
 void aob_sampler_directions(const struct aob_sampler *sampler, const struct aob_basis *basis, uint64_t seed,
                             const struct aob_directions *directions);
 
+/* The scrambled points themselves, each number within (0, 1), for what maps them in its own way. Both arrays have
+ * `padded` elements. */
+void aob_sampler_points(const struct aob_sampler *sampler, uint64_t seed, float *u, float *v);
+
+/* One cosine-distributed direction about the basis's normal, of a seed of its own. The cosine is at least 2^-12 too. */
+void aob_sampler_direction(const struct aob_basis *basis, uint64_t seed, float direction[3]);
+
 /* A well-mixed 64-bit number from two (SplitMix64's finaliser, Steele et al. 2014). */
 uint64_t aob_sampler_mix(uint64_t a, uint64_t b);
 #endif

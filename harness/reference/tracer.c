@@ -29,6 +29,11 @@ struct aob_vec3 aob_tracer_corners(const struct aob_tracer *tracer, uint32_t tri
     return aob_vec_cross(aob_vec_sub(corner[1], corner[0]), aob_vec_sub(corner[2], corner[0]));
 }
 
+const struct aob_material *aob_tracer_material(const struct aob_tracer *tracer, uint32_t triangle)
+{
+    return &tracer->materials[tracer->material_of ? tracer->material_of[triangle] : 0];
+}
+
 static void measure_box(struct aob_tracer *tracer, const struct aob_mesh *mesh)
 {
     struct aob_vec3 low, high;
@@ -58,6 +63,18 @@ static void copy_mesh(struct aob_tracer *tracer, const struct aob_mesh *mesh)
     }
     tracer->triangles = aob_alloc(mesh->triangle_count, sizeof *tracer->triangles);
     memcpy(tracer->triangles, mesh->triangles, mesh->triangle_count * sizeof *tracer->triangles);
+}
+
+static void copy_materials(struct aob_tracer *tracer, const struct aob_mesh *mesh)
+{
+    size_t count = mesh->materials ? mesh->material_count : 1;
+    tracer->materials = aob_alloc(count, sizeof *tracer->materials);
+    memcpy(tracer->materials, mesh->materials ? mesh->materials : &aob_material_default,
+           count * sizeof *tracer->materials);
+    if (!mesh->materials)
+        return;
+    tracer->material_of = aob_alloc(mesh->triangle_count, sizeof *tracer->material_of);
+    memcpy(tracer->material_of, mesh->material_of, mesh->triangle_count * sizeof *tracer->material_of);
 }
 
 static struct aob_vec3 unit_point(const struct aob_tracer *tracer, uint32_t vertex)
@@ -125,6 +142,7 @@ struct aob_tracer *aob_tracer_create(const struct aob_mesh *mesh, struct aob_err
         goto fail;
     }
     copy_mesh(tracer, mesh);
+    copy_materials(tracer, mesh);
     keep_solid_triangles(tracer);
     if (!tracer->unit_count) {
         aob_fail(error, "mesh: none of its %zu triangles has an area", tracer->triangle_count);
@@ -151,5 +169,7 @@ void aob_tracer_destroy(struct aob_tracer *tracer)
     free(tracer->points);
     free(tracer->normals);
     free(tracer->triangles);
+    free(tracer->materials);
+    free(tracer->material_of);
     free(tracer);
 }

@@ -2,10 +2,9 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "gather.h"
+#include "tiles.h"
 #include "tracer.h"
 #include "triangle.h"
-
-enum { TILE = 8 };
 
 /* A term in unit space. */
 struct term {
@@ -25,7 +24,6 @@ struct job {
     size_t term_count;
     float reach;
     bool of_triangle;
-    int x0, y0, width, height;
     uint32_t seed;
     struct aob_frame_axes axes; /* of view space */
     struct aob_visibility *result;
@@ -33,28 +31,22 @@ struct job {
 
 /* One for each thread. */
 struct scratch {
-    float *block; /* holds all the arrays */
-    struct aob_directions directions;
-    float *distance;
-    uint32_t *primitive; /* NULL unless distances are to triangles */
-    double *half;        /* term_count occlusions of the first half */
+    struct aob_rays rays;
+    double *half; /* term_count occlusions of the first half */
 };
 
-static void scratch_init(struct scratch *scratch, const struct job *job)
+static void scratch_init(void *at, const void *context)
 {
-    size_t n = job->sampler.padded;
-    scratch->block = aob_alloc(5 * n, sizeof *scratch->block);
-    float *b = scratch->block;
-    scratch->directions = (struct aob_directions){b, b + n, b + 2 * n, b + 3 * n};
-    scratch->distance = b + 4 * n;
-    scratch->primitive = job->of_triangle ? aob_alloc(n, sizeof *scratch->primitive) : NULL;
+    struct scratch *scratch = at;
+    const struct job *job = context;
+    aob_rays_init(&scratch->rays, &job->sampler, job->of_triangle);
     scratch->half = aob_alloc(job->term_count, sizeof *scratch->half);
 }
 
-static void scratch_finish(struct scratch *scratch)
+static void scratch_finish(void *at)
 {
-    free(scratch->block);
-    free(scratch->primitive);
+    struct scratch *scratch = at;
+    aob_rays_finish(&scratch->rays);
     free(scratch->half);
 }
 
@@ -85,7 +77,7 @@ static double falloff_at(const struct term *term, float distance)
 static double weighted_occlusion(const struct job *job, const struct term *term,
                                  const struct scratch *scratch)
 {
-    const float *cosine = scratch->directions.cosine, *distance = scratch->distance;
+    const float *cosine = scratch->rays.directions.cosine, *distance = scratch->rays.distance;
     double hit = 0, all = 0;
     for (size_t i = 0; i < job->sampler.count; i++) {
         double weight = (term->uniform ? 1 : cosine[i]) / (cosine[i] + 0.5);
@@ -111,7 +103,7 @@ static double plain_occlusion(const struct job *job, const struct term *term, co
 static double occlusion(const struct job *job, const struct term *term, const struct scratch *scratch)
 {
     return job->sampler.mixture ? weighted_occlusion(job, term, scratch)
-                                : plain_occlusion(job, term, scratch->distance);
+                                : plain_occlusion(job, term, scratch->rays.distance);
 }
 
 /* The mean of the open directions in world space, each weighed as the visibility weighs it; a closed direction counts
@@ -119,12 +111,13 @@ static double occlusion(const struct job *job, const struct term *term, const st
 static struct aob_vec3 open_direction(const struct job *job, const struct term *term,
                                       const struct scratch *scratch)
 {
-    const struct aob_directions *d = &scratch->directions;
+    const struct aob_directions *d = &scratch->rays.directions;
     struct aob_vec3 sum = {0, 0, 0};
     double all = 0;
     for (size_t i = 0; i < job->sampler.count; i++) {
         double weight = job->sampler.mixture ? (term->uniform ? 1 : d->cosine[i]) / (d->cosine[i] + 0.5) : 1;
-        double open = scratch->distance[i] < term->radius ? 1 - falloff_at(term, scratch->distance[i]) : 1;
+        double open =
+            scratch->rays.distance[i] < term->radius ? 1 - falloff_at(term, scratch->rays.distance[i]) : 1;
         all += weight;
         sum = aob_vec_add(sum, aob_vec_scale(aob_vec(d->x[i], d->y[i], d->z[i]), weight * open));
     }
@@ -153,7 +146,7 @@ static void measure_triangles(const struct job *job, const struct aob_surface *s
     uint32_t last = AOB_NO_PRIMITIVE;
     float distance = INFINITY;
     for (size_t i = 0; i < job->sampler.count; i++) {
-        uint32_t primitive = scratch->primitive[i];
+        uint32_t primitive = scratch->rays.primitive[i];
         if (primitive == AOB_NO_PRIMITIVE)
             continue;
         if (primitive != last) {
@@ -161,7 +154,7 @@ static void measure_triangles(const struct job *job, const struct aob_surface *s
             distance = (float)(aob_triangle_distance(local, corner) * tracer->to_unit);
         }
         last = primitive;
-        scratch->distance[i] = distance;
+        scratch->rays.distance[i] = distance;
     }
 }
 
@@ -169,17 +162,18 @@ static void trace_half(const struct job *job, const struct aob_surface *surface,
                        const struct scratch *scratch)
 {
     uint64_t seed = aob_gather_seed(job->hits, pixel, half, job->seed);
-    aob_sampler_directions(&job->sampler, &surface->basis, seed, &scratch->directions);
-    aob_gather_distances(job->tracer, surface->origin, &scratch->directions, job->sampler.count, job->reach,
-                         scratch->distance, scratch->primitive);
+    const struct aob_rays *rays = &scratch->rays;
+    aob_sampler_directions(&job->sampler, &surface->basis, seed, &rays->directions);
+    aob_gather_distances(job->tracer, surface->origin, &rays->directions, job->sampler.count, job->reach,
+                         rays->distance, rays->primitive);
     if (job->of_triangle)
         measure_triangles(job, surface, scratch);
 }
 
-static void do_pixel(const struct job *job, int x, int y, const struct scratch *scratch)
+static void do_pixel(const void *context, size_t pixel, size_t out, void *at)
 {
-    size_t out = (size_t)y * (size_t)job->width + (size_t)x;
-    size_t pixel = (size_t)(y + job->y0) * (size_t)job->hits->width + (size_t)(x + job->x0);
+    const struct job *job = context;
+    struct scratch *scratch = at;
     if (job->hits->primitive[pixel] == AOB_NO_PRIMITIVE) {
         for (size_t k = 0; k < job->term_count; k++)
             job->result[k].ao[out] = 1;
@@ -201,31 +195,6 @@ static void do_pixel(const struct job *job, int x, int y, const struct scratch *
     }
 }
 
-static void do_tile(const struct job *job, int tile, const struct scratch *scratch)
-{
-    int across = (job->width + TILE - 1) / TILE;
-    int x0 = tile % across * TILE, y0 = tile / across * TILE;
-    for (int y = y0; y < y0 + TILE && y < job->height; y++)
-        for (int x = x0; x < x0 + TILE && x < job->width; x++)
-            do_pixel(job, x, y, scratch);
-}
-
-static void do_all(const struct job *job)
-{
-    int tiles = ((job->width + TILE - 1) / TILE) * ((job->height + TILE - 1) / TILE);
-#pragma omp parallel
-    {
-        unsigned mode = aob_float_mode_begin();
-        struct scratch scratch;
-        scratch_init(&scratch, job);
-#pragma omp for schedule(dynamic)
-        for (int tile = 0; tile < tiles; tile++)
-            do_tile(job, tile, &scratch);
-        scratch_finish(&scratch);
-        aob_float_mode_end(mode);
-    }
-}
-
 static bool check_term(const struct aob_visibility_term *term, size_t index, struct aob_error *error)
 {
     if (!(term->radius >= 0))
@@ -242,15 +211,8 @@ static bool check_term(const struct aob_visibility_term *term, size_t index, str
     return true;
 }
 
-static bool check_desc(const struct aob_visibility_desc *desc, const struct aob_hits *hits,
-                       struct aob_error *error)
+static bool check_terms(const struct aob_visibility_desc *desc, struct aob_error *error)
 {
-    if (desc->spp < 2 || desc->spp > 65536 || desc->spp % 2)
-        return aob_fail(error, "visibility: %d rays a pixel: must be even, 2 to 65536", desc->spp);
-    if (desc->x0 < 0 || desc->y0 < 0 || desc->width < 0 || desc->height < 0 ||
-        desc->width > hits->width - desc->x0 || desc->height > hits->height - desc->y0)
-        return aob_fail(error, "visibility: part %dx%d at (%d, %d) is not within the image of %dx%d",
-                        desc->width, desc->height, desc->x0, desc->y0, hits->width, hits->height);
     for (size_t i = 0; i < desc->term_count; i++)
         if (!check_term(&desc->terms[i], i, error))
             return false;
@@ -273,23 +235,19 @@ static struct term unit_term(const struct aob_visibility_term *from, double to_u
 }
 
 static void job_init(struct job *job, const struct aob_tracer *tracer, const struct aob_camera *camera,
-                     const struct aob_hits *hits, const struct aob_visibility_desc *desc,
+                     const struct aob_tiles *tiles, const struct aob_visibility_desc *desc,
                      struct aob_visibility *result)
 {
-    bool all = desc->width == 0 || desc->height == 0, uniform = false;
+    bool uniform = false;
     *job = (struct job){.tracer = tracer,
-                        .hits = hits,
+                        .hits = tiles->hits,
                         .camera = camera,
                         .terms = aob_alloc(desc->term_count, sizeof *job->terms),
                         .term_count = desc->term_count,
-                        .x0 = all ? 0 : desc->x0,
-                        .y0 = all ? 0 : desc->y0,
-                        .width = all ? hits->width : desc->width,
-                        .height = all ? hits->height : desc->height,
                         .seed = desc->seed,
                         .axes = aob_camera_axes(camera),
                         .result = result};
-    size_t pixels = (size_t)job->width * (size_t)job->height;
+    size_t pixels = (size_t)tiles->width * (size_t)tiles->height;
     for (size_t i = 0; i < desc->term_count; i++) {
         job->terms[i] = unit_term(&desc->terms[i], tracer->to_unit);
         job->of_triangle = desc->terms[i].of_triangle;
@@ -306,11 +264,14 @@ bool aob_tracer_visibility(const struct aob_tracer *tracer, const struct aob_cam
                            const struct aob_hits *hits, const struct aob_visibility_desc *desc,
                            struct aob_visibility *result, struct aob_error *error)
 {
-    if (!check_desc(desc, hits, error))
+    const int part[] = {desc->x0, desc->y0, desc->width, desc->height};
+    struct aob_tiles tiles;
+    if (!aob_tiles_init(&tiles, hits, part, desc->spp, "visibility", error) || !check_terms(desc, error))
         return false;
     struct job job;
-    job_init(&job, tracer, camera, hits, desc, result);
-    do_all(&job);
+    job_init(&job, tracer, camera, &tiles, desc, result);
+    const struct aob_tiles_work work = {&job, sizeof(struct scratch), scratch_init, scratch_finish, do_pixel};
+    aob_tiles_run(&tiles, &work);
     free(job.terms);
     aob_sampler_finish(&job.sampler);
     return true;
