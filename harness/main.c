@@ -26,13 +26,9 @@ static const struct aob_command *const commands[] = {
     NULL,
 };
 static const struct aob_worker_job *const jobs[] = {
-    &aob_worker_describe, &aob_worker_probe,
-    &aob_worker_devices,  &aob_worker_timer,
-    &aob_worker_layout,   &aob_worker_mesh,
-    &aob_worker_capture,  &aob_worker_check,
-    &aob_worker_view,     &aob_worker_block,
-    &aob_worker_cache,    &aob_worker_stress,
-    &aob_worker_fuzz,     NULL,
+    &aob_worker_describe, &aob_worker_probe,   &aob_worker_devices, &aob_worker_timer, &aob_worker_layout,
+    &aob_worker_mesh,     &aob_worker_capture, &aob_worker_light,   &aob_worker_check, &aob_worker_view,
+    &aob_worker_block,    &aob_worker_cache,   &aob_worker_stress,  &aob_worker_fuzz,  NULL,
 };
 
 static enum aob_exit write_text(struct aob_text *text, struct aob_error *error)

@@ -98,6 +98,8 @@ bool aob_single_config(const char *name, const struct aob_single_flags *o, struc
       : listed ? &scene->name
                : &scene->file) = aob_strdup(capture ? capture : o->scene);
     scene->view = aob_strdup(o->view);
+    if (o->light)
+        aob_config_take_light(scene, o->light);
     if (!listed && o->view)
         return aob_fail(error, "a mesh file has no named views: use --eye, --target and --fov");
     struct aob_size *size = AOB_PUSH(config->sizes, config->size_count, config->size_capacity);

@@ -10,6 +10,7 @@
 /* Texts as given; NULL: not given. */
 struct aob_single_flags {
     const char *technique, *scene; /* scene: a listed one, a mesh file or capture:FILE */
+    const char *light;             /* a listed one or a probe's file */
     const char *view, *eye, *target, *fov, *ortho, *shift, *metres_per_unit, *size, *backend;
     const char *convention[AOB_CONVENTION_COUNT]; /* of a capture, by enum aob_convention_key */
     struct aob_words params; /* "name=value": parameters of the technique and run options */
@@ -32,6 +33,8 @@ struct aob_single_flags {
         AOB_FLAG_OF(type, member.shift, "shift", "x,y", "image moved right, up; in its heights"),            \
         AOB_FLAG_OF(type, member.metres_per_unit, "metres-per-unit", "M",                                    \
                     "of a mesh file or capture, for default lengths (1)"),                                   \
+        AOB_FLAG_OF(type, member.light, "light", "NAME",                                                     \
+                    "see: aobudget list lights; or a probe, FILE.exr (the scene's own)"),                    \
         AOB_FLAG_OF(type, member.size, "size", "WxH", "pixels (480x270)"),                                   \
         AOB_FLAG_OF(type, member.backend, "backend", "NAME", "see: aobudget list backends (vulkan)"),        \
         {"p", "name=value", "a parameter or run option; may be repeated", AOB_FLAG_MANY,                     \

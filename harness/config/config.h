@@ -9,6 +9,7 @@
  *     - {name: bunny, view: front}
  *     - {file: my.ply, eye: [0, 1, 4], target: [0, 1, 0], fov_deg: 60, shift: [0.5, 0],
  *        previous: {eye: [0.1, 1, 4], target: [0, 1, 0]}}    # a frame earlier; default: a still camera
+ *     - {name: cornell, light: sky}  # a listed light, or a probe: a lat-long picture, FILE.exr. Default: the scene's own
  *     - {capture: frame.exr, fov_deg: 60, depth: device_reversed, near: 0.1, far: inf}   # or name: capture:frame.exr
  *   resolutions: [480x270]
  *   backends: [vulkan, gl-egl]       # not needed if every technique has its own
@@ -63,8 +64,11 @@ struct aob_scene_choice {
     bool moves;
     struct aob_pose previous;         /* if it moves: a frame earlier */
     struct aob_convention convention; /* of a capture */
-    int width, height;           /* of a capture once it is loaded (captures.h), before the plan is made; */
-    char *gbuffer;               /* its file in the cache, known as late, */
+    char *light; /* a listed light, or a probe's path as the current folder sees it; NULL: the scene's */
+    bool is_probe;
+    double sh[27];     /* of a probe once it is loaded (probes.h): nine coefficients of R, G, B each */
+    int width, height; /* of a capture once it is loaded (captures.h), before the plan is made; */
+    char *gbuffer;     /* its file in the cache, known as late, */
     char geometry[AOB_KEY_SIZE]; /* and what it was made of: the file and what is stated of it; */
     char digest[AOB_KEY_SIZE];   /* with the version of its reader */
     int line, column;
@@ -148,6 +152,9 @@ bool aob_config_fail_at(const struct aob_config *config, int line, int column, s
 /* An entry's own backends, which stand in place of the config's, or those. */
 const struct aob_backend_choice *aob_config_backends(const struct aob_config *config,
                                                      const struct aob_technique_choice *choice);
+
+/* What lights a scene, as it was written: a name, or a probe's path, which has a slash or an ending. */
+void aob_config_take_light(struct aob_scene_choice *choice, const char *text);
 
 /* The defaults that a file starts from: nothing chosen, time, error and images measured, 1.5 s, 3 %, 256 spp. */
 void aob_config_init(struct aob_config *config);

@@ -37,6 +37,7 @@ void aob_scene_choice_finish(struct aob_scene_choice *choice)
     free(choice->view);
     free(choice->capture);
     free(choice->given);
+    free(choice->light);
     free(choice->gbuffer);
 }
 

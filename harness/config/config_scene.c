@@ -38,6 +38,12 @@ static bool read_scene_entry(struct aob_yaml *yaml, const char *key, yaml_node_t
                           : &choice->capture) = aob_strdup(text);
         return true;
     }
+    if (strcmp(key, "light") == 0) {
+        if (!aob_yaml_text(yaml, node, &text))
+            return false;
+        aob_config_take_light(choice, text);
+        return true;
+    }
     if (aob_config_is_convention(key, &convention))
         return (reader->convention = true) &&
                aob_config_read_convention(yaml, node, convention, &choice->convention);
@@ -69,6 +75,7 @@ static void push_scene(struct scene_reader *reader, const char *view)
     copy->file = aob_strdup(reader->choice.file);
     copy->capture = aob_strdup(reader->choice.capture);
     copy->given = aob_strdup(reader->choice.given);
+    copy->light = aob_strdup(reader->choice.light);
     copy->view = aob_strdup(view);
 }
 
@@ -100,33 +107,29 @@ static bool judge_scene(struct aob_yaml *yaml, const yaml_node_t *node, struct s
 static void resolve_path(const struct aob_config *config, struct aob_scene_choice *choice)
 {
     char **path = choice->file ? &choice->file : &choice->capture;
+    if (choice->is_probe) {
+        char *probe = aob_path_beside(config->place, choice->light);
+        free(choice->light);
+        choice->light = probe;
+    }
     if (!*path)
         return;
     choice->given = *path;
     *path = aob_path_beside(config->place, choice->given);
 }
 
-static const char *const keys[] = {"name",
-                                   "file",
-                                   "capture",
-                                   "view",
-                                   "views",
-                                   "eye",
-                                   "target",
-                                   "fov_deg",
-                                   "ortho_height",
-                                   "shift",
-                                   "previous",
-                                   "depth",
-                                   "near",
-                                   "far",
-                                   "normals",
-                                   "handed",
-                                   "up",
-                                   "depth_channel",
-                                   "normal_channel",
-                                   "metres_per_unit",
-                                   NULL};
+void aob_config_take_light(struct aob_scene_choice *choice, const char *text)
+{
+    free(choice->light);
+    choice->light = aob_strdup(text);
+    choice->is_probe = strpbrk(text, "/.");
+}
+
+static const char *const keys[] = {
+    "name",           "file",    "capture",         "view",   "views",    "eye",
+    "target",         "fov_deg", "ortho_height",    "shift",  "previous", "depth",
+    "near",           "far",     "normals",         "handed", "up",       "depth_channel",
+    "normal_channel", "light",   "metres_per_unit", NULL};
 
 bool aob_config_read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
 {
@@ -153,5 +156,6 @@ bool aob_config_read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
     free(reader.choice.file);
     free(reader.choice.capture);
     free(reader.choice.given);
+    free(reader.choice.light);
     return ok;
 }

@@ -10,7 +10,7 @@
 #include "profile/operations.h"
 
 struct aob_count_desc {
-    const struct aob_screen *screen; /* must outlive the count, as for aob_frame_init */
+    struct aob_screen *screen; /* must outlive the count, as for aob_frame_init */
     const struct aob_technique *technique;
     const void *values;
     enum aob_fetch fetch;

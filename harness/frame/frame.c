@@ -7,7 +7,7 @@
 #include "prelude.h"
 #include "programs.h"
 
-enum { MAX_BINDS = AOB_MAX_IN + 4 };
+enum { MAX_BINDS = AOB_MAX_IN + 6 };
 
 static uint32_t use_of(enum aob_gpu_bind_kind kind)
 {
@@ -22,50 +22,6 @@ static enum aob_gpu_bind_kind kind_of(enum aob_fetch fetch, enum aob_filter filt
 static enum aob_gpu_bind_kind input_kind(const struct aob_graph_bind *in, enum aob_fetch fetch)
 {
     return kind_of(fetch, in->filter, in->level_count);
-}
-
-static struct aob_gpu_texture *upload(struct aob_screen *screen, uint32_t uses, enum aob_format format,
-                                      void *texels, struct aob_error *error)
-{
-    const struct aob_projection *view = &screen->gbuffer->projection;
-    const struct aob_gpu_texture_desc desc = {
-        .format = format, .width = view->width, .height = view->height, .uses = uses, .texels = texels};
-    screen->unfit = !aob_gpu_texture_fits(screen->gpu, &desc, error);
-    struct aob_gpu_texture *texture = aob_gpu_texture_create(screen->gpu, &desc, error);
-    free(texels);
-    return texture;
-}
-
-bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struct aob_gbuffer *gbuffer,
-                     const struct aob_options *options, struct aob_error *error)
-{
-    *screen = (struct aob_screen){.gpu = gpu, .gbuffer = gbuffer};
-    struct aob_encoding *encoding = &screen->encoding;
-    uint32_t uses = use_of(kind_of((enum aob_fetch)options->fetch, AOB_NEAREST, 1));
-    if (!aob_encoding_init(encoding, options, gbuffer, error))
-        return false;
-    screen->depth = upload(screen, uses, aob_encoding_depth_format(encoding),
-                           aob_encoding_depth_texels(encoding, gbuffer), error);
-    if (aob_encoding_is_shared(encoding))
-        screen->normal = screen->depth;
-    else if (screen->depth && encoding->normals != AOB_NORMALS_FROM_DEPTH)
-        screen->normal = upload(screen, uses, aob_encoding_normal_format(encoding),
-                                aob_encoding_normal_texels(encoding, gbuffer), error);
-    if (screen->depth && (screen->normal || encoding->normals == AOB_NORMALS_FROM_DEPTH))
-        return true;
-    const bool unfit = screen->unfit;
-    aob_screen_finish(screen);
-    screen->unfit = unfit;
-    return false;
-}
-
-void aob_screen_finish(struct aob_screen *screen)
-{
-    if (screen->gpu && screen->normal != screen->depth)
-        aob_gpu_texture_destroy(screen->gpu, screen->normal);
-    if (screen->gpu)
-        aob_gpu_texture_destroy(screen->gpu, screen->depth);
-    *screen = (struct aob_screen){0};
 }
 
 /* A table's texels as the module writes them; NULL of a target. */
@@ -151,6 +107,10 @@ static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph
     }
     if ((pass->reads & AOB_NORMAL) && frame->screen->normal)
         binds[count++] = make_bind(kind, AOB_BINDING_NORMAL, AOB_NEAREST, frame->screen->normal);
+    if (pass->reads & AOB_MATERIAL) {
+        binds[count++] = make_bind(kind, AOB_BINDING_ALBEDO, AOB_NEAREST, frame->screen->albedo);
+        binds[count++] = make_bind(kind, AOB_BINDING_SHINE, AOB_NEAREST, frame->screen->shine);
+    }
     for (int i = 0; i < pass->in_count; i++) {
         const struct aob_graph_bind *in = &pass->in[i];
         binds[count] = make_bind(input_kind(in, frame->fetch), AOB_BINDING_FIRST_INPUT + i, in->filter,
@@ -169,9 +129,13 @@ static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph
 
 static struct aob_prelude_desc prelude_of(const struct aob_frame *frame, int index)
 {
-    return (struct aob_prelude_desc){&frame->graph, &frame->graph.passes[index],
-                                     frame->values, &frame->screen->encoding,
-                                     frame->fetch,  frame->planes};
+    return (struct aob_prelude_desc){.graph = &frame->graph,
+                                     .pass = &frame->graph.passes[index],
+                                     .values = frame->values,
+                                     .encoding = &frame->screen->encoding,
+                                     .fetch = frame->fetch,
+                                     .light = &frame->screen->light,
+                                     .planes = frame->planes};
 }
 
 static bool create_program(struct aob_frame *frame, int index, struct aob_error *error)
@@ -229,7 +193,7 @@ static bool create_pass(struct aob_frame *frame, int index, struct aob_error *er
     return frame->passes[index] || aob_fail_in(error, "pass '%s'", pass->name);
 }
 
-bool aob_frame_init_desc(struct aob_frame *frame, const struct aob_screen *screen,
+bool aob_frame_init_desc(struct aob_frame *frame, struct aob_screen *screen,
                          const struct aob_frame_desc *desc, struct aob_error *error)
 {
     const struct aob_technique *technique = desc->technique;
@@ -245,6 +209,10 @@ bool aob_frame_init_desc(struct aob_frame *frame, const struct aob_screen *scree
         return false;
     bool ok = aob_geometry_serves(screen->geometry, &frame->graph, &screen->gbuffer->projection, error);
     frame->unfit = !ok;
+    if (ok) {
+        ok = aob_screen_provide(screen, aob_graph_reads(&frame->graph), error);
+        frame->unfit = screen->unfit;
+    }
     ok = ok && (!frame->planes || aob_planes_init(frame->planes, &frame->graph, screen, error));
     ok = ok && create_textures(frame, error);
     for (int i = 0; ok && i < frame->graph.pass_count; i++)
@@ -257,9 +225,8 @@ bool aob_frame_init_desc(struct aob_frame *frame, const struct aob_screen *scree
     return ok;
 }
 
-bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
-                    const struct aob_technique *technique, const void *values, enum aob_fetch fetch,
-                    struct aob_error *error)
+bool aob_frame_init(struct aob_frame *frame, struct aob_screen *screen, const struct aob_technique *technique,
+                    const void *values, enum aob_fetch fetch, struct aob_error *error)
 {
     return aob_frame_init_desc(
         frame, screen, &(struct aob_frame_desc){.technique = technique, .values = values, .fetch = fetch},

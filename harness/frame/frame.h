@@ -2,29 +2,10 @@
 #ifndef AOB_FRAME_FRAME_H
 #define AOB_FRAME_FRAME_H
 #include "base/error.h"
-#include "gbuffer/encoding.h"
-#include "gbuffer/gbuffer.h"
-#include "geometry.h"
 #include "gpu/gpu.h"
+#include "screen.h"
 #include "technique/graph.h"
 #include "technique/option.h"
-
-/* The G-buffer on a device, in the encodings of some options; shared by the frames of a block that have the same. */
-struct aob_screen {
-    struct aob_gpu *gpu;
-    const struct aob_gbuffer *gbuffer; /* must outlive it */
-    struct aob_encoding encoding;
-    struct aob_gpu_texture *depth,
-        *normal; /* one texture where they are packed together; normal may be NULL */
-    const struct aob_geometry
-        *geometry; /* uploaded; set by the owner; NULL: a capture, or nothing needs it */
-    bool unfit;    /* after a refusal: the device lacks something that the encoding needs (unsupported) */
-};
-
-/* False leaves nothing behind but `unfit`. */
-bool aob_screen_init(struct aob_screen *screen, struct aob_gpu *gpu, const struct aob_gbuffer *gbuffer,
-                     const struct aob_options *options, struct aob_error *error);
-void aob_screen_finish(struct aob_screen *screen);
 
 struct aob_planes;
 struct aob_programs;
@@ -62,14 +43,13 @@ struct aob_frame_desc {
     const struct aob_gpu_rewrite *rewrites;
     const struct aob_gpu_buffer *storage;
 };
-bool aob_frame_init_desc(struct aob_frame *frame, const struct aob_screen *screen,
+bool aob_frame_init_desc(struct aob_frame *frame, struct aob_screen *screen,
                          const struct aob_frame_desc *desc, struct aob_error *error);
 
 /* Builds the graph (module code runs here), compiles and allocates. Only visibility is wanted. False leaves nothing behind
  * but `unfit`. */
-bool aob_frame_init(struct aob_frame *frame, const struct aob_screen *screen,
-                    const struct aob_technique *technique, const void *values, enum aob_fetch fetch,
-                    struct aob_error *error);
+bool aob_frame_init(struct aob_frame *frame, struct aob_screen *screen, const struct aob_technique *technique,
+                    const void *values, enum aob_fetch fetch, struct aob_error *error);
 void aob_frame_finish(struct aob_frame *frame);
 
 /* What the next runs see: the frame's number (`aob_frame` in GLSL, 0 after aob_frame_init) and the values of the uniform

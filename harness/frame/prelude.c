@@ -73,16 +73,21 @@ static void add_defines(const struct aob_prelude_desc *desc, struct aob_text *te
     }
 }
 
-static void add_uniforms(const struct aob_technique *technique, struct aob_text *text)
+static void add_uniforms(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
+    const struct aob_technique *technique = desc->graph->technique;
     aob_text_add(text,
                  "layout(std140, BIND(0)) uniform AobBlock {\n"
                  "    vec4 aob_lens;\n    ivec4 aob_sizes;\n    ivec4 aob_misc;\n    vec4 aob_range;\n");
+    if (desc->pass->reads & AOB_LIGHT)
+        aob_text_add(text, "    vec4 aob_sh[9];\n");
     for (uint32_t i = 0; i < technique->param_count; i++)
         if (technique->params[i].stage == AOB_UNIFORM)
             aob_text_add(text, "    %s %s;\n", technique->params[i].type == AOB_INT ? "int" : "float",
                          technique->params[i].name);
     aob_text_add(text, "} param;\n");
+    if (desc->pass->reads & AOB_LIGHT)
+        aob_text_add(text, "vec3 aob_light(int i) { return param.aob_sh[i].xyz; }\n");
 }
 
 bool aob_prelude_is_storage(enum aob_fetch fetch, enum aob_filter filter, int levels)
@@ -273,6 +278,13 @@ static void add_normal(const struct aob_prelude_desc *desc, struct aob_text *tex
                  aob_text_frame_normal);
 }
 
+static void add_material(const struct aob_prelude_desc *desc, struct aob_text *text)
+{
+    add_image(desc, "albedo", AOB_RGBA8, AOB_BINDING_ALBEDO, 1, AOB_NEAREST, text);
+    add_image(desc, "shine", AOB_RG8, AOB_BINDING_SHINE, 1, AOB_NEAREST, text);
+    aob_text_add(text, "%s", aob_text_frame_material);
+}
+
 /* What the vertices hand on: the triangle's corners, and its number among all that are drawn to a trace. */
 static void add_corners(const struct aob_prelude_desc *desc, const char *direction, struct aob_text *text)
 {
@@ -294,7 +306,7 @@ static void add_head(const struct aob_prelude_desc *desc, struct aob_text *text)
 {
     add_constants(desc, text);
     add_defines(desc, text);
-    add_uniforms(desc->graph->technique, text);
+    add_uniforms(desc, text);
     aob_text_add(text, "%s", aob_text_frame_prelude);
 }
 
@@ -341,6 +353,8 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
         add_depth(desc, text);
     if (pass->reads & AOB_NORMAL)
         add_normal(desc, text);
+    if (pass->reads & AOB_MATERIAL)
+        add_material(desc, text);
     for (int i = 0; i < pass->in_count; i++)
         add_input(desc, i, text);
     for (int o = 0; o < pass->out_count; o++)
@@ -354,29 +368,4 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
         add_traced_shader(desc, text);
     else
         add_shader(desc->graph->technique, pass->shader, text);
-}
-
-size_t aob_prelude_uniforms(const struct aob_prelude_desc *desc, const struct aob_projection *projection,
-                            int frame, unsigned char block[AOB_UNIFORM_MAX])
-{
-    const struct aob_technique *technique = desc->graph->technique;
-    double g = aob_graph_depth_divisor(desc->graph, desc->pass);
-    float lens[4] = {(float)(projection->sx * g), (float)(projection->sy * g),
-                     (float)((projection->cx - 0.5) / g + 0.5), (float)((projection->cy - 0.5) / g + 0.5)};
-    int32_t sizes[4] = {projection->width, projection->height}, misc[4] = {frame};
-    float range[4] = {desc->encoding->near, desc->encoding->far};
-    aob_graph_divided(projection->width, projection->height,
-                      aob_graph_target_divisor(desc->graph, desc->pass), &sizes[2], &sizes[3]);
-    memset(block, 0, AOB_UNIFORM_MAX);
-    memcpy(block, lens, sizeof lens);
-    memcpy(block + 16, sizes, sizeof sizes);
-    memcpy(block + 32, misc, sizeof misc);
-    memcpy(block + 48, range, sizeof range);
-    size_t used = AOB_UNIFORM_HEAD;
-    for (uint32_t i = 0; i < technique->param_count; i++)
-        if (technique->params[i].stage == AOB_UNIFORM) {
-            memcpy(block + used, (const char *)desc->values + technique->params[i].offset, 4);
-            used += 4;
-        }
-    return (used + 15) / 16 * 16;
 }

@@ -7,12 +7,13 @@
 #include "base/text.h"
 #include "gbuffer/encoding.h"
 #include "scene/camera.h"
+#include "scene/light.h"
 #include "technique/graph.h"
 #include "technique/option.h"
 
 /* The bindings of a pass. What may be read as a storage image comes first: on OpenGL a binding is an image unit, of
- * which drivers have 16 or 32 (the standard asks for 8, which holds depths, normal and four inputs). Reserved numbers
- * belong to what technique.h reserves; a texture of the last frame will be an input like others. */
+ * which drivers have 16 or 32 (the standard asks for 8, which holds depths, normal and four inputs). The reserved number
+ * belongs to what technique.h reserves; a texture of the last frame will be an input like others. */
 enum aob_binding {
     AOB_BINDING_UNIFORMS,
     AOB_BINDING_DEPTH,
@@ -20,11 +21,10 @@ enum aob_binding {
     AOB_BINDING_OWN_DEPTH,
     AOB_BINDING_FIRST_INPUT,
     AOB_BINDING_VELOCITY = AOB_BINDING_FIRST_INPUT + AOB_MAX_IN, /* reserved */
-    AOB_BINDING_ALBEDO,                                          /* reserved */
-    AOB_BINDING_MATERIAL,                                        /* reserved: roughness and metalness */
-    AOB_BINDING_IMAGE_COUNT,                                     /* from here on never an image */
+    AOB_BINDING_ALBEDO,
+    AOB_BINDING_SHINE,       /* roughness and metalness */
+    AOB_BINDING_IMAGE_COUNT, /* from here on never an image */
     AOB_BINDING_TRIANGLES = AOB_BINDING_IMAGE_COUNT,
-    AOB_BINDING_LIGHT, /* reserved: a block */
     AOB_BINDING_COUNT,
 };
 
@@ -35,6 +35,7 @@ struct aob_prelude_desc {
     const void *values;                  /* the technique's own struct */
     const struct aob_encoding *encoding; /* of the screen */
     enum aob_fetch fetch;                /* of the reads that aob_prelude_is_storage is for */
+    const struct aob_light *light;       /* view space; only of a pass that reads it */
     const struct aob_planes
         *planes; /* the pass writes down what it reads (frame/trace.h); NULL: it does not */
 };
@@ -49,8 +50,12 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
 void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_text *text);
 
 /* The std140 block: projection (of the pixels of the depth that the pass reads), sizes, frame, range of the depth
- * encoding, then the uniform parameters in table order. */
-enum { AOB_UNIFORM_HEAD = 64, AOB_UNIFORM_MAX = AOB_UNIFORM_HEAD + 4 * AOB_MAX_PARAM };
+ * encoding, of a pass that reads it the light, then the uniform parameters in table order. */
+enum {
+    AOB_UNIFORM_HEAD = 64,
+    AOB_UNIFORM_LIGHT = 9 * 16,
+    AOB_UNIFORM_MAX = AOB_UNIFORM_HEAD + AOB_UNIFORM_LIGHT + 4 * AOB_MAX_PARAM
+};
 size_t aob_prelude_uniforms(const struct aob_prelude_desc *desc, const struct aob_projection *projection,
                             int frame, unsigned char block[AOB_UNIFORM_MAX]);
 #endif

@@ -14,7 +14,7 @@
 enum { AOB_TRACE_DEVICE_BYTES = 128 << 20, AOB_TRACE_HOST_BYTES = 512 << 20 };
 
 struct aob_trace_desc {
-    const struct aob_screen *screen; /* must outlive the trace, as for aob_frame_init */
+    struct aob_screen *screen; /* must outlive the trace, as for aob_frame_init */
     const struct aob_technique *technique;
     const void *values;
     enum aob_fetch fetch;

@@ -3,6 +3,8 @@
 #include <string.h>
 #include "base/memory.h"
 
+const char aob_gbuffer_version[] = "2";
+
 static const char *const normal_names[3] = {"N.X", "N.Y", "N.Z"};
 static const char *const shading_names[3] = {"S.X", "S.Y", "S.Z"};
 
@@ -28,6 +30,19 @@ static void add_velocity(struct aob_image *image, const struct aob_hits *hits, s
 }
 
 static const char *const albedo_names[3] = {"albedo.R", "albedo.G", "albedo.B"};
+static const char *const shine_names[2] = {"roughness", "metalness"};
+
+/* One float of each material over the pixels: the float `at` bytes into it. */
+static void add_property(struct aob_image *image, const char *name, size_t at, const struct aob_hits *hits,
+                         const struct aob_mesh *mesh)
+{
+    size_t count = (size_t)image->width * (size_t)image->height;
+    float *channel = aob_image_add(image, name);
+    for (size_t i = 0; i < count; i++)
+        if (hits->primitive[i] != AOB_NO_PRIMITIVE)
+            memcpy(&channel[i], (const char *)aob_mesh_material(mesh, hits->primitive[i]) + at,
+                   sizeof channel[i]);
+}
 
 static void add_materials(struct aob_image *image, const struct aob_hits *hits, const struct aob_mesh *mesh,
                           size_t count)
@@ -39,12 +54,11 @@ static void add_materials(struct aob_image *image, const struct aob_hits *hits, 
         index[i] = hits->primitive[i] == AOB_NO_PRIMITIVE
                        ? -1.0f
                        : (float)aob_mesh_material_index(mesh, hits->primitive[i]);
-    for (int c = 0; c < 3; c++) {
-        float *channel = aob_image_add(image, albedo_names[c]);
-        for (size_t i = 0; i < count; i++)
-            if (hits->primitive[i] != AOB_NO_PRIMITIVE)
-                channel[i] = aob_mesh_material(mesh, hits->primitive[i])->base_colour[c];
-    }
+    for (size_t c = 0; c < 3; c++)
+        add_property(image, albedo_names[c], offsetof(struct aob_material, base_colour) + c * sizeof(float),
+                     hits, mesh);
+    add_property(image, shine_names[0], offsetof(struct aob_material, roughness), hits, mesh);
+    add_property(image, shine_names[1], offsetof(struct aob_material, metalness), hits, mesh);
 }
 
 bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh, const char *path,
@@ -96,6 +110,23 @@ void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,
     }
 }
 
+void aob_gbuffer_paint(struct aob_gbuffer *gbuffer, const struct aob_hits *hits, const struct aob_mesh *mesh)
+{
+    size_t count = (size_t)hits->width * (size_t)hits->height;
+    if (!mesh->materials)
+        return;
+    gbuffer->albedo = AOB_NEW_ARRAY(float, 3 * count);
+    gbuffer->shine = AOB_NEW_ARRAY(float, 2 * count);
+    for (size_t i = 0; i < count; i++) {
+        if (hits->primitive[i] == AOB_NO_PRIMITIVE)
+            continue;
+        const struct aob_material *material = aob_mesh_material(mesh, hits->primitive[i]);
+        memcpy(&gbuffer->albedo[3 * i], material->base_colour, sizeof material->base_colour);
+        gbuffer->shine[2 * i] = material->roughness;
+        gbuffer->shine[2 * i + 1] = material->metalness;
+    }
+}
+
 static bool copy_channels(struct aob_gbuffer *gbuffer, const struct aob_image *image, size_t count)
 {
     const float *z = aob_image_channel(image, "Z");
@@ -122,9 +153,11 @@ bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struc
     size_t count = (size_t)image.width * (size_t)image.height;
     if (fits) {
         gbuffer->albedo = interleave(&image, albedo_names, 3, 3);
+        gbuffer->shine = interleave(&image, shine_names, 2, 2);
         gbuffer->velocity = desc->camera->moves ? interleave(&image, velocity_names, 2, 2) : NULL;
     }
-    bool ok = fits && copy_channels(gbuffer, &image, count) && !gbuffer->velocity == !desc->camera->moves;
+    bool ok = fits && copy_channels(gbuffer, &image, count) && !gbuffer->albedo == !gbuffer->shine &&
+              !gbuffer->velocity == !desc->camera->moves;
     aob_image_finish(&image);
     if (!ok) {
         aob_gbuffer_finish(gbuffer);
@@ -155,6 +188,7 @@ void aob_gbuffer_finish(struct aob_gbuffer *gbuffer)
     free(gbuffer->normal);
     free(gbuffer->shading);
     free(gbuffer->albedo);
+    free(gbuffer->shine);
     free(gbuffer->velocity);
     *gbuffer = (struct aob_gbuffer){0};
 }

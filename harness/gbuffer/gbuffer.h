@@ -1,7 +1,7 @@
 /* The canonical G-buffer is what the ray tracer sees at pixel centres, in the form that shaders and scores read. It
  * travels between processes as an EXR file (Z, N.X N.Y N.Z, S.X S.Y S.Z, primitive; V.X V.Y if the camera moves;
- * material, albedo.R albedo.G albedo.B if the mesh has other materials than the default; Z = 0 and primitive =
- * material = -1 where sky). */
+ * material, albedo.R albedo.G albedo.B, roughness, metalness if the mesh has other materials than the default; Z = 0 and
+ * primitive = material = -1 where sky). */
 #ifndef AOB_GBUFFER_GBUFFER_H
 #define AOB_GBUFFER_GBUFFER_H
 #include <stdbool.h>
@@ -20,6 +20,7 @@ struct aob_gbuffer {
     float
         *velocity; /* two floats a pixel, as struct aob_hits has them; NULL: the camera is still, all are 0 */
     float *albedo; /* three floats a pixel: base colour, linear, 0 where sky; NULL: the default throughout */
+    float *shine;  /* two floats a pixel: roughness and metalness, 0 where sky; NULL with albedo */
 };
 #define AOB_GBUFFER_SKY 1e9f /* far beyond any scene, and its square is finite; AOB_SKY_Z in shaders */
 
@@ -27,6 +28,9 @@ struct aob_gbuffer {
  * aob_gbuffer_finish frees. */
 void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,
                       const struct aob_projection *projection, int guard);
+
+/* Adds the materials of the mesh that was hit to a G-buffer made of these hits; none if the mesh has no table of them. */
+void aob_gbuffer_paint(struct aob_gbuffer *gbuffer, const struct aob_hits *hits, const struct aob_mesh *mesh);
 
 /* Writes the hits into a file, with the materials of the mesh that was cast (an empty mesh for a capture).
  * aob_gbuffer_load reads such a file; it allocates as well. */
@@ -43,4 +47,7 @@ bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struc
  * which pixels are sky (primitive 0 or none), but no place on a triangle. Allocates; aob_hits_finish frees. */
 void aob_gbuffer_hits(const struct aob_gbuffer *gbuffer, struct aob_hits *hits);
 void aob_gbuffer_finish(struct aob_gbuffer *gbuffer);
+
+/* The version is raised when such files hold something else. It is part of cache keys. */
+extern const char aob_gbuffer_version[];
 #endif

@@ -5,14 +5,24 @@
 #include "base/json.h"
 #include "base/memory.h"
 
+static json_t *truths_to_json(const struct aob_block_target *target)
+{
+    json_t *truths = json_object();
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+        if (target->truth[which])
+            json_object_set_new(truths, aob_output_name((enum aob_output)which),
+                                aob_json_path(target->truth[which]));
+    return truths;
+}
+
 static json_t *targets_to_json(const struct aob_block_job *job)
 {
     json_t *targets = json_array();
     for (size_t i = 0; i < job->target_count; i++) {
         const struct aob_block_target *t = &job->targets[i];
-        json_array_append_new(targets, json_pack("{s:o, s:b, s:o, s:b}", "radius", aob_json_number(t->radius),
-                                                 "uniform", t->uniform, "truth", aob_json_path(t->truth),
-                                                 "bent", t->bent));
+        json_array_append_new(targets,
+                              json_pack("{s:o, s:b, s:o, s:b}", "radius", aob_json_number(t->radius),
+                                        "uniform", t->uniform, "truth", truths_to_json(t), "bent", t->bent));
     }
     return targets;
 }
@@ -47,11 +57,13 @@ static bool read_targets(const json_t *array, struct aob_block_job *job, struct 
     job->targets = AOB_NEW_ARRAY(struct aob_block_target, json_array_size(array));
     for (size_t i = 0; i < json_array_size(array); i++) {
         const json_t *object = json_array_get(array, i);
-        job->targets[job->target_count++] =
-            (struct aob_block_target){aob_json_to_number(json_object_get(object, "radius")),
-                                      json_is_true(json_object_get(object, "uniform")),
-                                      json_string_value(json_object_get(object, "truth")),
-                                      json_is_true(json_object_get(object, "bent"))};
+        struct aob_block_target *target = &job->targets[job->target_count++];
+        *target = (struct aob_block_target){.radius = aob_json_to_number(json_object_get(object, "radius")),
+                                            .uniform = json_is_true(json_object_get(object, "uniform")),
+                                            .bent = json_is_true(json_object_get(object, "bent"))};
+        for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+            target->truth[which] = json_string_value(
+                json_object_get(json_object_get(object, "truth"), aob_output_name((enum aob_output)which)));
         if (!(job->targets[i].radius > 0))
             return aob_fail(error, "target %zu of a block job has no radius", i);
     }

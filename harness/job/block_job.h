@@ -16,8 +16,10 @@
 struct aob_block_target { /* what every case of the block is compared with */
     double radius;        /* scene units; INFINITY allowed */
     bool uniform;         /* weighting of directions: the bare solid angle, else the cosine */
-    const char *truth;    /* file with AO and SE, and B.X B.Y B.Z where `bent`; NULL: nothing is compared */
-    bool bent;            /* a case of the block gives a bent normal */
+    /* Files of each output's truth; NULL: nothing is compared. The visibility's has AO and SE, and B.X B.Y B.Z where `bent`; the
+     * others are as job/term.h says. */
+    const char *truth[AOB_OUTPUT_COUNT];
+    bool bent; /* a case of the block gives a bent normal */
 };
 struct aob_block_case {
     struct aob_job_frame frame;

@@ -2,11 +2,21 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 #include "base/json.h"
 #include "base/memory.h"
 
+enum { LIGHT_NUMBERS = sizeof(struct aob_light) / sizeof(double) };
+
+int aob_term_components(enum aob_output output)
+{
+    return output == AOB_OUT_VISIBILITY_RGB || output == AOB_OUT_IRRADIANCE ? 3 : 1;
+}
+
 bool aob_term_same_trace(const struct aob_term *a, const struct aob_term *b)
 {
+    if (a->output != AOB_OUT_VISIBILITY || b->output != AOB_OUT_VISIBILITY)
+        return a == b;
     if (a->uniform != b->uniform || a->of_triangle != b->of_triangle || a->bound != b->bound)
         return false;
     return !a->bound || a->thickness == b->thickness;
@@ -23,6 +33,12 @@ json_t *aob_term_to_json(const struct aob_term *term)
         aob_term_set_bound(object, term->thickness);
     if (term->bent)
         json_object_set_new(object, "bent", json_true());
+    if (term->output != AOB_OUT_VISIBILITY)
+        json_object_set_new(object, "output", json_string(aob_output_name(term->output)));
+    if (term->output == AOB_OUT_VISIBILITY_RGB)
+        json_object_set_new(object, "bounces", json_integer(term->bounces));
+    if (term->output == AOB_OUT_IRRADIANCE)
+        json_object_set_new(object, "light", aob_json_vector(term->light.sh[0], LIGHT_NUMBERS));
     return object;
 }
 
@@ -49,6 +65,23 @@ static bool read_falloff(const json_t *array, struct aob_term *term, struct aob_
     return true;
 }
 
+static bool read_output(const json_t *object, struct aob_term *term, struct aob_error *error)
+{
+    const json_t *name = json_object_get(object, "output");
+    int which = 0;
+    while (name && which < AOB_OUTPUT_COUNT &&
+           (!json_is_string(name) ||
+            strcmp(json_string_value(name), aob_output_name((enum aob_output)which)) != 0))
+        which++;
+    if (which == AOB_OUTPUT_COUNT)
+        return aob_fail(error, "a term has an output that nobody knows");
+    term->output = (enum aob_output)which;
+    term->bounces = (int)json_integer_value(json_object_get(object, "bounces"));
+    return which != AOB_OUT_IRRADIANCE ||
+           aob_json_to_vector(json_object_get(object, "light"), term->light.sh[0], LIGHT_NUMBERS) ||
+           aob_fail(error, "a term's light has not %d numbers", LIGHT_NUMBERS);
+}
+
 bool aob_term_from_json(const json_t *object, struct aob_term *term, struct aob_error *error)
 {
     const json_t *thickness = json_object_get(object, "screen");
@@ -62,7 +95,7 @@ bool aob_term_from_json(const json_t *object, struct aob_term *term, struct aob_
         return aob_fail(error, "a term has no radius above 0");
     if (!(term->thickness >= 0))
         return aob_fail(error, "a term's bound has no thickness");
-    if (read_falloff(json_object_get(object, "falloff"), term, error))
+    if (read_output(object, term, error) && read_falloff(json_object_get(object, "falloff"), term, error))
         return true;
     aob_term_finish(term);
     return false;

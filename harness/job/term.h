@@ -1,13 +1,16 @@
-/* One visibility that a case is compared with, as it travels between processes: {radius, uniform, falloff, of_triangle,
- * screen, bent}. `screen` is there for what is traced against the screen-space bound only, `bent` where the mean open
- * direction is wanted too. The text of this object, keys in
- * this order, is a part of the name of the cached file, so the run hands it on as it is. */
+/* One image that a case is compared with, as it travels between processes: {radius, uniform, falloff, of_triangle, screen,
+ * bent, output, bounces, light}. `screen` is there for what is traced against the screen-space bound only, `bent` where the mean
+ * open direction is wanted too, `output` for the truth of another output than visibility, `light` for one that depends on
+ * it. The text of this object, keys in this order, is a part of the name of the cached file, so the run hands it on as it
+ * is. */
 #ifndef AOB_JOB_TERM_H
 #define AOB_JOB_TERM_H
 #include <jansson.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include "base/error.h"
+#include "scene/light.h"
+#include "technique/graph.h"
 
 struct aob_term {
     double radius; /* scene units; INFINITY allowed */
@@ -18,7 +21,16 @@ struct aob_term {
     bool bent;            /* the mean open direction is wanted too: channels B.X B.Y B.Z of its file */
     bool bound;           /* traced against the screen-space bound, */
     double thickness;     /* whose surfaces are so thick; 0: thin, INFINITY: as far as they go */
+    /* Whose truth it is. Of visibility after bounces, specular and irradiance only the radius counts besides: their files
+     * have the channels R G B (specular: R) and SE.R SE.G SE.B (SE.R). The irradiance is that of `light`. */
+    enum aob_output output;
+    int bounces;            /* of visibility after bounces: how many reflections count */
+    struct aob_light light; /* world space */
 };
+enum { AOB_TRUTH_BOUNCES = 8 }; /* that a run asks for */
+
+/* Components of such a file: 1 or 3; 1 of visibility. */
+int aob_term_components(enum aob_output output);
 
 /* Whether one set of rays serves both: same weighting, distance and surface. A cosine term that is traced beside a
  * uniform one has other noise, and a cached file must not depend on what else was wanted when it was made. */
@@ -27,7 +39,7 @@ bool aob_term_same_trace(const struct aob_term *a, const struct aob_term *b);
 json_t *aob_term_to_json(const struct aob_term *term); /* a new object */
 void aob_term_set_bound(json_t *term, double thickness);
 
-/* False with a line unless it has a radius above 0 and, if any, a table of numbers. Allocates the table;
+/* False with a line unless it has a radius above 0, a known output, and tables of numbers where there are any. Allocates the table;
  * aob_term_finish frees it. */
 bool aob_term_from_json(const json_t *object, struct aob_term *term, struct aob_error *error);
 void aob_term_finish(struct aob_term *term);

@@ -5,6 +5,8 @@
 #include "base/memory.h"
 #include "scene/camera_json.h"
 
+enum { LIGHT_NUMBERS = sizeof(struct aob_light) / sizeof(double) };
+
 void aob_job_view_to_json(const struct aob_job_view *view, json_t *job)
 {
     if (view->mesh)
@@ -17,6 +19,7 @@ void aob_job_view_to_json(const struct aob_job_view *view, json_t *job)
     json_object_set_new(job, "height", json_integer(view->height));
     json_object_set_new(job, "guard", json_integer(view->guard));
     json_object_set_new(job, "gbuffer", aob_json_path(view->gbuffer));
+    json_object_set_new(job, "light", aob_json_vector(view->light.sh[0], LIGHT_NUMBERS));
 }
 
 bool aob_job_view_from_json(const json_t *job, struct aob_job_view *view, struct aob_error *error)
@@ -29,6 +32,8 @@ bool aob_job_view_from_json(const json_t *job, struct aob_job_view *view, struct
                     &view->gbuffer) != 0)
         return aob_fail(error, "a job's view lacks a field");
     view->captured = captured;
+    if (!aob_json_to_vector(json_object_get(job, "light"), view->light.sh[0], LIGHT_NUMBERS))
+        return aob_fail(error, "a job's view has not the %d numbers of its light", LIGHT_NUMBERS);
     return aob_camera_from_json(json_object_get(job, "camera"), &view->camera, error);
 }
 

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include "base/error.h"
 #include "scene/camera.h"
+#include "scene/light.h"
 #include "term.h"
 
 struct aob_job_view {
@@ -15,6 +16,7 @@ struct aob_job_view {
     struct aob_camera camera;
     int width, height, guard; /* pixels; the guard band lies around width x height */
     const char *gbuffer;      /* file in the cache */
+    struct aob_light light;   /* world space */
 };
 /* Puts the view's members into a job's object, and takes them from there. */
 void aob_job_view_to_json(const struct aob_job_view *view, json_t *job);

@@ -62,6 +62,12 @@ bool aob_case_judge(const struct aob_case *c, struct aob_error *error)
     if (c->scene->gbuffer && aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER)
         return aob_fail(error, "%s: a capture has no triangles to draw: gbuffer must be canonical",
                         c->scene->name);
+    for (size_t i = AOB_OPTION_FIRST_OUTPUT + 1; c->scene->gbuffer && i < AOB_OPTION_COUNT; i++)
+        if (c->options[i] != 0)
+            return aob_fail(error,
+                            "%s: a capture has no materials and no surfaces to trace: there is no truth of "
+                            "%s: leave it off",
+                            c->scene->name, aob_option_params[i].name);
     return (c->width + 2 * guard) * (c->height + 2 * guard) <= 4e7 ||
            aob_fail(error, "%dx%d with a guard band of %g is more than 40 million pixels", c->width,
                     c->height, guard);

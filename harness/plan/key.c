@@ -24,10 +24,19 @@ static void describe_scene(const struct aob_plan *plan, const struct aob_plan_sc
         aob_text_add(text, " %.9g%s", scene->targets[i].radius, scene->targets[i].uniform ? "u" : "");
 }
 
+/* Only an output that depends on the light makes it a part of the question. */
+static void add_light(const struct aob_case *c, struct aob_text *text)
+{
+    struct aob_options options = aob_case_options(c);
+    if (aob_options_wanted(&options) >> AOB_OUT_IRRADIANCE & 1)
+        aob_text_add(text, " light=%s", c->scene->light_name);
+}
+
 static void make_key(struct aob_case *c, const char *scene)
 {
     struct aob_text text = {0};
     aob_case_settings(c, &text);
+    add_light(c, &text);
     aob_text_add(&text, "\n%s %u%s", c->technique->digest, c->technique->revision, scene);
     aob_hash_text(text.data, c->key);
     aob_text_finish(&text);
@@ -59,6 +68,7 @@ void aob_case_series(const struct aob_case *c, const char *device_class, char ke
 {
     struct aob_text text = {0};
     aob_case_settings(c, &text);
+    add_light(c, &text);
     aob_text_add(&text, "\n%s %s ", device_class, c->scene->geometry);
     add_view(c->scene, &text);
     aob_hash_text(text.data, key);

@@ -6,6 +6,7 @@
 #include "base/hash.h"
 #include "base/text.h"
 #include "config/config.h"
+#include "scene/light.h"
 #include "scene/scene.h"
 #include "technique/option.h"
 #include "technique/registry.h"
@@ -20,12 +21,14 @@ struct aob_plan_scene {                /* one view of one scene */
         view; /* "front", "camera", "camera-2", "capture" or "framed" (from the mesh's box, once it is loaded) */
     struct aob_camera camera; /* unset while framed */
     bool framed;
-    bool loaded;                 /* by this run: its warnings are printed, its framing is known */
-    bool checked;                /* by this run: run/check.h */
-    double metre;                /* scene units that stand for a metre in default lengths (scene.h) */
-    bool unit_stated;            /* how long its unit is was stated, or it is a listed scene */
-    char geometry[AOB_KEY_SIZE]; /* of the geometry's source, the same for every build of the program */
-    char digest[AOB_KEY_SIZE];   /* of that and the version of what reads it */
+    bool loaded;                   /* by this run: its warnings are printed, its framing is known */
+    bool checked;                  /* by this run: run/check.h */
+    double metre;                  /* scene units that stand for a metre in default lengths (scene.h) */
+    bool unit_stated;              /* how long its unit is was stated, or it is a listed scene */
+    struct aob_light light;        /* that lights it, world space */
+    char light_name[AOB_KEY_SIZE]; /* a listed light's name, or a hash of the coefficients */
+    char geometry[AOB_KEY_SIZE];   /* of the geometry's source, the same for every build of the program */
+    char digest[AOB_KEY_SIZE];     /* of that and the version of what reads it */
     /* What the cases are compared with, at most AOB_CONFIG_MAX_TARGETS: the config's, or each radius of the scene's
      * cases in order; none if no error is measured. */
     struct aob_target *targets;

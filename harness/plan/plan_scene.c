@@ -1,9 +1,11 @@
 #include "plan_scene.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/table.h"
+#include "scene/light.h"
 #include "scene/scene_folder.h"
 #include "scene/source.h"
 
@@ -140,14 +142,49 @@ static bool find_digest(struct chooser *chooser, size_t index, struct aob_error 
     return true;
 }
 
+static bool fail_unknown_light(const char *name, struct aob_error *error)
+{
+    struct aob_text all = {0};
+    for (const struct aob_light_info *l = aob_lights; l->name; l++)
+        aob_text_add(&all, "%s, ", l->name);
+    aob_fail(error, "unknown light '%s'; there are %sand probes: FILE.exr", name, all.data);
+    aob_text_finish(&all);
+    return false;
+}
+
+/* A scene whose light nobody states is lit by its own, and a mesh or a capture uniformly. */
+static bool choose_light(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                         struct aob_error *error)
+{
+    struct aob_light_projection projection;
+    const char *own = scene->info && scene->info->light ? scene->info->light : aob_lights[0].name;
+    const char *name = choice->light ? choice->light : own;
+    if (choice->is_probe) {
+        struct aob_text text = {0};
+        memcpy(scene->light.sh, choice->sh, sizeof scene->light.sh);
+        for (size_t i = 0; i < AOB_COUNT(choice->sh); i++)
+            aob_text_add(&text, " %.9g", choice->sh[i]);
+        aob_hash_text(text.data, scene->light_name);
+        aob_text_finish(&text);
+        return true;
+    }
+    const struct aob_light_info *info = aob_light_find(name);
+    if (!info)
+        return fail_unknown_light(name, error);
+    aob_light_make(info, &projection);
+    scene->light = projection.light;
+    snprintf(scene->light_name, sizeof scene->light_name, "%s", name);
+    return true;
+}
+
 static bool choose_scene(struct chooser *chooser, size_t index, struct aob_error *error)
 {
     const struct aob_scene_choice *choice = &chooser->plan->config->scenes[index];
     struct aob_plan_scene *scene = &chooser->plan->scenes[index];
     if (choice->capture)
-        return choose_capture(scene, choice, error);
-    return find_scene(chooser, scene, choice, error) && find_digest(chooser, index, error) &&
-           choose_camera(scene, choice, error);
+        return choose_capture(scene, choice, error) && choose_light(scene, choice, error);
+    return find_scene(chooser, scene, choice, error) && choose_light(scene, choice, error) &&
+           find_digest(chooser, index, error) && choose_camera(scene, choice, error);
 }
 
 /* Views that the config gives by numbers have no names of their own: the second camera on a scene is `camera-2`. So what

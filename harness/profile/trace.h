@@ -16,8 +16,8 @@ enum {
     AOB_TRACE_BAND_ROWS =
         64, /* a band begins at a multiple of it, so tiles of up to 64 rows lie whole in one */
     AOB_TRACE_MAX_TEXTURE =
-        AOB_MAX_TEXTURE + 4,   /* the graph's, and depth, normal and triangles of the screen */
-    AOB_TRACE_MAX_PLANE = 112, /* levels of AOB_MAX_IN inputs and of an own depth, depth, normal */
+        AOB_MAX_TEXTURE + 6,   /* the graph's, and depth, normal, materials and triangles of the screen */
+    AOB_TRACE_MAX_PLANE = 112, /* levels of AOB_MAX_IN inputs and of an own depth, depth, normal, materials */
 };
 #define AOB_TRACE_NONE UINT32_MAX /* the slot was not used; it is no word of texels, whatever its bits say */
 

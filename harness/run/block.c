@@ -35,7 +35,8 @@ static void keep_truths(struct aob_run_block *block)
         char *path = aob_path_join(block->m->folder, block->truths[t]);
         enum aob_sealed state = aob_sealed_judge(path, &error);
         bool lacks = state == AOB_SEALED_NONE || state == AOB_SEALED_WRONG;
-        if (state == AOB_SEALED_SHUT || (lacks && !aob_sealed_copy(block->files->truth[t], path, &error)))
+        if (state == AOB_SEALED_SHUT ||
+            (lacks && !aob_sealed_copy(block->files->truth[t][AOB_OUT_VISIBILITY], path, &error)))
             aob_warn("%s", error.text);
         free(path);
     }
@@ -129,7 +130,7 @@ static void name_truths(struct aob_run_block *block)
 {
     for (size_t t = 0; t < block->files->target_count; t++) {
         struct aob_text name = {0};
-        aob_text_add(&name, "truths/%s", strrchr(block->files->truth[t], '-') + 1);
+        aob_text_add(&name, "truths/%s", strrchr(block->files->truth[t][AOB_OUT_VISIBILITY], '-') + 1);
         block->truths[t] = name.data;
     }
 }

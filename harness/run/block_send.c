@@ -28,6 +28,16 @@ static struct aob_block_case describe_case(const struct aob_run_block *block, si
                                    .image = image};
 }
 
+static struct aob_block_target describe_target(const struct aob_run_block *block, size_t t)
+{
+    const struct aob_target *asked = &aob_run_block_case(block, 0)->scene->targets[t];
+    struct aob_block_target target = {
+        .radius = asked->radius, .uniform = asked->uniform, .bent = block->files->bent};
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+        target.truth[which] = block->files->truth[t][which];
+    return target;
+}
+
 static json_t *make_job(const struct aob_run_block *block, const struct aob_run_block_job *sent)
 {
     const struct aob_view_files *files = block->files;
@@ -53,8 +63,7 @@ static json_t *make_job(const struct aob_run_block *block, const struct aob_run_
                                 .cases = cases,
                                 .case_count = sent->count};
     for (size_t t = 0; t < files->target_count; t++)
-        targets[t] = (struct aob_block_target){c->scene->targets[t].radius, c->scene->targets[t].uniform,
-                                               files->truth[t], files->bent};
+        targets[t] = describe_target(block, t);
     for (size_t i = 0; i < sent->count; i++) {
         size_t place = sent->places[i];
         images[i] = sent->score ? image_path(block, place) : NULL;

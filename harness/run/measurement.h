@@ -59,9 +59,12 @@ void aob_measurement_block(struct aob_measurement *m, const size_t *indices, siz
 struct aob_view_files {
     char *mesh; /* a flat mesh; NULL where the scene is procedural or captured */
     char *gbuffer;
-    char **truth; /* of each of the scene's targets */
+    /* Of each of the scene's targets the truth of each output; NULL where no case of the block gives that, and for the
+     * bent normal, which lies in the visibility's file. */
+    char *(*truth)[AOB_OUTPUT_COUNT];
     size_t target_count;
-    bool bent; /* the truths hold their mean open directions too, because a case gives a bent normal */
+    unsigned outputs; /* that the block's cases give; bits 1 << enum aob_output */
+    bool bent;        /* the truths hold their mean open directions too, because a case gives a bent normal */
     char **
         definition; /* what a case claims; this and the next have `count` entries, NULL where a case has none */
     char **screen; /* the claim within the screen-space bound. The definition's file again where nothing is

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/shelf.h"
 #include "captures.h"
+#include "lights.h"
 
 /* Where a path leads to nothing, loading it will say so. */
 static bool same_file(const char *a, const char *b)
@@ -157,6 +158,7 @@ bool aob_sweep_expand(struct aob_sweep *sweep, const struct aob_dispatch *dispat
 {
     bool ok = read_budget(sweep, error) && describe(sweep, dispatch, error) &&
               aob_captures_load(&sweep->config, dispatch, error) &&
+              aob_lights_load(&sweep->config, dispatch, error) &&
               aob_plan_create(&sweep->plan, &sweep->config, &sweep->techniques, error);
     if (ok) {
         warn_of_units(sweep);

@@ -9,10 +9,13 @@
 #include "base/machine.h"
 #include "base/memory.h"
 #include "check.h"
+#include "gbuffer/gbuffer.h"
 #include "job/mesh_job.h"
 #include "job/view_job.h"
 #include "measurement.h"
 #include "reference/bound.h"
+#include "reference/incident.h"
+#include "reference/specular.h"
 #include "reference/tracer.h"
 
 /* Metres. A mesh beyond these is of another unit, or one that a radius of half a metre swallows or hardly touches. */
@@ -90,6 +93,17 @@ static void describe_view(const struct aob_case *c, int guard, bool motion, stru
     aob_text_add(text, " %dx%d+%d %s", c->width, c->height, guard, aob_tracer_version);
 }
 
+/* Of what computes a term besides the tracer. */
+static const char *version_of(const json_t *term)
+{
+    const char *output = json_string_value(json_object_get(term, "output"));
+    if (output && strcmp(output, aob_output_name(AOB_OUT_SPECULAR)) == 0)
+        return aob_specular_version;
+    if (output)
+        return aob_incident_version;
+    return json_object_get(term, "screen") ? aob_bound_version : "";
+}
+
 static char *term_path(const struct aob_measurement *m, const struct aob_case *c, json_t *term)
 {
     struct aob_text text = {0};
@@ -97,7 +111,7 @@ static char *term_path(const struct aob_measurement *m, const struct aob_case *c
     bool screen = json_object_get(term, "screen");
     /* Neither guard band nor motion changes the truth; the screen-space bound ends with the guard band. */
     describe_view(c, screen ? aob_case_options(c).guard_band : 0, false, &text);
-    aob_text_add(&text, " %d %s %s", m->plan->config->spp, screen ? aob_bound_version : "", line);
+    aob_text_add(&text, " %d %s %s", m->plan->config->spp, version_of(term), line);
     char *path = aob_cache_path(&m->cache, "visibility", text.data, ".exr");
     free(line);
     aob_text_finish(&text);
@@ -162,6 +176,20 @@ static bool gives_bent_normal(const struct aob_state *state)
     return state->outputs >> AOB_OUT_BENT_NORMAL & 1;
 }
 
+/* The truths of the outputs that have files of their own. */
+static void want_effects(struct aob_measurement *m, const struct aob_case *c, const struct aob_target *target,
+                         unsigned outputs, char *truth[AOB_OUTPUT_COUNT], struct missing *missing)
+{
+    for (int which = AOB_OUT_VISIBILITY_RGB; which < AOB_OUTPUT_COUNT; which++)
+        if (outputs >> which & 1)
+            truth[which] = want_term(m, c,
+                                     aob_term_to_json(&(struct aob_term){.radius = target->radius,
+                                                                         .output = (enum aob_output)which,
+                                                                         .bounces = AOB_TRUTH_BOUNCES,
+                                                                         .light = c->scene->light}),
+                                     missing);
+}
+
 struct aob_job_view aob_job_view_of(const struct aob_case *c, const struct aob_view_files *files)
 {
     return (struct aob_job_view){.mesh = files->mesh,
@@ -171,7 +199,8 @@ struct aob_job_view aob_job_view_of(const struct aob_case *c, const struct aob_v
                                  .width = c->width,
                                  .height = c->height,
                                  .guard = aob_case_options(c).guard_band,
-                                 .gbuffer = files->gbuffer};
+                                 .gbuffer = files->gbuffer,
+                                 .light = c->scene->light};
 }
 
 /* The worker judges what it needs. This is for what it did not foresee, and adds what a process takes in addresses
@@ -217,6 +246,7 @@ static void want_whole_view(struct aob_measurement *m, size_t index, struct miss
 {
     const struct aob_case *cases = m->plan->cases, *c = &cases[index];
     bool wanted[2] = {false, false}; /* truths without and with their mean open directions */
+    unsigned outputs = 0;
     for (size_t i = first_of_view(m, index); i < m->plan->case_count; i++) {
         size_t at = m->by_view[i];
         if (!same_view(c, &cases[at]))
@@ -224,12 +254,19 @@ static void want_whole_view(struct aob_measurement *m, size_t index, struct miss
         if (m->states[at].stage != AOB_PENDING)
             continue;
         wanted[gives_bent_normal(&m->states[at])] = true;
+        outputs |= m->states[at].outputs;
         free(want_claim(m, at, false, missing));
         free(want_claim(m, at, true, missing));
     }
     for (int bent = 0; bent < 2; bent++)
         for (size_t t = 0; wanted[bent] && t < c->scene->target_count; t++)
             free(want_truth(m, c, &c->scene->targets[t], bent, missing));
+    for (size_t t = 0; t < c->scene->target_count; t++) {
+        char *truth[AOB_OUTPUT_COUNT] = {NULL};
+        want_effects(m, c, &c->scene->targets[t], outputs, truth, missing);
+        for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+            free(truth[which]);
+    }
 }
 
 static char *gbuffer_path(const struct aob_measurement *m, const struct aob_case *c)
@@ -238,6 +275,7 @@ static char *gbuffer_path(const struct aob_measurement *m, const struct aob_case
     if (c->scene->gbuffer)
         return aob_strdup(c->scene->gbuffer);
     describe_view(c, aob_case_options(c).guard_band, true, &text);
+    aob_text_add(&text, " %s", aob_gbuffer_version);
     char *path = aob_cache_path(&m->cache, "gbuffer", text.data, ".exr");
     aob_text_finish(&text);
     return path;
@@ -252,8 +290,11 @@ static bool make_files(struct aob_measurement *m, const size_t *indices, struct 
         return false;
     if (!has && c->scene->gbuffer)
         return aob_fail(error, "%s: what was read of the capture is lost: run again", files->gbuffer);
-    for (size_t t = 0; t < files->target_count; t++)
-        files->truth[t] = want_truth(m, c, &c->scene->targets[t], files->bent, missing);
+    for (size_t t = 0; t < files->target_count; t++) {
+        const struct aob_target *target = &c->scene->targets[t];
+        files->truth[t][AOB_OUT_VISIBILITY] = want_truth(m, c, target, files->bent, missing);
+        want_effects(m, c, target, files->outputs, files->truth[t], missing);
+    }
     for (size_t i = 0; i < files->count && files->target_count; i++) {
         files->definition[i] = want_claim(m, indices[i], false, missing);
         files->screen[i] = want_claim(m, indices[i], true, missing);
@@ -276,13 +317,14 @@ static bool prepare(struct aob_measurement *m, const size_t *indices, size_t cou
     struct missing missing = {.terms = json_array(), .known = json_object()};
     *files = (struct aob_view_files){.mesh = mesh,
                                      .gbuffer = gbuffer_path(m, c),
-                                     .truth = AOB_NEW_ARRAY(char *, scene->target_count),
+                                     .truth = aob_alloc(scene->target_count, sizeof *files->truth),
                                      .target_count = scene->target_count,
                                      .definition = AOB_NEW_ARRAY(char *, count),
                                      .screen = AOB_NEW_ARRAY(char *, count),
                                      .count = count};
     for (size_t i = 0; i < count; i++)
-        files->bent = files->bent || gives_bent_normal(&m->states[indices[i]]);
+        files->outputs |= m->states[indices[i]].outputs;
+    files->bent = files->outputs >> AOB_OUT_BENT_NORMAL & 1;
     bool ok = make_files(m, indices, files, &missing, error);
     json_decref(missing.terms);
     json_decref(missing.known);
@@ -313,7 +355,8 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
 void aob_view_files_finish(struct aob_view_files *files)
 {
     for (size_t t = 0; t < files->target_count; t++)
-        free(files->truth[t]);
+        for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+            free(files->truth[t][which]);
     for (size_t i = 0; i < files->count; i++) {
         free(files->definition[i]);
         free(files->screen[i]);

@@ -24,6 +24,9 @@ struct aob_metrics {
     double definition_missing, definition_estimator, missing_estimator;
     double flip, ssim, pixels, band_pixels;
     double bent_mean, bent_p95, bent_pixels, bent_band, bent_band_normal, bent_band_pixels;
+    double bounce_rmse, bounce_band, bounce_bias, bounce_se, bounce_plain, bounce_model;
+    double specular_rmse, specular_band, specular_bias, specular_se, specular_plain;
+    double irradiance_rmse, irradiance_band, irradiance_bias, irradiance_se, irradiance_plain;
 };
 
 struct aob_metric {

@@ -40,7 +40,7 @@ static void make_geometry(const struct aob_fuzz_frame *frame, struct aob_geometr
 }
 
 /* A frame that nobody drew before: new textures, which hold whatever their memory held. */
-static enum aob_fuzz_fault draw_once(const struct aob_frame_desc *desc, const struct aob_screen *screen,
+static enum aob_fuzz_fault draw_once(const struct aob_frame_desc *desc, struct aob_screen *screen,
                                      float *pixels, float (*bent)[3], struct aob_error *error)
 {
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
@@ -55,7 +55,7 @@ static enum aob_fuzz_fault draw_once(const struct aob_frame_desc *desc, const st
     return ok ? AOB_FUZZ_FINE : unfit ? AOB_FUZZ_REFUSED : AOB_FUZZ_ERROR;
 }
 
-static enum aob_fuzz_fault draw_twice(const struct aob_frame_desc *desc, const struct aob_screen *screen,
+static enum aob_fuzz_fault draw_twice(const struct aob_frame_desc *desc, struct aob_screen *screen,
                                       struct aob_fuzz_sight *sight, struct aob_error *error)
 {
     enum aob_fuzz_fault fault = draw_once(desc, screen, sight->image, sight->bent, error);

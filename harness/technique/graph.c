@@ -160,14 +160,12 @@ static bool copy_defines(struct aob_pass_graph *graph, const struct aob_pass *de
 
 static bool judge_reads(const struct aob_pass_graph *graph, const struct aob_pass *desc)
 {
-    uint32_t reserved = AOB_VELOCITY | AOB_MATERIAL | AOB_LIGHT;
-    if (desc->reads & reserved)
-        return aob_fail(
-            graph->error,
-            "pass '%s' reads the velocity, material or light: they are reserved, and this program has "
-            "none to give yet",
-            desc->name);
-    if ((desc->reads & ~(uint32_t)(AOB_DEPTH | AOB_NORMAL)) || (unsigned)desc->border > AOB_FAR)
+    const uint32_t known = AOB_DEPTH | AOB_NORMAL | AOB_MATERIAL | AOB_LIGHT;
+    if (desc->reads & AOB_VELOCITY)
+        return aob_fail(graph->error,
+                        "pass '%s' reads the velocity: it is reserved, and this program has none to give yet",
+                        desc->name);
+    if ((desc->reads & ~known) || (unsigned)desc->border > AOB_FAR)
         return aob_fail(graph->error, "pass '%s': unknown bits in reads or border", desc->name);
     if (desc->depth.id > (uint32_t)graph->texture_count)
         return aob_fail(graph->error, "pass '%s': its depth is no texture of this graph", desc->name);
@@ -201,6 +199,17 @@ static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
     return true;
 }
 
+/* The formats that hold an output: bits 1 << enum aob_format. A share has any format; directions are signed, and light has
+ * no upper bound. */
+enum { FLOATS = 1 << AOB_RGBA16F | 1 << AOB_RGBA32F, ANY = (1 << AOB_FORMAT_COUNT) - 1 };
+static const uint32_t output_formats[AOB_OUTPUT_COUNT] = {
+    [AOB_OUT_VISIBILITY] = ANY,
+    [AOB_OUT_BENT_NORMAL] = FLOATS,
+    [AOB_OUT_VISIBILITY_RGB] = FLOATS | 1 << AOB_RGBA8,
+    [AOB_OUT_SPECULAR] = ANY,
+    [AOB_OUT_IRRADIANCE] = FLOATS,
+};
+
 static bool graph_output(struct aob_graph *interface, enum aob_output which, aob_tex tex)
 {
     struct aob_pass_graph *graph = own(interface);
@@ -210,21 +219,16 @@ static bool graph_output(struct aob_graph *interface, enum aob_output which, aob
         return aob_fail(graph->error, "an output is unknown or has no texture of this graph");
     const struct aob_graph_texture *texture = &graph->textures[tex.id - 1];
     const char *name = aob_output_name(which);
-    if (which > AOB_OUT_BENT_NORMAL)
-        return aob_fail(
-            graph->error,
-            "output %s is reserved: this program has no reference yet to compare it with; lay it where "
-            "aob_wants() asks for it",
-            name);
     if (graph->outputs[which] >= 0)
         return aob_fail(graph->error, "output %s is given twice", name);
     if (texture->divisor != 1 || texture->fill)
         return aob_fail(graph->error,
                         "output %s: texture '%s' is not full size: upsampling is part of the technique", name,
                         texture->name);
-    if (which == AOB_OUT_BENT_NORMAL && texture->format != AOB_RGBA16F && texture->format != AOB_RGBA32F)
-        return aob_fail(graph->error, "output %s: texture '%s' is %s: must be rgba16f or rgba32f", name,
-                        texture->name, aob_format_name(texture->format));
+    if (!(output_formats[which] >> texture->format & 1))
+        return aob_fail(graph->error, "output %s: texture '%s' is %s: must be %srgba16f or rgba32f", name,
+                        texture->name, aob_format_name(texture->format),
+                        which == AOB_OUT_VISIBILITY_RGB ? "rgba8, " : "");
     graph->outputs[which] = (int)tex.id - 1;
     return true;
 }

@@ -79,6 +79,9 @@ int aob_graph_depth_divisor(const struct aob_pass_graph *graph, const struct aob
 int aob_graph_target_divisor(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass);
 int aob_graph_bind_divisor(const struct aob_pass_graph *graph, const struct aob_graph_bind *bind);
 
+/* What the live passes read together: enum aob_read bits. */
+uint32_t aob_graph_reads(const struct aob_pass_graph *graph);
+
 /* Whether a live pass draws the scene's triangles. */
 bool aob_graph_needs_triangles(const struct aob_pass_graph *graph);
 

@@ -64,6 +64,15 @@ const char *aob_output_name(enum aob_output which)
     return names[which];
 }
 
+uint32_t aob_graph_reads(const struct aob_pass_graph *graph)
+{
+    uint32_t reads = 0;
+    for (int p = 0; p < graph->pass_count; p++)
+        if (graph->passes[p].live)
+            reads |= graph->passes[p].reads;
+    return reads;
+}
+
 bool aob_graph_needs_triangles(const struct aob_pass_graph *graph)
 {
     for (int p = 0; p < graph->pass_count; p++)

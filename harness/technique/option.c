@@ -45,9 +45,19 @@ const struct aob_param aob_option_params[AOB_OPTION_COUNT] = {
     AOB_PARAM(struct aob_options, bent_normal, .choices = switch_names,
               .doc =
                   "Whether the mean open direction is wanted too; off lays no pass and no texture for it."),
+    AOB_PARAM(struct aob_options, visibility_rgb, .choices = switch_names,
+              .doc =
+                  "Whether visibility after bounces between the surfaces is wanted too, for each channel."),
+    AOB_PARAM(struct aob_options, specular, .choices = switch_names,
+              .doc = "Whether the open share of the GGX lobe is wanted too."),
+    AOB_PARAM(struct aob_options, irradiance, .choices = switch_names,
+              .doc = "Whether the occluded irradiance of the scene's light is wanted too."),
 };
 
 uint32_t aob_options_wanted(const struct aob_options *options)
 {
-    return options->bent_normal ? 1u << AOB_OUT_BENT_NORMAL : 0;
+    return (options->bent_normal ? 1u << AOB_OUT_BENT_NORMAL : 0) |
+           (options->visibility_rgb ? 1u << AOB_OUT_VISIBILITY_RGB : 0) |
+           (options->specular ? 1u << AOB_OUT_SPECULAR : 0) |
+           (options->irradiance ? 1u << AOB_OUT_IRRADIANCE : 0);
 }

@@ -41,11 +41,12 @@ struct aob_options {
     int32_t gbuffer;    /* enum aob_gbuffer_source */
     int32_t threads;    /* of a software driver; 0: the driver's default */
     int32_t depth_encoding, normal_encoding, normals;
-    float near, far;     /* of the depth encoding, scene units; 0: from the view's own depths */
-    int32_t bent_normal; /* whether that output is wanted */
+    float near, far; /* of the depth encoding, scene units; 0: from the view's own depths */
+    int32_t bent_normal, visibility_rgb, specular, irradiance; /* whether these outputs are wanted */
 };
-/* From the first output on an option says whether an output is wanted besides visibility. */
-enum { AOB_OPTION_FIRST_OUTPUT = 9, AOB_OPTION_COUNT = 10 };
+/* From the first output on an option says whether an output is wanted besides visibility; they are in the order of enum
+ * aob_output. */
+enum { AOB_OPTION_FIRST_OUTPUT = 9, AOB_OPTION_COUNT = AOB_OPTION_FIRST_OUTPUT + AOB_OUTPUT_COUNT - 1 };
 
 extern const struct aob_param aob_option_params[AOB_OPTION_COUNT];
 

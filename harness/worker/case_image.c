@@ -5,6 +5,8 @@
 #include <string.h>
 #include "base/hash.h"
 #include "base/memory.h"
+#include "effects.h"
+#include "scene/material.h"
 #include "score/bent.h"
 #include "store/image.h"
 
@@ -19,6 +21,7 @@ void aob_case_image_finish(struct aob_case_image *image)
     free(image->se);
     free(image->definition);
     free(image->screen);
+    aob_case_effects_finish(image);
     *image = (struct aob_case_image){0};
 }
 
@@ -33,7 +36,7 @@ void aob_case_image_crop(const struct aob_block *block, const float *from, int s
                      (size_t)stride];
 }
 
-static bool is_sky(const struct aob_case_image *image, size_t i)
+bool aob_case_image_is_sky(const struct aob_case_image *image, size_t i)
 {
     return image->depth[i] >= 0.5f * AOB_GBUFFER_SKY;
 }
@@ -74,7 +77,7 @@ static void add_surface(struct aob_image *file, const struct aob_block *block,
     const struct aob_gbuffer *gbuffer = &block->drawing.gbuffer;
     float *z = aob_image_add(file, "Z");
     for (size_t i = 0; i < (size_t)file->width * (size_t)file->height; i++)
-        z[i] = is_sky(image, i) ? INFINITY : image->depth[i];
+        z[i] = aob_case_image_is_sky(image, i) ? INFINITY : image->depth[i];
     for (int n = 0; n < 3; n++)
         aob_case_image_crop(block, gbuffer->normal + n, 4, aob_image_add(file, normals[n]));
     for (int a = 0; a < 3 && gbuffer->albedo; a++)
@@ -89,9 +92,9 @@ static void add_error(struct aob_image *file, const struct aob_case_image *image
           *angle = image->open ? aob_image_add(file, "error.bent") : NULL;
     for (size_t i = 0; i < (size_t)file->width * (size_t)file->height; i++) {
         if (error)
-            error[i] = is_sky(image, i) ? 0 : image->ao[i] - image->truth[i];
+            error[i] = aob_case_image_is_sky(image, i) ? 0 : image->ao[i] - image->truth[i];
         if (angle)
-            angle[i] = is_sky(image, i) || !aob_bent_counts(image->open[i])
+            angle[i] = aob_case_image_is_sky(image, i) || !aob_bent_counts(image->open[i])
                            ? 0
                            : (float)aob_bent_angle(image->bent[i], image->open[i]);
     }
@@ -110,6 +113,24 @@ float (*aob_case_image_normals(const struct aob_block *block))[3]
     return normals;
 }
 
+float *aob_case_image_albedo(const struct aob_block *block)
+{
+    const struct aob_gbuffer *gbuffer = &block->drawing.gbuffer;
+    const struct aob_job_view *view = &block->job.drawing.view;
+    float *albedo = AOB_NEW_ARRAY(float, 3 * (size_t)view->width * (size_t)view->height), *into = albedo;
+    size_t stride = (size_t)gbuffer->projection.width, guard = (size_t)view->guard;
+    for (size_t y = guard; y < guard + (size_t)view->height; y++)
+        for (size_t x = guard; x < guard + (size_t)view->width; x++)
+            for (size_t c = 0; c < 3; c++) {
+                size_t i = y * stride + x;
+                float diffuse =
+                    1 - (gbuffer->shine ? gbuffer->shine[2 * i + 1] : aob_material_default.metalness);
+                *into++ = diffuse * (gbuffer->albedo ? gbuffer->albedo[3 * i + c]
+                                                     : aob_material_default.base_colour[c]);
+            }
+    return albedo;
+}
+
 void aob_case_image_digest(const struct aob_block *block, const struct aob_case_image *image,
                            char digest[AOB_KEY_SIZE])
 {
@@ -117,11 +138,17 @@ void aob_case_image_digest(const struct aob_block *block, const struct aob_case_
     aob_hash_begin(&hash);
     for (size_t i = 0; i < (size_t)block->job.drawing.view.width * (size_t)block->job.drawing.view.height;
          i++) {
-        if (is_sky(image, i))
+        if (aob_case_image_is_sky(image, i))
             continue;
         aob_hash_add(&hash, &image->ao[i], sizeof image->ao[i]);
         if (image->bent)
             aob_hash_add(&hash, image->bent[i], sizeof image->bent[i]);
+        for (int which = 0; which < AOB_OUTPUT_COUNT; which++) {
+            const struct aob_case_effect *effect = &image->effects[which];
+            size_t stride = (size_t)effect->components;
+            if (effect->image)
+                aob_hash_add(&hash, effect->image + i * stride, stride * sizeof *effect->image);
+        }
     }
     aob_hash_end(&hash, digest);
 }
@@ -137,6 +164,7 @@ bool aob_case_image_write(const struct aob_block *block, const struct aob_block_
     add_plane(&file, "reference.SE", image->se);
     add_vectors(&file, "technique.bent", (const float(*)[3])image->bent);
     add_vectors(&file, "reference.bent", (const float(*)[3])image->open);
+    aob_case_effects_store(image, &file);
     add_plane(&file, "definition.AO", image->definition);
     add_plane(&file, "screen.AO", image->screen);
     add_error(&file, image);

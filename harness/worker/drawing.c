@@ -22,8 +22,8 @@ static bool same_encoding(const struct aob_options *a, const struct aob_options 
 }
 
 /* `unfit` of a refusal is the device's. */
-static const struct aob_screen *use_screen(struct aob_drawing *drawing, const struct aob_options *options,
-                                           bool *unfit, struct aob_error *error)
+static struct aob_screen *use_screen(struct aob_drawing *drawing, const struct aob_options *options,
+                                     bool *unfit, struct aob_error *error)
 {
     for (size_t i = 0; i < drawing->screen_count; i++)
         if (same_encoding(&drawing->screen_options[i], options))
@@ -34,6 +34,8 @@ static const struct aob_screen *use_screen(struct aob_drawing *drawing, const st
     *unfit = screen->unfit;
     if (!ok)
         return NULL;
+    const struct aob_frame_axes axes = aob_camera_axes(&drawing->job->view.camera);
+    aob_light_turn(&drawing->job->view.light, &axes, &screen->light);
     screen->geometry = drawing->geometry.count ? &drawing->geometry : NULL;
     drawing->screen_options[drawing->screen_count++] = *options;
     return screen;

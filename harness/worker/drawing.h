@@ -35,8 +35,7 @@ void aob_drawing_finish(
 /* What a frame is made of. */
 struct aob_drawing_part {
     const struct aob_technique *technique;
-    const struct aob_screen
-        *screen; /* in the encodings of the case's options, made when they are first wanted */
+    struct aob_screen *screen; /* in the encodings of the case's options, made when they are first wanted */
     enum aob_fetch fetch;
     uint32_t wanted;                         /* outputs besides visibility (frame/frame.h) */
     unsigned char values[4 * AOB_MAX_PARAM]; /* the technique's own struct */

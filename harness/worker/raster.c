@@ -56,6 +56,7 @@ bool aob_drawing_draw(struct aob_drawing *drawing, struct aob_error *error)
     if (ok) {
         aob_raster_compare(&canonical, &drawn, &difference);
         aob_gbuffer_init(&drawing->drawn, &drawn, &drawing->gbuffer.projection, view->guard);
+        aob_gbuffer_paint(&drawing->drawn, &drawn, &drawing->mesh);
         drawing->difference = to_json(&difference);
     }
     aob_hits_finish(&canonical);

@@ -8,6 +8,7 @@
 #include "blank.h"
 #include "block.h"
 #include "case_image.h"
+#include "effects.h"
 #include "score/bent.h"
 #include "score/flip.h"
 #include "score/oracle_score.h"
@@ -154,8 +155,8 @@ static struct aob_score_desc describe(const struct aob_block *block, const struc
 }
 
 /* An entry of `errors`. The reference is scored too: its own error shows how small a difference is still meaningful. */
-static json_t *score_target(const struct aob_block *block, const struct aob_block_target *target,
-                            const struct aob_case_image *image, const struct traced *truth)
+static json_t *score_target(const struct aob_block *block, size_t f, const struct aob_block_target *target,
+                            struct aob_case_image *image, const struct traced *truth, struct aob_error *error)
 {
     struct aob_score_desc desc = describe(block, image, truth->ao, truth->se, target->radius);
     unsigned outputs = 1u << AOB_OUT_VISIBILITY;
@@ -170,6 +171,8 @@ static json_t *score_target(const struct aob_block *block, const struct aob_bloc
         aob_bent_score(&desc, (const float(*)[3])image->bent, &bent, &metrics);
         outputs |= 1u << AOB_OUT_BENT_NORMAL;
     }
+    if (!aob_case_effects_score(block, f, target, &desc, image, &metrics, &outputs, error))
+        return NULL;
     json_t *entry = json_pack("{s:{s:o, s:s}, s:s}", "target", "radius", aob_json_number(target->radius),
                               "weighting", target->uniform ? "uniform" : "cosine", "reference",
                               block->job.drawing.view.captured ? "screen" : "ray-traced");
@@ -193,15 +196,16 @@ static bool judge_drawn(const struct aob_block *block, size_t f, const struct ao
 }
 
 /* Against one target; the truth of the case's own one stays with the image. */
-static bool score_against(const struct aob_block *block, const struct aob_block_case *c, size_t t,
-                          struct aob_case_image *image, json_t *errors, struct aob_error *error)
+static bool score_against(const struct aob_block *block, size_t f, size_t t, struct aob_case_image *image,
+                          json_t *entries, struct aob_error *error)
 {
     const struct aob_block_target *target = &block->job.targets[t];
     struct traced truth = {0};
-    bool ok = load_traced(target->truth, block, target->bent, &truth, error);
-    if (ok)
-        json_array_append_new(errors, score_target(block, target, image, &truth));
-    if (ok && t == c->target) {
+    bool ok = load_traced(target->truth[AOB_OUT_VISIBILITY], block, target->bent, &truth, error);
+    json_t *entry = ok ? score_target(block, f, target, image, &truth, error) : NULL;
+    ok = entry;
+    json_array_set_new(entries, t, entry ? entry : json_null());
+    if (ok && t == block->job.cases[block->case_of_frame[f]].target) {
         image->truth = truth.ao;
         image->se = truth.se;
         image->open = image->bent ? truth.open : NULL;
@@ -213,13 +217,19 @@ static bool score_against(const struct aob_block *block, const struct aob_block_
     return ok;
 }
 
-static bool score_case(const struct aob_block *block, const struct aob_block_case *c,
-                       struct aob_case_image *image, json_t *answer, struct aob_error *error)
+/* The case's own target comes last, so that its truths stay with the image. */
+static bool score_case(const struct aob_block *block, size_t f, struct aob_case_image *image, json_t *answer,
+                       struct aob_error *error)
 {
     json_t *errors = json_array();
+    size_t count = block->job.error ? block->job.target_count : 0;
+    size_t own = block->job.cases[block->case_of_frame[f]].target;
     bool ok = true;
-    for (size_t t = 0; ok && block->job.error && t < block->job.target_count; t++)
-        ok = score_against(block, c, t, image, errors, error);
+    for (size_t t = 0; t < count; t++)
+        json_array_append_new(errors, json_null());
+    for (size_t t = 0; ok && t < count; t++)
+        ok = t == own || score_against(block, f, t, image, errors, error);
+    ok = ok && (!count || score_against(block, f, own, image, errors, error));
     if (json_array_size(errors))
         json_object_set(answer, "errors", errors);
     json_decref(errors);
@@ -232,7 +242,8 @@ static bool judge_values(const struct aob_block *block, const struct aob_case_im
 {
     struct aob_score_desc desc = describe(block, image, image->ao, NULL, 1);
     return aob_score_judge(&desc, error) &&
-           (!image->bent || aob_bent_judge(&desc, (const float(*)[3])image->bent, error));
+           (!image->bent || aob_bent_judge(&desc, (const float(*)[3])image->bent, error)) &&
+           aob_case_effects_judge(&desc, image, error);
 }
 
 static bool refuse(json_t *answer)
@@ -255,7 +266,7 @@ static bool judge_and_score(const struct aob_block *block, size_t f, struct aob_
     if (!load_claims(block, c, image, error))
         return false;
     map_claims(block->frames[f].graph.technique, c, pixels_of(block), image);
-    if (!score_case(block, c, image, answer, error)) {
+    if (!score_case(block, f, image, answer, error)) {
         json_object_del(answer, "errors");
         return false;
     }
@@ -268,10 +279,13 @@ static bool draw(struct aob_block *block, size_t f, struct aob_case_image *image
     if (!aob_frame_run(frame, 1, NULL, error) ||
         !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, image->ao, error))
         return false;
+    if (frame->graph.wanted & ~(unsigned)AOB_OUTPUTS_REQUIRED)
+        image->normal = aob_case_image_normals(block);
+    if (!aob_case_effects_read(block, frame, image, error))
+        return false;
     if (!aob_graph_gives(&frame->graph, AOB_OUT_BENT_NORMAL))
         return true;
     image->bent = aob_alloc(pixels_of(block), sizeof *image->bent);
-    image->normal = aob_case_image_normals(block);
     return aob_frame_read(frame, AOB_OUT_BENT_NORMAL, 3, image->bent[0], error);
 }
 

@@ -6,6 +6,8 @@
 #include "base/memory.h"
 #include "gbuffer/gbuffer.h"
 #include "reference/bound.h"
+#include "reference/incident.h"
+#include "reference/specular.h"
 #include "reference/tracer.h"
 #include "store/image.h"
 #include "worker.h"
@@ -22,6 +24,24 @@ static bool write_visibility(const struct aob_visibility *visibility, const stru
         float *channel = aob_image_add(&image, bent[c]);
         for (size_t i = 0; i < pixels; i++)
             channel[i] = visibility->bent[i][c];
+    }
+    bool ok = aob_image_write(&image, path, error);
+    aob_image_finish(&image);
+    return ok;
+}
+
+/* Channels R G B and SE.R SE.G SE.B, or the first of each where there is one component. */
+static bool write_effect(const float *values, const float *errors, int components,
+                         const struct aob_job_view *view, const char *path, struct aob_error *error)
+{
+    static const char *const names[2][3] = {{"R", "G", "B"}, {"SE.R", "SE.G", "SE.B"}};
+    struct aob_image image = {.width = view->width, .height = view->height};
+    size_t pixels = (size_t)view->width * (size_t)view->height, stride = (size_t)components;
+    for (size_t k = 0; k < 2 * stride; k++) {
+        const float *from = k < stride ? values : errors;
+        float *channel = aob_image_add(&image, names[k / stride][k % stride]);
+        for (size_t i = 0; i < pixels; i++)
+            channel[i] = from[i * stride + k % stride];
     }
     bool ok = aob_image_write(&image, path, error);
     aob_image_finish(&image);
@@ -46,7 +66,8 @@ static double bytes_of(const struct aob_view_job *job)
     double pixels = (double)view->width * view->height, bytes = 0;
     for (size_t i = 0; i < job->term_count; i++)
         if (!job->terms[i].term.bound)
-            bytes += job->terms[i].term.bent ? 20 * pixels : 8 * pixels;
+            bytes +=
+                (job->terms[i].term.bent ? 20 : 8 * aob_term_components(job->terms[i].term.output)) * pixels;
     return bytes + 72.0 * (view->width + 2 * view->guard) * (view->height + 2 * view->guard);
 }
 
@@ -180,6 +201,54 @@ static bool trace_terms(const struct scene *scene, const struct trace *trace, st
     return ok;
 }
 
+static bool trace_incident(const struct scene *scene, const struct aob_view_term *term,
+                           struct aob_error *error)
+{
+    const struct aob_job_view *view = &scene->job->view;
+    const struct aob_incident_desc desc = {
+        .radius = term->term.radius,
+        .bounces = term->term.bounces,
+        .light = term->term.output == AOB_OUT_IRRADIANCE ? &term->term.light : NULL,
+        .x0 = view->guard,
+        .y0 = view->guard,
+        .width = view->width,
+        .height = view->height,
+        .spp = scene->job->spp};
+    struct aob_incident result = {0};
+    bool ok = aob_tracer_incident(scene->tracer, &view->camera, &scene->hits, &desc, &result, error) &&
+              write_effect(result.rgb[0], result.se[0], 3, view, term->out, error);
+    aob_incident_finish(&result);
+    return ok;
+}
+
+static bool trace_specular(const struct scene *scene, const struct aob_view_term *term,
+                           struct aob_error *error)
+{
+    const struct aob_job_view *view = &scene->job->view;
+    const struct aob_specular_desc desc = {.radius = term->term.radius,
+                                           .roughness = -1,
+                                           .x0 = view->guard,
+                                           .y0 = view->guard,
+                                           .width = view->width,
+                                           .height = view->height,
+                                           .spp = scene->job->spp};
+    struct aob_specular result = {0};
+    bool ok = aob_tracer_specular(scene->tracer, &view->camera, &scene->hits, &desc, &result, error) &&
+              write_effect(result.so, result.se, 1, view, term->out, error);
+    aob_specular_finish(&result);
+    return ok;
+}
+
+/* The truth of one output besides visibility. */
+static bool trace_effect(const struct scene *scene, const struct aob_view_term *term, struct aob_error *error)
+{
+    if (!scene->tracer)
+        return aob_fail(error, "a capture has no surfaces to trace the truth of its %s",
+                        aob_output_name(term->term.output));
+    return term->term.output == AOB_OUT_SPECULAR ? trace_specular(scene, term, error)
+                                                 : trace_incident(scene, term, error);
+}
+
 /* One trace for all terms that the same rays serve. */
 static bool trace_with(const struct scene *scene, const struct aob_term *first, struct aob_error *error)
 {
@@ -206,7 +275,9 @@ static bool view(struct aob_worker *worker, struct aob_error *error)
     bool ok = judge_memory(&job, error) &&
               (job.view.captured ? load_view(&scene, error) : cast_view(&scene, error));
     for (size_t i = 0; ok && i < job.term_count; i++)
-        if (!scene.traced[i])
+        if (job.terms[i].term.output != AOB_OUT_VISIBILITY)
+            ok = trace_effect(&scene, &job.terms[i], error);
+        else if (!scene.traced[i])
             ok = trace_with(&scene, &job.terms[i].term, error);
     aob_hits_finish(&scene.hits);
     aob_tracer_destroy(scene.tracer);

@@ -25,8 +25,8 @@ struct aob_worker_job {
     bool (*run)(struct aob_worker *worker, struct aob_error *error);
 };
 extern const struct aob_worker_job aob_worker_describe, aob_worker_probe, aob_worker_devices,
-    aob_worker_timer, aob_worker_layout, aob_worker_mesh, aob_worker_capture, aob_worker_check,
-    aob_worker_view, aob_worker_block, aob_worker_cache;
+    aob_worker_timer, aob_worker_layout, aob_worker_mesh, aob_worker_capture, aob_worker_light,
+    aob_worker_check, aob_worker_view, aob_worker_block, aob_worker_cache;
 
 /* Reads a job and does it by the NULL-ended list; the exit code. */
 int aob_worker_main(const struct aob_worker_job *const *jobs);

@@ -56,19 +56,20 @@ static inline enum aob_format aob_step_format(const struct aob_step *step)
     return step->output == AOB_OUT_BENT_NORMAL ? AOB_RGBA16F : AOB_R16F;
 }
 
-/* Visibility and bent normal in one texture, so that one pass computes them and one filter smooths them: aob_open_kind()
- * says what its passes carry (`output` of the steps), and aob_open_outputs() gives what comes out in the end. */
+/* Visibility and bent normal in one texture, so that one pass computes them and one filter smooths them. aob_open_kind() says
+ * what such a texture carries where the bent normal is wanted for itself; a technique that makes another output of it asks
+ * for more. The kind is the texture's format, the `output` of its steps, and what aob_open_outputs() gives in the end. */
 static inline enum aob_output aob_open_kind(const struct aob_graph *graph)
 {
     return aob_wants(graph, AOB_OUT_BENT_NORMAL) ? AOB_OUT_BENT_NORMAL : AOB_OUT_VISIBILITY;
 }
-static inline enum aob_format aob_open_format(const struct aob_graph *graph)
+static inline enum aob_format aob_open_format(enum aob_output kind)
 {
-    return aob_step_format(&(struct aob_step){.output = aob_open_kind(graph)});
+    return aob_step_format(&(struct aob_step){.output = kind});
 }
-static inline bool aob_open_outputs(struct aob_graph *graph, aob_tex open)
+static inline bool aob_open_outputs(struct aob_graph *graph, enum aob_output kind, aob_tex open)
 {
-    return (!aob_wants(graph, AOB_OUT_BENT_NORMAL) || aob_output(graph, AOB_OUT_BENT_NORMAL, open)) &&
+    return (kind != AOB_OUT_BENT_NORMAL || aob_output(graph, AOB_OUT_BENT_NORMAL, open)) &&
            aob_output(graph, AOB_OUT_VISIBILITY, open);
 }
 
@@ -138,6 +139,21 @@ static inline aob_tex aob_lay_upsample(struct aob_graph *graph, const struct aob
              .reads = AOB_DEPTH | AOB_NORMAL, .in = {{.name = "low", .tex = step->tex}},
              .out = {{.name = "full", .tex = full}});
     return full;
+}
+
+/* aob_step_bounces(graph, .tex = open): visibility after bounces between surfaces of the pixel's own albedo, for each
+ * channel, by the polynomial of Jimenez et al. 2016; `open` is a visibility of full size, or a bent normal with one in w.
+ * One pass and the output itself; nothing where it is not wanted. */
+#define aob_step_bounces(graph, ...) aob_lay_bounces(graph, &(struct aob_step){__VA_ARGS__})
+static inline bool aob_lay_bounces(struct aob_graph *graph, const struct aob_step *step)
+{
+    if (!aob_wants(graph, AOB_OUT_VISIBILITY_RGB))
+        return true;
+    aob_tex bounced = aob_texture(graph, .name = "bounces", .format = AOB_RGBA16F);
+    return aob_pass(graph, .name = "bounces", .shader = "bounces", .reads = AOB_DEPTH | AOB_MATERIAL,
+                    .in = {{.name = "open", .tex = step->tex}},
+                    .out = {{.name = "bounced", .tex = bounced}}) &&
+           aob_output(graph, AOB_OUT_VISIBILITY_RGB, bounced);
 }
 
 /* aob_step_cross5(graph, .tex = raw, .taps = 5): the composite's cross of five pixels, over an image of full size.

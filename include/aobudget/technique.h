@@ -19,7 +19,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define AOB_ABI 6u /* raised by every change to this file: modules of another number are refused */
+#define AOB_ABI 7u /* raised by every change to this file: modules of another number are refused */
 enum {
     AOB_MAX_PARAM = 32,
     AOB_MAX_IN = 8,

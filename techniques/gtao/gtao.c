@@ -2,14 +2,21 @@
  * Indirect Occlusion", ATVI-TR-19-01. Horizons on both sides of each slice, closed-form inner integral. */
 #include <aobudget/steps.h>
 #include <math.h>
+#include <string.h>
+#include "lobe.h"
 #include "shaders.h"
 
 struct values {
     float radius, falloff;
-    int32_t slices, steps, weighting, noise_index, divisor, depth_divisor, blur;
+    int32_t slices, steps, weighting, noise_index, divisor, depth_divisor, blur, irradiance_by, specular_by;
 };
 
+enum { BY_MOMENTS, BY_ZONAL, BY_LOOK_UP, BY_PLAIN, BY_TRIPLE_PRODUCT };
+enum { BY_CAP, BY_CONE, BY_VISIBILITY };
 static const char *const weightings[] = {"cosine", "uniform", NULL};
+static const char *const irradiances[] = {"moments",    "zonal",          "bent_normal",
+                                          "visibility", "triple_product", NULL};
+static const char *const speculars[] = {"cap", "cone", "visibility", NULL};
 
 static const struct aob_param params[] = {
     AOB_PARAM(struct values, radius, .unit = AOB_UNIT_LENGTH, .scale = AOB_LOG2, .min = 1e-6, .max = 1e6,
@@ -31,6 +38,13 @@ static const struct aob_param params[] = {
     AOB_PARAM_DIVISOR(struct values, divisor),
     AOB_PARAM_DEPTH_DIVISOR(struct values, depth_divisor),
     AOB_PARAM_BLUR(struct values, blur, 5),
+    AOB_PARAM(struct values, irradiance_by, .stage = AOB_HOST, .choices = irradiances,
+              .doc =
+                  "How irradiance is made, where it is wanted; zonal is the text's, and the rest compare."),
+    AOB_PARAM(
+        struct values, specular_by, .stage = AOB_HOST, .choices = speculars,
+        .doc =
+            "How specular is made, where it is wanted: a closed cap, the text's open cone, or visibility."),
 };
 
 static float falloff(const void *values, float t)
@@ -39,23 +53,71 @@ static float falloff(const void *values, float t)
     return v->falloff > 0 ? fminf(1, (1 - t) / v->falloff) : 1;
 }
 
+/* Whether an output is wanted that is made of the bent normal. */
+static enum aob_output open_kind(const struct aob_graph *graph, const struct values *v)
+{
+    bool light = aob_wants(graph, AOB_OUT_IRRADIANCE) && v->irradiance_by != BY_PLAIN,
+         lobe = aob_wants(graph, AOB_OUT_SPECULAR) && v->specular_by != BY_VISIBILITY;
+    return light || lobe ? AOB_OUT_BENT_NORMAL : aob_open_kind(graph);
+}
+
+static bool lay_irradiance(struct aob_graph *graph, const struct values *v, aob_tex open)
+{
+    if (!aob_wants(graph, AOB_OUT_IRRADIANCE))
+        return true;
+    aob_tex light = aob_texture(graph, .name = "irradiance", .format = AOB_RGBA16F);
+    return aob_pass(graph, .name = "irradiance", .shader = "irradiance",
+                    .reads = AOB_DEPTH | AOB_NORMAL | AOB_LIGHT,
+                    .defines = {{"IRRADIANCE_BY", v->irradiance_by}}, .in = {{.name = "open", .tex = open}},
+                    .out = {{.name = "irradiance", .tex = light}}) &&
+           aob_output(graph, AOB_OUT_IRRADIANCE, light);
+}
+
+static bool lay_specular(struct aob_graph *graph, const struct values *v, aob_tex open)
+{
+    if (!aob_wants(graph, AOB_OUT_SPECULAR))
+        return true;
+    aob_tex specular = aob_texture(graph, .name = "specular", .format = AOB_R16F);
+    struct aob_pass pass = {.name = "specular",
+                            .shader = "plain_specular",
+                            .in = {{.name = "open", .tex = open}},
+                            .out = {{.name = "specular", .tex = specular}}};
+    if (v->specular_by != BY_VISIBILITY) {
+        pass.shader = "specular";
+        pass.reads = AOB_DEPTH | AOB_NORMAL | AOB_MATERIAL;
+        pass.in[1] = (struct aob_bind){
+            .name = "lobes",
+            .tex = aob_texture(graph, .name = "lobes", .format = AOB_R16, .width = GTAO_LOBE_EDGES,
+                               .height = GTAO_LOBE_CONES * GTAO_LOBE_SHAPES, .fill = gtao_lobe_fill),
+            .filter = AOB_BILINEAR};
+        const struct aob_define defines[] = {{"EDGES", GTAO_LOBE_EDGES},
+                                             {"CONES", GTAO_LOBE_CONES},
+                                             {"SHAPES", GTAO_LOBE_SHAPES},
+                                             {"LEAST_PERCENT", (int)(100 * GTAO_LOBE_LEAST + 0.5)},
+                                             {"SPECULAR_BY", v->specular_by}};
+        memcpy(pass.defines, defines, sizeof defines);
+    }
+    return aob_pass_add(graph, &pass) && aob_output(graph, AOB_OUT_SPECULAR, specular);
+}
+
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
+    enum aob_output kind = open_kind(graph, v);
     aob_tex depth = aob_step_downsample(graph, .divisor = v->depth_divisor);
-    aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(graph),
+    aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(kind),
                                .divisor = (uint32_t)v->divisor);
     aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = depth,
-             .border = AOB_FAR, .defines = {{"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)}},
+             .border = AOB_FAR, .defines = {{"BENT", kind == AOB_OUT_BENT_NORMAL}},
              .out = {{.name = "visibility", .tex = open}});
-    open = aob_step_blur(graph, .tex = open, .taps = v->blur, .divisor = v->divisor,
-                         .output = aob_open_kind(graph));
-    open = aob_step_upsample(graph, .tex = open, .divisor = v->divisor, .output = aob_open_kind(graph));
-    return aob_open_outputs(graph, open);
+    open = aob_step_blur(graph, .tex = open, .taps = v->blur, .divisor = v->divisor, .output = kind);
+    open = aob_step_upsample(graph, .tex = open, .divisor = v->divisor, .output = kind);
+    return aob_open_outputs(graph, kind, open) && aob_step_bounces(graph, .tex = open) &&
+           lay_irradiance(graph, v, open) && lay_specular(graph, v, open);
 }
 
 AOB_TECHNIQUE(
-    gtao, .title = "Ground-truth ambient occlusion", .revision = 5, .shaders = aob_shaders_gtao,
+    gtao, .title = "Ground-truth ambient occlusion", .revision = 6, .shaders = aob_shaders_gtao,
     .summary = "Visibility from horizons: in each slice about the view vector the highest elevation on both "
                "sides within the radius, then the closed-form integral of the cosine between them.",
     .notes =

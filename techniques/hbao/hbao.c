@@ -91,7 +91,7 @@ static bool build(struct aob_graph *graph, const void *values)
     aob_tex depth = aob_step_downsample(graph, .divisor = v->depth_divisor);
     aob_tex jitter = aob_texture(graph, .name = "jitter", .format = AOB_RGBA32F, .width = TILE,
                                  .height = TILE, .fill = fill_jitter);
-    aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(graph),
+    aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(aob_open_kind(graph)),
                                .divisor = (uint32_t)v->divisor);
     aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = depth,
              .border = AOB_FAR, .defines = {{"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)}},
@@ -99,7 +99,7 @@ static bool build(struct aob_graph *graph, const void *values)
     open = aob_step_blur(graph, .tex = open, .taps = v->blur, .divisor = v->divisor,
                          .output = aob_open_kind(graph));
     open = aob_step_upsample(graph, .tex = open, .divisor = v->divisor, .output = aob_open_kind(graph));
-    return aob_open_outputs(graph, open);
+    return aob_open_outputs(graph, aob_open_kind(graph), open);
 }
 
 static const struct aob_by_definition by_definition[] = {

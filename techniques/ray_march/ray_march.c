@@ -44,11 +44,11 @@ static float falloff(const void *values, float t)
 static bool build(struct aob_graph *graph, const void *values)
 {
     (void)values;
-    aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(graph));
+    aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(aob_open_kind(graph)));
     aob_pass(graph, .name = "march", .shader = "march", .reads = AOB_DEPTH | AOB_NORMAL, .border = AOB_FAR,
              .defines = {{"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)}},
              .out = {{.name = "visibility", .tex = open}});
-    return aob_open_outputs(graph, open);
+    return aob_open_outputs(graph, aob_open_kind(graph), open);
 }
 
 static const struct aob_by_definition by_definition[] = {

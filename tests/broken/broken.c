@@ -49,8 +49,8 @@ static aob_tex lay_soften(struct aob_graph *graph, aob_tex raw, const struct val
 {
     if (v->blur == 0)
         return raw;
-    aob_tex soft =
-        aob_texture(graph, .name = "soft", .format = aob_open_format(graph), .divisor = (uint32_t)v->divisor);
+    aob_tex soft = aob_texture(graph, .name = "soft", .format = aob_open_format(aob_open_kind(graph)),
+                               .divisor = (uint32_t)v->divisor);
     aob_pass(graph, .name = "soften", .shader = "soften", .reads = AOB_DEPTH | AOB_NORMAL,
              .defines = {{"FAULT", FAULT}}, .in = {{.name = "raw", .tex = raw}},
              .out = {{.name = "softened", .tex = soft}});
@@ -63,7 +63,7 @@ static aob_tex lay_upsample(struct aob_graph *graph, aob_tex low, const struct v
     enum { BILINEAR_UPSAMPLING = 23 };
     if (FAULT != BILINEAR_UPSAMPLING || v->divisor == 1)
         return aob_step_upsample(graph, .tex = low, .divisor = v->divisor, .output = aob_open_kind(graph));
-    aob_tex full = aob_texture(graph, .name = "full", .format = aob_open_format(graph));
+    aob_tex full = aob_texture(graph, .name = "full", .format = aob_open_format(aob_open_kind(graph)));
     aob_pass(graph, .name = "bilinear", .shader = "bilinear", .reads = AOB_DEPTH,
              .in = {{.name = "low", .tex = low}}, .out = {{.name = "full", .tex = full}});
     return full;
@@ -73,13 +73,13 @@ static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
     aob_tex pyramid = lay_pyramid(graph);
-    aob_tex raw = aob_texture(graph, .name = "visibility", .format = aob_open_format(graph),
+    aob_tex raw = aob_texture(graph, .name = "visibility", .format = aob_open_format(aob_open_kind(graph)),
                               .divisor = (uint32_t)v->divisor);
     aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = pyramid,
              .border = AOB_FAR,
              .defines = {{"FAULT", FAULT}, {"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)}},
              .out = {{.name = "visibility", .tex = raw}});
-    return aob_open_outputs(graph, lay_upsample(graph, lay_soften(graph, raw, v), v));
+    return aob_open_outputs(graph, aob_open_kind(graph), lay_upsample(graph, lay_soften(graph, raw, v), v));
 }
 
 AOB_TECHNIQUE(broken, .title = "Horizons, sound or with one fault", .citation = "tests", .revision = 1,

@@ -159,10 +159,9 @@ static void test_values_arrive(void **state)
 static void test_bindings_are_apart(void **state)
 {
     (void)state;
-    static const enum aob_binding single[] = {
-        AOB_BINDING_UNIFORMS,  AOB_BINDING_DEPTH,     AOB_BINDING_NORMAL,
-        AOB_BINDING_OWN_DEPTH, AOB_BINDING_VELOCITY,  AOB_BINDING_ALBEDO,
-        AOB_BINDING_MATERIAL,  AOB_BINDING_TRIANGLES, AOB_BINDING_LIGHT};
+    static const enum aob_binding single[] = {AOB_BINDING_UNIFORMS,  AOB_BINDING_DEPTH,    AOB_BINDING_NORMAL,
+                                              AOB_BINDING_OWN_DEPTH, AOB_BINDING_VELOCITY, AOB_BINDING_ALBEDO,
+                                              AOB_BINDING_SHINE,     AOB_BINDING_TRIANGLES};
     uint32_t used = ((1u << AOB_MAX_IN) - 1) << AOB_BINDING_FIRST_INPUT;
     for (size_t i = 0; i < AOB_COUNT(single); i++) {
         assert_true((int)single[i] <= (int)AOB_GPU_MAX_BINDING);
@@ -173,8 +172,7 @@ static void test_bindings_are_apart(void **state)
     assert_true(AOB_BINDING_IMAGE_COUNT <= 16);
     assert_true(AOB_BINDING_FIRST_INPUT + AOB_MAX_IN <= AOB_BINDING_IMAGE_COUNT);
     assert_true(AOB_BINDING_VELOCITY < AOB_BINDING_IMAGE_COUNT &&
-                AOB_BINDING_ALBEDO < AOB_BINDING_IMAGE_COUNT &&
-                AOB_BINDING_MATERIAL < AOB_BINDING_IMAGE_COUNT);
+                AOB_BINDING_ALBEDO < AOB_BINDING_IMAGE_COUNT && AOB_BINDING_SHINE < AOB_BINDING_IMAGE_COUNT);
 }
 
 int main(void)

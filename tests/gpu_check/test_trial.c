@@ -14,7 +14,7 @@
 enum { W = 64, H = 36 };
 static const double pass_ms = 1e-4 * W * H;
 
-static void start_gtao(struct aob_frame *frame, const struct aob_screen *screen)
+static void start_gtao(struct aob_frame *frame, struct aob_screen *screen)
 {
     const struct aob_technique *const *t = aob_builtin_techniques;
     double numbers[AOB_MAX_PARAM];

@@ -33,6 +33,7 @@ static const struct aob_job_view view = {.mesh = "/cache/a.mesh",
                                          .width = 320,
                                          .height = 180,
                                          .guard = 16,
+                                         .light = {.sh = {{1, 2, 3}, [8] = {0, 0, -0.25}}},
                                          .gbuffer = "/cache/g.exr"};
 
 static void check_view(const struct aob_job_view *v)
@@ -44,6 +45,7 @@ static void check_view(const struct aob_job_view *v)
     assert_int_equal(v->height, 180);
     assert_int_equal(v->guard, 16);
     assert_false(v->captured);
+    assert_memory_equal(&v->light, &view.light, sizeof view.light);
     assert_true(v->camera.eye.z == 3.25 && v->camera.target.x == 0.1 && v->camera.target.z == -4);
     assert_true(v->camera.fov_deg == 47 && v->camera.ortho_height == 0);
     assert_true(v->camera.shift[0] == 0.25 && v->camera.shift[1] == -0.5);
@@ -102,7 +104,9 @@ static void a_view_job(void **state)
     json_decref(message);
 }
 
-static struct aob_block_target targets[] = {{0.25, false, "t.exr", true}, {INFINITY, true, NULL, false}};
+static struct aob_block_target targets[] = {
+    {0.25, false, {[AOB_OUT_VISIBILITY] = "t.exr", [AOB_OUT_IRRADIANCE] = "l.exr"}, true},
+    {INFINITY, true, {NULL}, false}};
 static struct aob_block_case cases[] = {{.frame = {.technique = {"gtao", "one.so", "0123"},
                                                    .params = {0.5, 3},
                                                    .param_count = 2,
@@ -139,9 +143,12 @@ static void check_block(const struct aob_block_job *job)
     assert_string_equal(job->clock_reason, "it lies");
     assert_int_equal(job->target_count, 2);
     assert_true(job->targets[0].radius == 0.25 && !job->targets[0].uniform && job->targets[0].bent);
-    assert_path(job->targets[0].truth, "t.exr");
-    assert_true(isinf(job->targets[1].radius) && job->targets[1].uniform && !job->targets[1].truth &&
-                !job->targets[1].bent);
+    assert_path(job->targets[0].truth[AOB_OUT_VISIBILITY], "t.exr");
+    assert_path(job->targets[0].truth[AOB_OUT_IRRADIANCE], "l.exr");
+    assert_null(job->targets[0].truth[AOB_OUT_SPECULAR]);
+    assert_true(isinf(job->targets[1].radius) && job->targets[1].uniform && !job->targets[1].bent);
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+        assert_null(job->targets[1].truth[which]);
     assert_int_equal(job->case_count, 2);
     assert_string_equal(job->cases[0].frame.technique.technique, "gtao");
     assert_path(job->cases[0].frame.technique.module, "one.so");

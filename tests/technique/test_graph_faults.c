@@ -155,29 +155,28 @@ static bool build_output_twice(struct aob_graph *g, const void *values)
     return give(g, AOB_OUT_VISIBILITY, AOB_R16F);
 }
 
-static bool build_specular(struct aob_graph *g, const void *values)
+static bool build_byte_irradiance(struct aob_graph *g, const void *values)
 {
     (void)values;
-    return give(g, AOB_OUT_SPECULAR, AOB_R16F);
+    return give(g, AOB_OUT_IRRADIANCE, AOB_RGBA8);
+}
+
+static bool build_half_bounces(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return give(g, AOB_OUT_VISIBILITY_RGB, AOB_R16F);
+}
+
+static bool build_unknown_read(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH | 1u << 5, .out = OUT(RAW(g)));
 }
 
 static bool build_unwritten_bent_normal(struct aob_graph *g, const void *values)
 {
     aob_tex more = aob_texture(g, .name = "more", .format = AOB_RGBA32F);
     return build_chain(g, values) && aob_output(g, AOB_OUT_BENT_NORMAL, more);
-}
-
-static bool build_material(struct aob_graph *g, const void *values)
-{
-    (void)values;
-    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH | AOB_MATERIAL,
-                    .out = OUT(RAW(g)));
-}
-
-static bool build_light(struct aob_graph *g, const void *values)
-{
-    (void)values;
-    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH | AOB_LIGHT, .out = OUT(RAW(g)));
 }
 
 /* The second texture of one name is the fault; the pass and the output after it only follow from it. */
@@ -237,40 +236,41 @@ static bool build_too_many(struct aob_graph *g, const void *values)
 static const struct {
     bool (*build)(struct aob_graph *, const void *);
     const char *says;
-} cases[] = {{build_loop, "no earlier pass writes"},
-             {build_no_output, "gives no output visibility"},
-             {build_unwritten, "no pass writes texture 'raw'"},
-             {build_twice_written, "already written"},
-             {build_no_shader, "no shader text 'three'"},
-             {build_same_names, "two textures are named 'raw'"},
-             {build_half_output, "not full size"},
-             {build_mixed_sizes, "different sizes"},
-             {build_ignores_failure, "lower-case"},
-             {build_too_many, "more than 64 textures"},
-             {build_written_table, "writes the table"},
-             {build_divided_table, "no divisor"},
-             {build_sized_target, "a target none of the three"},
-             {build_byte_depth, "not a target of r16f or r32f"},
-             {build_unread_depth, "does not read it"},
-             {build_unwritten_depth, "no earlier pass writes"},
-             {build_no_vertex_shader, "no shader text 'three'"},
-             {build_unnamed_vertex_shader, "a vertex shader has no name"},
-             {build_four_vertices, "per_triangle is 4"},
-             {build_too_many_vertices, "per_triangle is 39"},
-             {build_no_reach, "reach is 0"},
-             {build_screen_with_vertex, "of AOB_TRIANGLES only"},
-             {build_unknown_draw, "unknown draw"},
-             {build_byte_bent_normal, "bent_normal: texture 'more' is rgba8: must be rgba16f or rgba32f"},
-             {build_output_twice, "output visibility is given twice"},
-             {build_specular, "output specular is reserved"},
-             {build_unwritten_bent_normal, "no pass writes texture 'more' of the output bent_normal"},
-             {build_velocity, "velocity, material or light: they are reserved"},
-             {build_material, "velocity, material or light: they are reserved"},
-             {build_light, "velocity, material or light: they are reserved"},
-             {build_two_faults, "two textures are named 'twin'"},
-             {build_previous, "previous textures are reserved"},
-             {build_lower_define, "define 'wide'"},
-             {build_prelude_define, "define 'AOB_DIVISOR'"}};
+} cases[] = {
+    {build_loop, "no earlier pass writes"},
+    {build_no_output, "gives no output visibility"},
+    {build_unwritten, "no pass writes texture 'raw'"},
+    {build_twice_written, "already written"},
+    {build_no_shader, "no shader text 'three'"},
+    {build_same_names, "two textures are named 'raw'"},
+    {build_half_output, "not full size"},
+    {build_mixed_sizes, "different sizes"},
+    {build_ignores_failure, "lower-case"},
+    {build_too_many, "more than 64 textures"},
+    {build_written_table, "writes the table"},
+    {build_divided_table, "no divisor"},
+    {build_sized_target, "a target none of the three"},
+    {build_byte_depth, "not a target of r16f or r32f"},
+    {build_unread_depth, "does not read it"},
+    {build_unwritten_depth, "no earlier pass writes"},
+    {build_no_vertex_shader, "no shader text 'three'"},
+    {build_unnamed_vertex_shader, "a vertex shader has no name"},
+    {build_four_vertices, "per_triangle is 4"},
+    {build_too_many_vertices, "per_triangle is 39"},
+    {build_no_reach, "reach is 0"},
+    {build_screen_with_vertex, "of AOB_TRIANGLES only"},
+    {build_unknown_draw, "unknown draw"},
+    {build_byte_bent_normal, "bent_normal: texture 'more' is rgba8: must be rgba16f or rgba32f"},
+    {build_output_twice, "output visibility is given twice"},
+    {build_byte_irradiance, "irradiance: texture 'more' is rgba8: must be rgba16f or rgba32f"},
+    {build_half_bounces, "visibility_rgb: texture 'more' is r16f: must be rgba8, rgba16f or rgba32f"},
+    {build_unknown_read, "unknown bits in reads"},
+    {build_unwritten_bent_normal, "no pass writes texture 'more' of the output bent_normal"},
+    {build_velocity, "reads the velocity: it is reserved"},
+    {build_two_faults, "two textures are named 'twin'"},
+    {build_previous, "previous textures are reserved"},
+    {build_lower_define, "define 'wide'"},
+    {build_prelude_define, "define 'AOB_DIVISOR'"}};
 
 static void test_broken_graphs_are_named(void **state)
 {

@@ -22,8 +22,7 @@ static const struct aob_technique *builtin(const char *name)
     return *t;
 }
 
-static void init(struct aob_frame *frame, const struct aob_screen *screen,
-                 const struct aob_technique *technique)
+static void init(struct aob_frame *frame, struct aob_screen *screen, const struct aob_technique *technique)
 {
     double numbers[AOB_MAX_PARAM];
     unsigned char values[4 * AOB_MAX_PARAM] = {0};

@@ -1,0 +1,186 @@
+#include "effects.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include "base/memory.h"
+#include "job/term.h"
+#include "scene/light.h"
+#include "store/image.h"
+
+static size_t pixels_of(const struct aob_block *block)
+{
+    return (size_t)block->job.drawing.view.width * (size_t)block->job.drawing.view.height;
+}
+
+bool aob_case_effects_read(const struct aob_block *block, struct aob_frame *frame,
+                           struct aob_case_image *image, struct aob_error *error)
+{
+    for (int which = AOB_OUT_VISIBILITY_RGB; which < AOB_OUTPUT_COUNT; which++) {
+        struct aob_case_effect *effect = &image->effects[which];
+        if (!aob_graph_gives(&frame->graph, (enum aob_output)which))
+            continue;
+        effect->components = aob_term_components((enum aob_output)which);
+        effect->image = AOB_NEW_ARRAY(float, pixels_of(block) * (size_t)effect->components);
+        if (!aob_frame_read(frame, (enum aob_output)which, effect->components, effect->image, error))
+            return false;
+    }
+    return true;
+}
+
+bool aob_case_effects_judge(const struct aob_score_desc *desc, const struct aob_case_image *image,
+                            struct aob_error *error)
+{
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++) {
+        const struct aob_case_effect *effect = &image->effects[which];
+        const struct aob_effect judged = {
+            .output = (enum aob_output)which, .components = effect->components, .image = effect->image};
+        if (effect->image && !aob_effect_judge(desc, &judged, error))
+            return false;
+    }
+    return true;
+}
+
+/* Channels side by side, `components` floats a pixel; NULL unless all are there. */
+static float *interleave(const struct aob_image *file, const char *const *names, int components)
+{
+    size_t pixels = (size_t)file->width * (size_t)file->height, stride = (size_t)components;
+    float *into = AOB_NEW_ARRAY(float, pixels *stride);
+    for (size_t c = 0; c < stride; c++) {
+        const float *channel = aob_image_channel(file, names[c]);
+        if (!channel) {
+            free(into);
+            return NULL;
+        }
+        for (size_t i = 0; i < pixels; i++)
+            into[i * stride + c] = channel[i];
+    }
+    return into;
+}
+
+static bool load_truth(const struct aob_block *block, const char *path, struct aob_case_effect *effect,
+                       struct aob_error *error)
+{
+    static const char *const values[] = {"R", "G", "B"}, *const errors[] = {"SE.R", "SE.G", "SE.B"};
+    const struct aob_job_view *view = &block->job.drawing.view;
+    struct aob_image file = {0};
+    free(effect->truth);
+    free(effect->se);
+    effect->truth = effect->se = NULL;
+    if (!aob_image_read(&file, path, error))
+        return false;
+    if (file.width == view->width && file.height == view->height) {
+        effect->truth = interleave(&file, values, effect->components);
+        effect->se = interleave(&file, errors, effect->components);
+    }
+    aob_image_finish(&file);
+    return (effect->truth && effect->se) ||
+           aob_fail(error, "%s: not a reference of %dx%d", path, view->width, view->height);
+}
+
+/* What the visibility stands for where nobody knows more: the same share of every channel, of the lobe, or of what falls on an
+ * open surface. */
+static float *make_plain(const struct aob_block *block, size_t f, enum aob_output which,
+                         const struct aob_case_image *image)
+{
+    const struct aob_light *light = &block->frames[f].screen->light;
+    size_t stride = (size_t)image->effects[which].components, pixels = pixels_of(block);
+    float *plain = AOB_NEW_ARRAY(float, pixels *stride);
+    for (size_t i = 0; i < pixels; i++) {
+        double open[3] = {1, 1, 1};
+        const float *n = image->normal[i];
+        if (which == AOB_OUT_IRRADIANCE)
+            aob_light_irradiance(light, aob_vec((double)n[0], (double)n[1], (double)n[2]), open);
+        for (size_t c = 0; c < stride; c++)
+            plain[i * stride + c] = image->ao[i] * (float)open[c];
+    }
+    return plain;
+}
+
+/* The fit of bounces, given the true visibility. */
+static float *make_model(const struct aob_block *block, const float *truth)
+{
+    size_t pixels = pixels_of(block);
+    float *model = AOB_NEW_ARRAY(float, 3 * pixels), *albedo = aob_case_image_albedo(block);
+    for (size_t i = 0; i < 3 * pixels; i++)
+        model[i] = (float)aob_effect_bounced((double)truth[i / 3], (double)albedo[i]);
+    free(albedo);
+    return model;
+}
+
+bool aob_case_effects_score(const struct aob_block *block, size_t f, const struct aob_block_target *target,
+                            const struct aob_score_desc *desc, struct aob_case_image *image,
+                            struct aob_metrics *metrics, unsigned *outputs, struct aob_error *error)
+{
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++) {
+        struct aob_case_effect *effect = &image->effects[which];
+        if (!effect->image || !target->truth[which])
+            continue;
+        if (!load_truth(block, target->truth[which], effect, error))
+            return false;
+        float *plain = make_plain(block, f, (enum aob_output)which, image),
+              *model = which == AOB_OUT_VISIBILITY_RGB ? make_model(block, desc->truth) : NULL;
+        const struct aob_effect scored = {.output = (enum aob_output)which,
+                                          .components = effect->components,
+                                          .image = effect->image,
+                                          .truth = effect->truth,
+                                          .se = effect->se,
+                                          .plain = plain,
+                                          .model = model};
+        aob_effect_score(desc, &scored, metrics);
+        *outputs |= 1u << which;
+        free(plain);
+        free(model);
+    }
+    return true;
+}
+
+/* "technique.irradiance.R", or without a letter where there is one component. */
+static void add_channels(struct aob_image *file, const char *whose, const char *name, const float *values,
+                         int components)
+{
+    size_t pixels = (size_t)file->width * (size_t)file->height, stride = (size_t)components;
+    for (size_t c = 0; c < stride; c++) {
+        char channel[64];
+        snprintf(channel, sizeof channel, stride > 1 ? "%s.%s.%c" : "%s.%s", whose, name, "RGB"[c]);
+        float *into = aob_image_add(file, channel);
+        for (size_t i = 0; i < pixels; i++)
+            into[i] = values[i * stride + c];
+    }
+}
+
+static void add_difference(struct aob_image *file, const char *name, const struct aob_case_image *image,
+                           const struct aob_case_effect *effect)
+{
+    char channel[64];
+    size_t stride = (size_t)effect->components;
+    snprintf(channel, sizeof channel, "error.%s", name);
+    float *into = aob_image_add(file, channel);
+    for (size_t i = 0; i < (size_t)file->width * (size_t)file->height; i++)
+        for (size_t c = 0; c < stride && !aob_case_image_is_sky(image, i); c++)
+            into[i] += (effect->image[i * stride + c] - effect->truth[i * stride + c]) / (float)stride;
+}
+
+void aob_case_effects_store(const struct aob_case_image *image, struct aob_image *file)
+{
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++) {
+        const struct aob_case_effect *effect = &image->effects[which];
+        const char *name = aob_output_name((enum aob_output)which);
+        if (!effect->image)
+            continue;
+        add_channels(file, "technique", name, effect->image, effect->components);
+        if (!effect->truth)
+            continue;
+        add_channels(file, "reference", name, effect->truth, effect->components);
+        add_channels(file, "reference.SE", name, effect->se, effect->components);
+        add_difference(file, name, image, effect);
+    }
+}
+
+void aob_case_effects_finish(struct aob_case_image *image)
+{
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++) {
+        free(image->effects[which].image);
+        free(image->effects[which].truth);
+        free(image->effects[which].se);
+        image->effects[which] = (struct aob_case_effect){0};
+    }
+}
