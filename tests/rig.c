@@ -19,13 +19,15 @@ void aob_rig_init(struct aob_rig *rig, const struct aob_mesh *mesh, const struct
                   int width, int height, int guard)
 {
     struct aob_error error = {{0}};
-    *rig = (struct aob_rig){.camera = *camera, .width = width, .height = height, .guard = guard};
+    *rig = (struct aob_rig){
+        .camera = *camera, .light = aob_light_uniform, .width = width, .height = height, .guard = guard};
     struct aob_projection projection = aob_camera_projection(camera, width, height, guard);
     rig->tracer = aob_tracer_create(mesh, &error);
     if (!rig->tracer)
         give_up("tracer", &error);
     aob_tracer_cast(rig->tracer, camera, &projection, &rig->hits);
     aob_gbuffer_init(&rig->gbuffer, &rig->hits, &projection, guard);
+    aob_gbuffer_paint(&rig->gbuffer, &rig->hits, mesh);
     aob_geometry_init(&rig->geometry, mesh, camera);
 }
 
@@ -104,24 +106,30 @@ void aob_rig_params(const struct aob_technique *technique, const char *params, v
     aob_param_pack(aob_option_params, AOB_OPTION_COUNT, chosen, options, sizeof *options);
 }
 
-static void draw(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
-                 const void *values, const struct aob_options *options, float *pixels, float (*bent)[3])
+static const int components_of[AOB_OUTPUT_COUNT] = {1, 3, 3, 1, 3};
+
+void aob_rig_draw(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
+                  const void *values, const struct aob_options *options,
+                  float *const images[AOB_OUTPUT_COUNT])
 {
-    const struct aob_frame_desc desc = {.technique = technique,
-                                        .values = values,
-                                        .fetch = (enum aob_fetch)options->fetch,
-                                        .wanted = bent ? 1u << AOB_OUT_BENT_NORMAL : 0};
+    struct aob_frame_desc desc = {
+        .technique = technique, .values = values, .fetch = (enum aob_fetch)options->fetch};
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_screen screen;
     struct aob_error error = {{0}};
     struct aob_geometry geometry = rig->geometry;
+    struct aob_frame_axes axes = aob_camera_axes(&rig->camera);
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+        desc.wanted |= images[which] && which != AOB_OUT_VISIBILITY ? 1u << which : 0;
     bool ok = aob_geometry_upload(&geometry, gpu, &error) &&
               aob_screen_init(&screen, gpu, &rig->gbuffer, options, &error);
     screen.geometry = &geometry;
-    if (!ok || !aob_frame_init_desc(frame, &screen, &desc, &error) ||
-        !aob_frame_run(frame, 1, NULL, &error) ||
-        !aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, &error) ||
-        (bent && !aob_frame_read(frame, AOB_OUT_BENT_NORMAL, 3, bent[0], &error)))
+    aob_light_turn(&rig->light, &axes, &screen.light);
+    ok = ok && aob_frame_init_desc(frame, &screen, &desc, &error) && aob_frame_run(frame, 1, NULL, &error);
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+        ok = ok && (!images[which] || aob_frame_read(frame, (enum aob_output)which, components_of[which],
+                                                     images[which], &error));
+    if (!ok)
         give_up(technique->name, &error);
     aob_frame_finish(frame);
     aob_screen_finish(&screen);
@@ -132,7 +140,7 @@ static void draw(const struct aob_rig *rig, struct aob_gpu *gpu, const struct ao
 void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
                    const void *values, const struct aob_options *options, float *pixels)
 {
-    draw(rig, gpu, technique, values, options, pixels, NULL);
+    aob_rig_draw(rig, gpu, technique, values, options, (float *[AOB_OUTPUT_COUNT]){pixels});
 }
 
 void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *name, const char *params,
@@ -144,12 +152,19 @@ void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *nam
 void aob_rig_run_open(const struct aob_rig *rig, struct aob_gpu *gpu, const char *name, const char *params,
                       enum aob_fetch fetch, float *pixels, float (*bent)[3])
 {
+    aob_rig_run_outputs(rig, gpu, name, params, fetch,
+                        (float *[AOB_OUTPUT_COUNT]){pixels, bent ? bent[0] : NULL});
+}
+
+void aob_rig_run_outputs(const struct aob_rig *rig, struct aob_gpu *gpu, const char *name, const char *params,
+                         enum aob_fetch fetch, float *const images[AOB_OUTPUT_COUNT])
+{
     const struct aob_technique *technique = builtin(name);
     unsigned char values[4 * AOB_MAX_PARAM];
     struct aob_options options;
     aob_rig_params(technique, params, values, &options);
     options.fetch = (int32_t)fetch;
-    draw(rig, gpu, technique, values, &options, pixels, bent);
+    aob_rig_draw(rig, gpu, technique, values, &options, images);
 }
 
 void aob_rig_definition(const struct aob_rig *rig, const char *name, const char *params, int spp,

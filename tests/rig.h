@@ -8,6 +8,7 @@
 
 struct aob_rig {
     struct aob_camera camera;
+    struct aob_light light; /* world space; uniform until a test sets another */
     int width, height, guard;
     struct aob_hits hits;         /* guard band included */
     struct aob_gbuffer gbuffer;   /* likewise */
@@ -40,6 +41,11 @@ void aob_rig_run(const struct aob_rig *rig, struct aob_gpu *gpu, const char *tec
 void aob_rig_run_open(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique,
                       const char *params, enum aob_fetch fetch, float *pixels, float (*bent)[3]);
 
+/* The same with any outputs: images[enum aob_output] is NULL where one is not wanted, and else holds width x height pixels of
+ * 1 float (visibility, specular) or 3. */
+void aob_rig_run_outputs(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique,
+                         const char *params, enum aob_fetch fetch, float *const images[AOB_OUTPUT_COUNT]);
+
 /* What such parameters make of a technique's values struct (4 * AOB_MAX_PARAM bytes), and of the options. */
 void aob_rig_params(const struct aob_technique *technique, const char *params, void *values,
                     struct aob_options *options);
@@ -48,6 +54,11 @@ void aob_rig_params(const struct aob_technique *technique, const char *params, v
  * struct. */
 void aob_rig_probe(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
                    const void *values, const struct aob_options *options, float *pixels);
+
+/* The same with any outputs. */
+void aob_rig_draw(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
+                  const void *values, const struct aob_options *options,
+                  float *const images[AOB_OUTPUT_COUNT]);
 
 /* The text of that name of a built-in technique, its steps' among them. Ends the program if there is none. */
 const char *aob_rig_text(const char *technique, const char *name);

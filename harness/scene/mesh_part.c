@@ -27,6 +27,19 @@ static struct aob_material base_material(const struct aob_mesh_part *part)
     return m;
 }
 
+/* A number that is clamped makes another material than the file means; NAN is refused later. */
+static void note_clamped(const struct aob_material *stated, struct aob_mesh *mesh)
+{
+    const float numbers[] = {stated->base_colour[0], stated->base_colour[1], stated->base_colour[2],
+                             stated->roughness, stated->metalness};
+    for (size_t i = 0; i < AOB_COUNT(numbers); i++)
+        if (numbers[i] < 0 || numbers[i] > 1) {
+            aob_mesh_note(mesh, "a material's base colour, roughness or metalness is not within 0..1: "
+                                "such numbers are clamped to that");
+            return;
+        }
+}
+
 static struct aob_material face_material(const struct aob_mesh_part *part, const struct aob_material *base,
                                          const uint32_t corner[3])
 {
@@ -102,6 +115,8 @@ bool aob_mesh_part_add(const struct aob_mesh_part *part, const struct aob_affine
     const struct aob_material base = base_material(part);
     if (part->vertex_count > UINT32_MAX - mesh->vertex_count)
         return aob_fail(error, "%s: it has more than %u vertices", name, UINT32_MAX);
+    if (part->painted)
+        note_clamped(&part->material, mesh);
     add_vertices(part, place, mesh);
     aob_mesh_paint(mesh, base);
     for (size_t i = 0; i < part->triangle_count; i++) {

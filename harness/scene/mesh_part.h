@@ -17,8 +17,8 @@ struct aob_mesh_part {
 void aob_mesh_part_finish(struct aob_mesh_part *part); /* frees the arrays */
 
 /* Adds the part to the mesh, mapped by `place`. A map that mirrors turns the winding, so that a front stays one (glTF
- * 2.0, 3.7.4; other formats mean the same). Colours are averaged over each triangle; numbers are clamped to 0..1, and
- * NAN stays, so that aob_mesh_check refuses the mesh. False after a line that begins with `name` if a triangle names a
+ * 2.0, 3.7.4; other formats mean the same). Colours are averaged over each triangle; numbers are clamped to 0..1, which
+ * a note says of a material; NAN stays, so that aob_mesh_check refuses the mesh. False after a line that begins with `name` if a triangle names a
  * vertex that is not there. */
 bool aob_mesh_part_add(const struct aob_mesh_part *part, const struct aob_affine *place,
                        struct aob_mesh *mesh, const char *name, struct aob_error *error);

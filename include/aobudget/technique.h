@@ -102,8 +102,8 @@ enum aob_read {
     /* Reserved: vec3 aob_before(ivec2 p), image position and depth of the surface one frame earlier; depth AOB_SKY_Z
      * where it was not seen. */
     AOB_VELOCITY = 1 << 2,
-    AOB_MATERIAL = 1 << 3, /* reserved: aob_albedo, aob_roughness, aob_metalness */
-    AOB_LIGHT = 1 << 4,    /* reserved: vec3 aob_light(int i), nine spherical harmonics, view space */
+    AOB_MATERIAL = 1 << 3, /* aob_albedo, aob_roughness, aob_metalness */
+    AOB_LIGHT = 1 << 4,    /* aob_light */
 };
 /* What the harness reads back, all of full size. */
 enum aob_output {
@@ -113,9 +113,14 @@ enum aob_output {
      * not finite, or longer than 1 (within 1 %), makes the case `invalid`. Its angle to the traced mean is scored, not
      * its length. Visibility may be given as the same texture: it is then read from w. */
     AOB_OUT_BENT_NORMAL,
-    AOB_OUT_VISIBILITY_RGB, /* reserved: rgb, visibility after bounces, for each channel */
-    AOB_OUT_SPECULAR,       /* reserved: r, open share of the GGX lobe */
-    AOB_OUT_IRRADIANCE,     /* reserved: rgb, occluded irradiance of the light, over pi */
+    /* rgb: what reaches the surface, for each channel, of a light that is 1 from everywhere, once what is closed has reflected
+     * its own share of it: visibility after bounces, 0 to 1. A target of rgba8, rgba16f or rgba32f. */
+    AOB_OUT_VISIBILITY_RGB,
+    /* r: open share of what the surface's GGX lobe reflects towards the eye (alpha = roughness^2, Fresnel 1), 0 to 1. */
+    AOB_OUT_SPECULAR,
+    /* rgb: irradiance of the scene's light that what is closed leaves, over pi: what a white matt surface shows; not negative. A
+     * target of rgba16f or rgba32f. */
+    AOB_OUT_IRRADIANCE,
     AOB_OUTPUT_COUNT,
 };
 enum aob_format {
@@ -224,6 +229,12 @@ struct aob_graph {
  *   float aob_surface_z(ivec2 p)             its depth, scene units; AOB_SKY_Z where there is no surface
  *   bool  aob_surface_is_sky(ivec2 p)        no surface: sky, or a depth that is not above 0 and finite. What is read
  *                                            about such a pixel may be no number: phrase tests of a tap so that NaN fails
+ *   vec3  aob_albedo(ivec2 p)                its base colour, linear, 0..1 (AOB_MATERIAL, as the next two); times 1 - metalness it is
+ *                                            what the surface reflects diffusely. Held in 8 bits, as its square root
+ *   float aob_roughness(ivec2 p)             0 a mirror to 1
+ *   float aob_metalness(ivec2 p)             0 to 1
+ *   vec3  aob_light(int i)                   the scene's light: coefficient i = 0..8 of spherical harmonics (l, m) = 00, 1-1, 10,
+ *                                            11, 2-2, 2-1, 20, 21, 22, R G B, view space (AOB_LIGHT; common/harmonics.glsl)
  *   vec2  aob_image(ivec2 p)                 where it lies among the pixels of the depth below (centres at +.5)
  * The depth that the pass reads: the G-buffer's, or `depth`. Where its divisor is the outputs', p means the same
  * pixel in both.

@@ -117,19 +117,18 @@ static bool build(struct aob_graph *graph, const void *values)
 }
 
 AOB_TECHNIQUE(
-    gtao, .title = "Ground-truth ambient occlusion", .revision = 6, .shaders = aob_shaders_gtao,
+    gtao, .title = "Ground-truth ambient occlusion", .revision = 5, .shaders = aob_shaders_gtao,
     .summary = "Visibility from horizons: in each slice about the view vector the highest elevation on both "
                "sides within the radius, then the closed-form integral of the cosine between them.",
-    .notes =
-        "Slices are even about the view vector, not in the image; taps below the tangent plane, or less "
-        "than 0.1 degrees above it, are "
-        "ignored; the search is as long as the slice of the ball; the integral is divided by the open "
-        "slice's (docs/decisions/0009); a search that would leave the image ends at its edge "
-        "(docs/decisions/0040). The text leaves open how half size is sampled up, and gives no "
-        "noise tables. The bent normal is summed in the slices themselves, without the text's rotation, "
-        "which "
-        "takes a slice out of its plane; visibility and bent normal are filtered together. Multi-bounce and "
-        "specular occlusion of the text are not outputs yet.",
+    .notes = "Slices are even about the view vector, not in the image; taps below the tangent plane, or "
+             "less than 0.1 degrees above it, are ignored; the search is as long as the slice of the "
+             "ball; the integral is divided by the open slice's (docs/decisions/0009); a search that "
+             "would leave the image ends at its edge (docs/decisions/0040). The text leaves open how "
+             "half size is sampled up, and gives no noise tables. The bent normal is summed in the "
+             "slices themselves, without the text's rotation, which takes a slice out of its plane; "
+             "visibility and bent normal are filtered together. Irradiance and specular occlusion take "
+             "what is closed for a lobe or a cap of its own; the text's cone about the bent normal is "
+             "there for comparison (docs/decisions/0043).",
     .citation = "Jimenez, Wu, Pesce, Jarabo: Practical Real-Time Strategies for Accurate Indirect "
                 "Occlusion, ATVI-TR-19-01 (2016)",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),

@@ -65,6 +65,10 @@ static void gltf_factors_are_read(void **state)
     assert_int_equal(mesh.triangle_count, 4);
     assert_material(material_at(&mesh, 0), 0.1, 0.2, 0.3, 0.75, 0.25);
     assert_material(material_at(&mesh, 5), 1, 0, 0.5, 0, 1);
+    assert_int_equal(mesh.note_count, 1); /* once, of however many numbers */
+    assert_string_equal(mesh.notes[0].text,
+                        "a material's base colour, roughness or metalness is not within 0..1: such "
+                        "numbers are clamped to that");
     assert_material(material_at(&mesh, 7), 1, 1, 1, 1, 1); /* the defaults of glTF 2.0 */
     assert_material(material_at(&mesh, 9), 0.8, 0.8, 0.8, 1, 0);
     aob_mesh_finish(&mesh);
