@@ -180,6 +180,45 @@ static void test_backends_agree_on_bent_normals(void **state)
     free(ao);
 }
 
+/* gtao's outputs beside those, in a coloured and a polished room under a directional light: two backends, and both kinds of read. */
+static void test_backends_agree_on_light(void **state)
+{
+    (void)state;
+    enum { COUNT = 4, TINY_W = 160, TINY_H = 90, PIXELS = TINY_W * TINY_H };
+    static const char *const scenes[] = {"coloured_walls", "gallery"}, *const backends[COUNT] = {
+                                                                           "gl-egl", "gl-osmesa", "vulkan",
+                                                                           "vulkan"};
+    static const char *const names[] = {"visibility", "bent normal", "bounces", "specular", "irradiance"};
+    for (size_t s = 0; s < AOB_COUNT(scenes); s++) {
+        struct aob_light_projection projection;
+        float *images[COUNT][AOB_OUTPUT_COUNT];
+        struct aob_rig rig;
+        aob_rig_scene(&rig, scenes[s], NULL, TINY_W, TINY_H, 0);
+        aob_light_make(aob_light_find("sky"), &projection);
+        rig.light = projection.light;
+        for (int b = 0; b < COUNT; b++) {
+            struct aob_gpu *gpu = aob_rig_gpu(backends[b]);
+            for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+                images[b][which] = AOB_NEW_ARRAY(float, 3 * PIXELS);
+            aob_rig_run_outputs(&rig, gpu, "gtao", "", b == 3 ? AOB_FETCH_STORAGE : AOB_FETCH_SAMPLED,
+                                images[b]);
+            aob_gpu_close(gpu);
+        }
+        for (int which = AOB_OUT_VISIBILITY_RGB; which < AOB_OUTPUT_COUNT; which++) {
+            size_t floats = which == AOB_OUT_SPECULAR ? PIXELS : 3 * PIXELS;
+            check_close(names[which], "gtao, vulkan against gl-egl", images[2][which], images[0][which],
+                        floats);
+            check_close(names[which], "gtao, storage against sampled", images[3][which], images[2][which],
+                        floats);
+            assert_int_equal(compare(images[0][which], images[1][which], floats).equal, floats);
+        }
+        for (int b = 0; b < COUNT; b++)
+            for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+                free(images[b][which]);
+        aob_rig_finish(&rig);
+    }
+}
+
 /* The same frame twice on one device, and again after another technique ran there. */
 static void test_frames_repeat(void **state)
 {
@@ -227,6 +266,7 @@ int main(void)
                                        cmocka_unit_test(test_backends_agree_on_encodings),
                                        cmocka_unit_test(test_backends_agree_at_odd_sizes),
                                        cmocka_unit_test(test_backends_agree_on_bent_normals),
+                                       cmocka_unit_test(test_backends_agree_on_light),
                                        cmocka_unit_test(test_frames_repeat),
                                        cmocka_unit_test(test_guard_band_is_cropped)};
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -85,6 +85,7 @@ static void test_colours_of_a_painted_scene(void **state)
         int column = i % rig.hits.width;
         bool sky = rig.hits.primitive[i] == AOB_NO_PRIMITIVE;
         assert_true((material[i] < 0) == sky && (a[0] + a[1] + a[2] == 0) == sky);
+        assert_true(back.shine[2 * i] == (sky ? 0 : 1) && back.shine[2 * i + 1] == 0);
         if (sky || a[2] == 0.68f)
             continue;
         bool red = column < rig.hits.width / 2;

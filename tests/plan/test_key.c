@@ -56,6 +56,7 @@ static const struct {
     {NAME SCENE SIZE BACKEND "techniques: [{name: none}]\n", true, true},
     {ALL "options: {fetch: storage}\n", true, true},
     {ALL "options: {bent_normal: on}\n", true, true},
+    {ALL "options: {irradiance: on}\n", true, true},
     {NAME SCENE "resolutions: [8x9]\n" BACKEND TECHNIQUE, true, true},
     {NAME SCENE SIZE "backends: [vulkan]\n" TECHNIQUE, true, true},
     {NAME "scenes: [{name: corner, eye: [0, 1, 4], target: [0, 1, 0], fov_deg: 61}]\n" SIZE BACKEND TECHNIQUE,
@@ -79,6 +80,25 @@ static void test_changes_of_a_config(void **state)
     struct identity other = identify(ALL, "discrete");
     assert_string_equal(other.key, first.key);
     assert_string_not_equal(other.series, first.series);
+}
+
+/* The light is a part of the question where an output depends on it, and nowhere else. */
+static void test_light(void **state)
+{
+    (void)state;
+    static const char *const outputs[] = {"", "options: {visibility_rgb: on, specular: on}\n",
+                                          "options: {irradiance: on}\n"};
+    for (int o = 0; o < 3; o++) {
+        char plain[1024], lit[1024];
+        snprintf(plain, sizeof plain, "%s%s", ALL, outputs[o]);
+        snprintf(lit, sizeof lit,
+                 NAME "scenes: [{name: corner, eye: [0, 1, 4], target: [0, 1, 0], light: sky}]\n" SIZE BACKEND
+                     TECHNIQUE "%s",
+                 outputs[o]);
+        struct identity a = identify(plain, "cpu"), b = identify(lit, "cpu");
+        assert_true((strcmp(a.key, b.key) != 0) == (o == 2));
+        assert_true((strcmp(a.series, b.series) != 0) == (o == 2));
+    }
 }
 
 /* Keys of the time before an output was an option last: one that is off is not named in what they are made of. */
@@ -159,7 +179,8 @@ static void test_meshes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_changes_of_a_config), cmocka_unit_test(test_outputs_that_are_off),
-        cmocka_unit_test(test_changes_of_a_technique), cmocka_unit_test(test_meshes)};
+        cmocka_unit_test(test_changes_of_a_config), cmocka_unit_test(test_light),
+        cmocka_unit_test(test_outputs_that_are_off), cmocka_unit_test(test_changes_of_a_technique),
+        cmocka_unit_test(test_meshes)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

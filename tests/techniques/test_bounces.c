@@ -28,10 +28,10 @@ static void still_init(struct still *still, const char *scene, const char *view,
     *still = (struct still){.radius = radius};
     info->build(&mesh);
     if (!mesh.materials)
-        aob_mesh_paint(&mesh, (struct aob_material){.base_colour = {0.1f}, .roughness = 1}); /* a table, no triangle */
+        aob_mesh_paint(
+            &mesh, (struct aob_material){.base_colour = {0.1f}, .roughness = 1}); /* a table, no triangle */
     for (size_t m = 0; m < mesh.material_count; m++)
-        mesh.materials[m] =
-            (struct aob_material){.base_colour = {albedo, albedo, albedo}, .roughness = 1};
+        mesh.materials[m] = (struct aob_material){.base_colour = {albedo, albedo, albedo}, .roughness = 1};
     aob_rig_init(&still->rig, &mesh, &aob_scene_view(info, view)->camera, W, H, 0);
     aob_mesh_finish(&mesh);
     const struct aob_visibility_term term = {.radius = radius};
@@ -94,9 +94,9 @@ static void test_gtao(void **state)
         const char *scene, *view;
         float albedo;
         double radius, share;
-    } rows[] = {{"corner", "front", 0.8f, 1, 0.5},     {"cornell", "front", 0.8f, 0.5, 0.5},
-                {"atrium", "nave", 0.8f, 1, 0.65},     {"atrium", "aisle", 0.8f, 1, 0.65},
-                {"corner", "front", 0.2f, 1, 1.05},    {"cornell", "front", 0.2f, 0.5, 1.05},
+    } rows[] = {{"corner", "front", 0.8f, 1, 0.5},  {"cornell", "front", 0.8f, 0.5, 0.5},
+                {"atrium", "nave", 0.8f, 1, 0.65},  {"atrium", "aisle", 0.8f, 1, 0.65},
+                {"corner", "front", 0.2f, 1, 1.05}, {"cornell", "front", 0.2f, 0.5, 1.05},
                 {"atrium", "nave", 0.2f, 1, 1.05}};
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
     float *ao = AOB_NEW_ARRAY(float, W *H), *rgb = AOB_NEW_ARRAY(float, 3 * W * H);

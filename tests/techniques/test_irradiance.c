@@ -47,16 +47,18 @@ static void test_zonal_coefficients(void **state)
     struct aob_text text = {0};
     struct aob_rig rig;
     float pixels[ANGLES];
-    aob_text_add(&text,
-                 "#define main other\n%s\n#undef main\nvoid main() {\n    zonal = cut_cosine(cos(AOB_PI / 180.0 * "
-                 "float(aob_pixel.x)))[BAND] + 0.0 * irradiance.x;\n}\n",
-                 aob_rig_text("gtao", "irradiance"));
+    aob_text_add(
+        &text,
+        "#define main other\n%s\n#undef main\nvoid main() {\n    zonal = cut_cosine(cos(AOB_PI / 180.0 * "
+        "float(aob_pixel.x)))[BAND] + 0.0 * irradiance.x;\n}\n",
+        aob_rig_text("gtao", "irradiance"));
     char *start = strstr(text.data, "irradiance = ");
     assert_non_null(start);
     struct aob_text declared = {0};
     aob_text_add(&declared, "vec4 irradiance = vec4(0.0);\n%s", text.data);
-    const struct aob_shader shaders[] = {
-        {"open", "void main() { open = vec4(0.0, 0.0, 0.0, 1.0); }\n"}, {"zonal", declared.data}, {NULL, NULL}};
+    const struct aob_shader shaders[] = {{"open", "void main() { open = vec4(0.0, 0.0, 0.0, 1.0); }\n"},
+                                         {"zonal", declared.data},
+                                         {NULL, NULL}};
     const struct aob_technique technique = {
         .name = "zonal", .shaders = shaders, .values_size = sizeof(int), .build = build_zonal};
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");

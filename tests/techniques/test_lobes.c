@@ -27,8 +27,7 @@ static double share_by_quadrature(double alpha, double beta, double roughness)
         double weight = d * g * sin(theta) * t * t;
         int within = 0;
         for (int k = 0; k < SPOKES; k++)
-            within += sin(theta) * turns[k] * axis[0] + cos(theta) * axis[1] >=
-                      cos(alpha);
+            within += sin(theta) * turns[k] * axis[0] + cos(theta) * axis[1] >= cos(alpha);
         inside += weight * within / SPOKES;
         all += weight;
     }
@@ -69,8 +68,7 @@ static double uniform(uint32_t *state)
 static void test_table(void **state)
 {
     (void)state;
-    uint16_t *table =
-        AOB_NEW_ARRAY(uint16_t, GTAO_LOBE_EDGES * GTAO_LOBE_CONES * GTAO_LOBE_SHAPES);
+    uint16_t *table = AOB_NEW_ARRAY(uint16_t, GTAO_LOBE_EDGES * GTAO_LOBE_CONES * GTAO_LOBE_SHAPES);
     uint32_t seed = 5;
     double worst = 0;
     gtao_lobe_fill(NULL, table);
@@ -79,7 +77,8 @@ static void test_table(void **state)
         double alpha = M_PI / 2 * uniform(&seed), beta = M_PI * uniform(&seed);
         if (i % 2) /* where the cone's edge cuts the lobe */
             beta = fmin(fabs(alpha + 6 * roughness * roughness * (2 * uniform(&seed) - 1)), M_PI);
-        double error = fabs(look_up(table, alpha, beta, roughness) - share_by_quadrature(alpha, beta, roughness));
+        double error =
+            fabs(look_up(table, alpha, beta, roughness) - share_by_quadrature(alpha, beta, roughness));
         worst = fmax(worst, error);
     }
     printf("table of lobes: worst of 400 is %.4f\n", worst);
@@ -161,9 +160,10 @@ static void test_gallery(void **state)
         }
         double plain = error_of(&gallery, gallery.visible.ao), cap = gtao_error(&gallery, gpu, "cap"),
                cone = gtao_error(&gallery, gpu, "cone"), visibility = gtao_error(&gallery, gpu, "visibility");
-        printf("gallery, view %zu: given the truth cap %.3f, cone %.3f, visibility %.3f; by gtao cap %.3f, cone "
-               "%.3f, visibility %.3f\n",
-               view, given[0], given[1], plain, cap, cone, visibility);
+        printf(
+            "gallery, view %zu: given the truth cap %.3f, cone %.3f, visibility %.3f; by gtao cap %.3f, cone "
+            "%.3f, visibility %.3f\n",
+            view, given[0], given[1], plain, cap, cone, visibility);
         assert_true(given[0] < 0.5 * plain && given[0] < given[1]);
         assert_true(cap < visibility && cap < cone);
         gallery_finish(&gallery);
