@@ -11,6 +11,7 @@ struct values {
     int32_t slices, steps, weighting, noise_index, divisor, depth_divisor, blur, irradiance_by, specular_by;
 };
 
+enum { COSINE };
 enum { BY_MOMENTS, BY_ZONAL, BY_LOOK_UP, BY_PLAIN, BY_TRIPLE_PRODUCT };
 enum { BY_CAP, BY_CONE, BY_VISIBILITY };
 static const char *const weightings[] = {"cosine", "uniform", NULL};
@@ -32,7 +33,8 @@ static const struct aob_param params[] = {
                   "Taps on each side of a slice (directionSampleCount); more finds horizons more exactly."),
     AOB_PARAM(struct values, weighting, .stage = AOB_CONSTANT, .choices = weightings,
               .doc =
-                  "How directions are weighted: with the cosine as in the text, or by the bare solid angle."),
+                  "How directions are weighted: with the cosine as in the text, or by the bare solid angle, which "
+                  "gives no bounces, specular or irradiance."),
     AOB_PARAM(struct values, noise_index, .min = 0, .max = 1e6, .initial = 0,
               .doc = "Frame of the temporal noise: turns slices and moves steps; repeats after 24."),
     AOB_PARAM_DIVISOR(struct values, divisor),
@@ -53,12 +55,18 @@ static float falloff(const void *values, float t)
     return v->falloff > 0 ? fminf(1, (1 - t) / v->falloff) : 1;
 }
 
+/* Light is made of means that are weighed by the cosine. */
+static bool gives_light(const struct values *v)
+{
+    return v->weighting == COSINE;
+}
+
 /* Whether an output is wanted that is made of the bent normal. */
 static enum aob_output open_kind(const struct aob_graph *graph, const struct values *v)
 {
     bool light = aob_wants(graph, AOB_OUT_IRRADIANCE) && v->irradiance_by != BY_PLAIN,
          lobe = aob_wants(graph, AOB_OUT_SPECULAR) && v->specular_by != BY_VISIBILITY;
-    return light || lobe ? AOB_OUT_BENT_NORMAL : aob_open_kind(graph);
+    return gives_light(v) && (light || lobe) ? AOB_OUT_BENT_NORMAL : aob_open_kind(graph);
 }
 
 static bool lay_irradiance(struct aob_graph *graph, const struct values *v, aob_tex open)
@@ -112,8 +120,10 @@ static bool build(struct aob_graph *graph, const void *values)
              .out = {{.name = "visibility", .tex = open}});
     open = aob_step_blur(graph, .tex = open, .taps = v->blur, .divisor = v->divisor, .output = kind);
     open = aob_step_upsample(graph, .tex = open, .divisor = v->divisor, .output = kind);
-    return aob_open_outputs(graph, kind, open) && aob_step_bounces(graph, .tex = open) &&
-           lay_irradiance(graph, v, open) && lay_specular(graph, v, open);
+    if (!aob_open_outputs(graph, kind, open))
+        return false;
+    return !gives_light(v) || (aob_step_bounces(graph, .tex = open) && lay_irradiance(graph, v, open) &&
+                               lay_specular(graph, v, open));
 }
 
 AOB_TECHNIQUE(

@@ -97,3 +97,35 @@ if wanted bent; then
   row "bent: gtao, one filter of both / two filters" "$(quotient "$both" "$(awk -v a="$both" -v b="$alone" 'BEGIN { print a + b }')")" ratio "<=" 1
   row "bent: gtao, one filter of both / the visibility's" "$(quotient "$both" "$alone")" ratio
 fi
+
+# What each output made of visibility and bent normal costs beside the visibility, and how it stands beside what it is compared
+# with: in the rooms with light and polish, at gtao's 9x12.
+if wanted effects; then
+  entry gtao 'slices: 9, steps: 12' '' | sed 's/, sweep: \[\]//' |
+    config effects '{name: gallery}' 480x270 'error: false, seconds: 4' 'spp: 2' >"$folder/effects.yaml"
+  sed -i 's/^measure/options: {bent_normal: [off, on], visibility_rgb: [off, on], specular: [off, on], irradiance: [off, on]}\nmeasure/' "$folder/effects.yaml"
+  build/release/aobudget run "$folder/effects.yaml" --out "$folder/effects" --quiet
+  cost() { jq ".options as \$o | select([\$o.bent_normal, \$o.visibility_rgb, \$o.specular, \$o.irradiance] == $1) | .time.ratio_to_ref" "$folder/effects/journal.jsonl"; }
+  plain=$(cost '["off","off","off","off"]') bent=$(cost '["on","off","off","off"]')
+  quotient() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.3f", a / b }'; }
+  row "effects: gtao 9x12, bounces / visibility" "$(quotient "$(cost '["off","on","off","off"]')" "$plain")" ratio
+  row "effects: gtao 9x12, specular / bent normals" "$(quotient "$(cost '["on","off","on","off"]')" "$bent")" ratio
+  row "effects: gtao 9x12, irradiance / bent normals" "$(quotient "$(cost '["on","off","off","on"]')" "$bent")" ratio
+  row "effects: gtao 9x12, all / visibility" "$(quotient "$(cost '["on","on","on","on"]')" "$plain")" ratio
+  # SCENE VIEW RADIUS OPTION FIELD WAY_PARAM WAY
+  figure() {
+    build/release/aobudget shot --technique gtao --scene "$1" --view "$2" --size 320x180 -p radius="$3" -p slices=9 -p steps=12 \
+      -p "$4=on" -p "$6=$7" --json - 2>/dev/null | jq ".error.$5"
+  }
+  for view in hall ball; do
+    row "effects: gallery $view, specular / visibility as specular" \
+      "$(quotient "$(figure gallery $view 0.5 specular specular_band specular_by cap)" "$(figure gallery $view 0.5 specular specular_plain specular_by cap)")" ratio "<=" 0.5
+  done
+  for radius in 0.25 0.5 1; do
+    here=$(figure window_room room $radius irradiance irradiance_band irradiance_by moments)
+    for way in zonal bent_normal visibility triple_product; do
+      row "effects: window_room R=$radius, irradiance / by $way" \
+        "$(quotient "$here" "$(figure window_room room $radius irradiance irradiance_band irradiance_by $way)")" ratio "<=" 0.999
+    done
+  done
+fi
