@@ -22,9 +22,11 @@ const struct aob_output_look aob_output_looks[AOB_OUTPUT_LOOKS] = {
      .title = "visibility after bounces",
      .map_title = "error of visibility after bounces",
      .heading = "Visibility after bounces",
-     .sentence = "The light that arrives under a uniform white sky, with what the surfaces around reflect of it. "
-                 "The pictures are linear colours, shown as sRGB at exposure 1; the error is the mean of the three "
-                 "channels\u2019 differences."},
+     .sentence =
+         "The light that arrives under a uniform white sky, with what the surfaces around reflect of it. "
+         "The pictures are linear colours, shown as sRGB at exposure 1, the sky grey; the error is the mean "
+         "of the three "
+         "channels\u2019 differences."},
     {.output = AOB_OUT_SPECULAR,
      .metric = "specular_band",
      .error = "error.specular",
@@ -53,8 +55,10 @@ const struct aob_output_look aob_output_looks[AOB_OUTPUT_LOOKS] = {
      .title = "irradiance over \u03c0",
      .map_title = "error of irradiance over \u03c0",
      .heading = "Irradiance of the scene\u2019s light",
-     .sentence = "What reaches each surface of the light past what blocks it, over \u03c0. The pictures are linear "
-                 "colours, shown as sRGB; technique and reference have one exposure, which their headings say. The "
-                 "error is the mean of the three channels\u2019 differences, without the exposure; the scores are "
-                 "relative to the truth."},
+     .sentence =
+         "The light that reaches each surface past what blocks it, over \u03c0. The pictures are linear "
+         "colours, shown as sRGB, the sky grey; technique and reference have one exposure, which their "
+         "headings say. The "
+         "error is the mean of the three channels\u2019 differences, without the exposure; the scores are "
+         "relative to the truth."},
 };

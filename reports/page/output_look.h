@@ -8,9 +8,9 @@
 
 struct aob_output_look {
     enum aob_output output;
-    const char *metric; /* what ranks the cases against their own target, the least first: "bent_band" */
-    const char *error;  /* channel of the map */
-    const char *amount; /* unit of a map of amounts from 0 up; NULL: it is a difference of `quantity` */
+    const char *metric;    /* what ranks the cases against their own target, the least first: "bent_band" */
+    const char *error;     /* channel of the map */
+    const char *amount;    /* unit of a map of amounts from 0 up; NULL: it is a difference of `quantity` */
     const char *quantity;  /* what the difference is of, in the label of its colours */
     const char *technique; /* channels of the pictures beside the map; NULL: there is a map only */
     const char *reference;

@@ -82,12 +82,13 @@ static void assert_member(const json_t *object, const char *name, const char *te
 /* A case of an image of its own; `more` goes into the record, `error` into its score. */
 static void add_case(struct aob_text *journal, const char *key, const char *more, const char *error)
 {
-    aob_text_add(journal,
-                 "{\"key\":\"%s\",\"scene\":\"gallery\",\"view\":\"hall\",\"technique\":\"gtao\",\"backend\":"
-                 "\"vulkan\",\"width\":64,\"height\":32,\"status\":\"ok\",\"image\":\"images/%s.exr\","
-                 "\"time\":{\"clock\":\"cpu\",\"cpu_ms\":3.5,\"passes\":[{\"name\":\"horizon\",\"cpu_ms\":2.25,"
-                 "\"wall_ms\":9},{\"name\":\"<lobe>\",\"cpu_ms\":1.25}]}%s,\"error\":{\"rmse\":%s}}\n",
-                 key, key, more, error);
+    aob_text_add(
+        journal,
+        "{\"key\":\"%s\",\"scene\":\"gallery\",\"view\":\"hall\",\"technique\":\"gtao\",\"backend\":"
+        "\"vulkan\",\"width\":64,\"height\":32,\"status\":\"ok\",\"image\":\"images/%s.exr\","
+        "\"time\":{\"clock\":\"cpu\",\"cpu_ms\":3.5,\"passes\":[{\"name\":\"horizon\",\"cpu_ms\":2.25,"
+        "\"wall_ms\":9},{\"name\":\"<lobe>\",\"cpu_ms\":1.25}]}%s,\"error\":{\"rmse\":%s}}\n",
+        key, key, more, error);
 }
 
 static const char OUTPUTS[] =
@@ -157,9 +158,10 @@ static void test_a_case_says_what_it_gives(void **state)
 {
     struct fixture *f = *state;
     make_both(f);
-    assert_contains(f->page, "<summary>gives visibility, bent_normal, visibility_rgb, specular, irradiance in "
-                             "2 passes: 3.50 ms</summary><ol class=front>\n<li>horizon: 2.25 ms</li>\n"
-                             "<li>&lt;lobe&gt;: 1.25 ms</li>\n</ol></details>");
+    assert_contains(f->page,
+                    "<summary>gives visibility, bent_normal, visibility_rgb, specular, irradiance in "
+                    "2 passes: 3.50 ms</summary><ol class=front>\n<li>horizon: 2.25 ms</li>\n"
+                    "<li>&lt;lobe&gt;: 1.25 ms</li>\n</ol></details>");
     assert_contains(f->page, "<button>outputs</button>");
     assert_contains(f->page, "<td class=params><span class=clip>visibility, bent_normal, visibility_rgb, "
                              "specular, irradiance</span></td>");
