@@ -26,7 +26,8 @@ static char *file_name(const struct aob_gallery *g, size_t section, const char *
 struct aob_figure *aob_gallery_add(struct aob_gallery *g, const struct aob_panel *panel,
                                    enum aob_figure_kind kind, const char *name, const char *end, json_t *job)
 {
-    static const char *const kinds[] = {"triptych", "map", "split", "height", "vti", "map", "chart", "chart"};
+    static const char *const kinds[] = {"triptych", "map", "split", "height", "vti",
+                                        "triptych", "map", "chart", "chart"};
     char *file = file_name(g, panel->section, name, end);
     struct aob_figure *figure = AOB_PUSH(g->figures, g->count, g->capacity);
     if (!job) /* a path that is no UTF-8; the figure will say that it has no image */

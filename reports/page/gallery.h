@@ -1,6 +1,7 @@
 /* The figures of a report, and drawing them with aobudget-plot. gallery_plan.h decides which there are. */
 #ifndef AOB_REPORTS_PAGE_GALLERY_H
 #define AOB_REPORTS_PAGE_GALLERY_H
+#include "output_look.h"
 #include "rows.h"
 
 enum aob_figure_kind {
@@ -9,7 +10,8 @@ enum aob_figure_kind {
     AOB_FIGURE_SPLIT,
     AOB_FIGURE_HEIGHT,
     AOB_FIGURE_VTI,
-    AOB_FIGURE_BENT, /* a map of the angles between bent normals and their truth */
+    AOB_FIGURE_OUTPUT,     /* an output besides visibility: its pictures, as a triptych */
+    AOB_FIGURE_OUTPUT_MAP, /* and where it errs */
     AOB_FIGURE_CHART,
     AOB_FIGURE_CACHE /* a chart of cache figures */
 };
@@ -20,14 +22,15 @@ enum aob_figure_kind {
 struct aob_figure {
     enum aob_figure_kind kind;
     size_t section, target;
-    const struct aob_row *row;     /* of an image; NULL for a chart */
-    const struct aob_score *score; /* the row's against the target; NULL without one */
-    const char *title;             /* within `job` */
-    char *file;                    /* relative to the page: "figures/0003-corner-front-gtao.png" */
-    char *failure;                 /* why there is no such file; NULL: there is */
-    json_t *job;                   /* as in figure.h */
-    char *note;                    /* a line below it; NULL: none */
-    const struct aob_row **front;  /* the Pareto set of a quality chart, cheapest first; NULL for others */
+    const struct aob_row *row;          /* of an image; NULL for a chart */
+    const struct aob_score *score;      /* the row's against the target; NULL without one */
+    const struct aob_output_look *look; /* NULL: it is of visibility, or a chart */
+    const char *title;                  /* within `job` */
+    char *file;                         /* relative to the page: "figures/0003-corner-front-gtao.png" */
+    char *failure;                      /* why there is no such file; NULL: there is */
+    json_t *job;                        /* as in figure.h */
+    char *note;                         /* a line below it; NULL: none */
+    const struct aob_row **front; /* the Pareto set of a quality chart, cheapest first; NULL for others */
     size_t front_count;
 };
 

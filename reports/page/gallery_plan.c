@@ -7,23 +7,18 @@
 #include "base/text.h"
 #include "curves.h"
 
-/* Orders the scores of one technique: the smaller the better, NAN does not take part. A score is NULL where there is no target. */
-typedef double ranker(const struct aob_score *score);
-
-/* A score without a band comes after those that have one. */
-static double rank_of(const struct aob_score *score)
+/* Orders the scores of one technique by an output, or with NULL by visibility: the smaller the better, NAN does not take part.
+ * A score is NULL where there is no target. The image holds an output's truth against the case's own target only. A score of
+ * visibility without a band comes after those that have one. */
+static double rank_of(const struct aob_score *score, const struct aob_output_look *look)
 {
+    if (look)
+        return score && score->own ? aob_metric_get(&score->metrics, aob_metric_find(look->metric)) : NAN;
     if (!score)
         return 0;
     if (isfinite(score->metrics.band_rmse))
         return score->metrics.band_rmse;
     return isfinite(score->metrics.rmse) ? 1e3 + score->metrics.rmse : 1e6;
-}
-
-/* Angles are in the image against the case's own target only. */
-static double rank_of_bent(const struct aob_score *score)
-{
-    return score && score->own ? score->metrics.bent_band : NAN;
 }
 
 /* Has the run what a picture of the row against the panel's target shows: the image, and the truth in it or beside it?
@@ -38,7 +33,7 @@ static bool is_pictured(const struct aob_panel *panel, const struct aob_row *row
 
 /* Each technique's best row of the panel, or NULL; free() the list. */
 static const struct aob_row **best_rows(const struct aob_rows *rows, const struct aob_panel *panel,
-                                        ranker *rank)
+                                        const struct aob_output_look *look)
 {
     const struct aob_section *section = &rows->sections[panel->section];
     const struct aob_row **best = AOB_NEW_ARRAY(const struct aob_row *, rows->technique_count);
@@ -48,8 +43,8 @@ static const struct aob_row **best_rows(const struct aob_rows *rows, const struc
         scored[row->technique_place] |= row->score_count > 0;
         if (strcmp(row->backend, section->backend) != 0 || !is_pictured(panel, row))
             continue;
-        double own = rank(aob_row_score(row, panel->target));
-        if (!isnan(own) && (!*place || own < rank(aob_row_score(*place, panel->target))))
+        double own = rank_of(aob_row_score(row, panel->target), look);
+        if (!isnan(own) && (!*place || own < rank_of(aob_row_score(*place, panel->target), look)))
             *place = row;
     }
     for (size_t k = 0; k < rows->technique_count; k++)
@@ -116,70 +111,120 @@ static void set_truth(json_t *job, const struct aob_rows *rows, const struct aob
         json_object_set_new(job, "parts", headings_of(score));
 }
 
-static struct aob_figure *add_image(struct aob_gallery *g, const struct aob_panel *panel,
-                                    enum aob_figure_kind kind, const struct aob_row *row, const char *label)
+/* What an image's figure shows: of an output, or with NULL of visibility. */
+struct wish {
+    enum aob_figure_kind kind;
+    const struct aob_output_look *look;
+    const struct aob_row *row;
+};
+
+static const char *end_of(const struct wish *wish)
 {
-    static const char *const ends[] = {".png", "-map.png", "-split.png", "-height.png", ".vti", "-bent.png"};
-    static const char *const titles[] = {"%s",
-                                         "%s: AO error",
-                                         "%s: where the error comes from",
-                                         "%s: AO error as height",
-                                         "%s",
-                                         "%s: bent normals, degrees off"};
+    static const char *const ends[] = {".png", "-map.png", "-split.png", "-height.png", ".vti"};
+    if (!wish->look)
+        return ends[wish->kind];
+    return wish->kind == AOB_FIGURE_OUTPUT ? wish->look->end : wish->look->map_end;
+}
+
+static void add_title(struct aob_text *title, const struct wish *wish)
+{
+    static const char *const ends[] = {"", ": AO error", ": where the error comes from",
+                                       ": AO error as height", ""};
+    aob_text_add(title, "%s", wish->row->technique);
+    if (!wish->look)
+        aob_text_add(title, "%s", ends[wish->kind]);
+    else
+        aob_text_add(title, ": %s",
+                     wish->kind == AOB_FIGURE_OUTPUT ? wish->look->title : wish->look->map_title);
+}
+
+/* An output's channels and colours; its figures share a scale of their own. */
+static void set_look(json_t *job, const struct aob_panel *panel, const struct aob_output_look *look)
+{
+    json_object_set_new(job, "error", json_string(look->error));
+    json_object_set_new(job, "limit_group",
+                        json_sprintf("output %d %zu %zu", look->output, panel->section, panel->target));
+    if (look->amount)
+        json_object_set_new(job, "amount", json_string(look->amount));
+    if (look->quantity)
+        json_object_set_new(job, "quantity", json_string(look->quantity));
+    if (!look->technique)
+        return;
+    json_object_set_new(job, "technique", json_string(look->technique));
+    json_object_set_new(job, "reference", json_string(look->reference));
+    json_object_set_new(job, "reference_name", json_string(look->truth));
+    if (look->colour)
+        json_object_set_new(job, "colour", json_true());
+    if (look->exposure > 0)
+        json_object_set_new(job, "exposure", json_real(look->exposure));
+}
+
+static struct aob_figure *add_image(struct aob_gallery *g, const struct aob_panel *panel,
+                                    const struct wish *wish, const char *label)
+{
+    const struct aob_row *row = wish->row;
     const struct aob_score *score = aob_row_score(row, panel->target);
-    char *facts = facts_of(g->rows, row, score,
-                           kind == AOB_FIGURE_BENT ? AOB_OUT_BENT_NORMAL : AOB_OUT_VISIBILITY, label);
+    char *facts = facts_of(g->rows, row, score, wish->look ? wish->look->output : AOB_OUT_VISIBILITY, label);
     struct aob_text title = {0}, heading = {0};
-    aob_text_add(&title, titles[kind], row->technique);
+    add_title(&title, wish);
     aob_text_add(&heading, "Technique: %s", row->technique);
     json_t *job =
         json_pack("{s:s, s:s, s:s}", "title", title.data, "subtitle", facts, "technique_name", heading.data);
-    struct aob_figure *figure = aob_gallery_add(g, panel, kind, row->technique, ends[kind], job);
+    struct aob_figure *figure = aob_gallery_add(g, panel, wish->kind, row->technique, end_of(wish), job);
     figure->row = row;
     figure->score = score;
+    figure->look = wish->look;
     set_path(figure->job, "image", g->rows->runs[row->run].folder, row->image);
-    set_truth(figure->job, g->rows, panel, kind, figure);
+    set_truth(figure->job, g->rows, panel, wish->kind, figure);
+    if (wish->look)
+        set_look(figure->job, panel, wish->look);
     aob_text_finish(&title);
     aob_text_finish(&heading);
     free(facts);
     return figure;
 }
 
-static void add_bent(struct aob_gallery *g, const struct aob_panel *panel)
+static void add_output(struct aob_gallery *g, const struct aob_panel *panel,
+                       const struct aob_output_look *look)
 {
-    const struct aob_row **best = best_rows(g->rows, panel, rank_of_bent);
+    const struct aob_row **best = best_rows(g->rows, panel, look);
     for (size_t k = 0; k < g->rows->technique_count; k++) {
-        if (!best[k])
-            continue;
-        struct aob_figure *figure = add_image(g, panel, AOB_FIGURE_BENT, best[k], best[k]->label);
-        json_object_set_new(figure->job, "error", json_string("error.bent"));
-        json_object_set_new(figure->job, "amount", json_string("degrees"));
-        json_object_set_new(figure->job, "limit_group",
-                            json_sprintf("bent %zu %zu", panel->section, panel->target));
+        const struct aob_row *row = best[k];
+        if (row && look->technique)
+            add_image(g, panel, &(struct wish){AOB_FIGURE_OUTPUT, look, row}, row->label);
+        if (row)
+            add_image(g, panel, &(struct wish){AOB_FIGURE_OUTPUT_MAP, look, row}, row->label);
     }
     free(best);
 }
 
+static void add_visibility(struct aob_gallery *g, const struct aob_panel *panel, enum aob_figure_kind kind,
+                           const struct aob_row *row)
+{
+    add_image(g, panel, &(struct wish){.kind = kind, .row = row}, row->label);
+}
+
 static void add_images(struct aob_gallery *g, const struct aob_panel *panel)
 {
-    const struct aob_row **best = best_rows(g->rows, panel, rank_of), *top = NULL;
+    const struct aob_row **best = best_rows(g->rows, panel, NULL), *top = NULL;
     for (size_t k = 0; k < g->rows->technique_count; k++) {
         const struct aob_row *row = best[k];
         if (!row)
             continue;
         const struct aob_score *score = aob_row_score(row, panel->target);
-        add_image(g, panel, AOB_FIGURE_TRIPTYCH, row, row->label);
+        add_visibility(g, panel, AOB_FIGURE_TRIPTYCH, row);
         if (score)
-            add_image(g, panel, AOB_FIGURE_MAP, row, row->label);
+            add_visibility(g, panel, AOB_FIGURE_MAP, row);
         if (score && aob_score_is_split(score))
-            add_image(g, panel, AOB_FIGURE_SPLIT, row, row->label);
-        add_image(g, panel, AOB_FIGURE_VTI, row, row->label);
-        if (score && (!top || rank_of(score) < rank_of(aob_row_score(top, panel->target))))
+            add_visibility(g, panel, AOB_FIGURE_SPLIT, row);
+        add_visibility(g, panel, AOB_FIGURE_VTI, row);
+        if (score && (!top || rank_of(score, NULL) < rank_of(aob_row_score(top, panel->target), NULL)))
             top = row;
     }
     if (top)
-        add_image(g, panel, AOB_FIGURE_HEIGHT, top, top->label);
-    add_bent(g, panel);
+        add_visibility(g, panel, AOB_FIGURE_HEIGHT, top);
+    for (size_t i = 0; i < AOB_OUTPUT_LOOKS; i++)
+        add_output(g, panel, &aob_output_looks[i]);
     free(best);
 }
 
@@ -244,7 +289,8 @@ void aob_gallery_plan_triptychs(struct aob_gallery *g, const struct aob_rows *ro
         const struct aob_score *own = aob_row_own_score(which[i]);
         struct aob_panel panel = {.section = which[i]->section, .target = own ? own->target : AOB_NO_TARGET};
         char *file = lasting_name(g, which[i], taken);
-        struct aob_figure *figure = add_image(g, &panel, AOB_FIGURE_TRIPTYCH, which[i], "");
+        struct aob_figure *figure =
+            add_image(g, &panel, &(struct wish){.kind = AOB_FIGURE_TRIPTYCH, .row = which[i]}, "");
         free(figure->file);
         figure->file = file;
     }

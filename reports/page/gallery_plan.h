@@ -6,8 +6,9 @@
 /* Decides everything; draws nothing. The rows must outlive the gallery.
  * A section gets, for each target and technique, the triptych, map, split and .vti of the case with the lowest band RMSE
  * against that target among those on the section's backend (backends differ by less than can be seen) of which the run
- * keeps both image and truth; the landscape of the best of them; the map of the bent normals that are the nearest to the
- * target in band, where it is the case's own; and a chart of quality. For no target: the charts of
+ * keeps both image and truth; the landscape of the best of them; of each output besides visibility (output_look.h) the
+ * pictures and the map of the case that is the nearest to the target in band, where it is the case's own; and a chart of
+ * quality. For no target: the charts of
  * time, and the image of each technique that has no score in the section. What is not split has no split. */
 void aob_gallery_plan(struct aob_gallery *gallery, const struct aob_rows *rows);
 

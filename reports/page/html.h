@@ -31,6 +31,16 @@ void aob_html_target_open(struct aob_text *page, const struct aob_rows *rows, si
 /* What a case is called beside its technique, cut to two lines; all that it is when one points at it. */
 void aob_html_label(struct aob_text *page, const struct aob_row *row);
 
+/* What the case gives besides visibility, and the passes that it takes for it, each with its time. Nothing of a case that
+ * gives visibility only. */
+void aob_html_given(struct aob_text *page, const struct aob_row *row);
+
+/* The names of what the case gives as a cell. */
+void aob_html_outputs_cell(struct aob_text *page, const struct aob_row *row);
+
+/* Does the case give more than visibility? */
+bool aob_html_gives_more(const struct aob_row *row);
+
 /* The panel's table of where the errors of the techniques' pictured cases come from. */
 void aob_html_split(struct aob_text *page, const struct aob_gallery *gallery, const struct aob_panel *panel);
 

@@ -17,11 +17,13 @@ struct view {
     size_t count;
 };
 
+/* Of the same row and output as `like`. */
 static const struct aob_figure *find_figure(const struct view *view, enum aob_figure_kind kind,
-                                            const struct aob_row *row)
+                                            const struct aob_figure *like)
 {
     for (size_t i = 0; i < view->count; i++)
-        if (view->figures[i].kind == kind && view->figures[i].row == row)
+        if (view->figures[i].kind == kind && view->figures[i].row == like->row &&
+            view->figures[i].look == like->look)
             return &view->figures[i];
     return NULL;
 }
@@ -111,18 +113,24 @@ static void add_charts(struct aob_text *page, const struct view *view, enum aob_
     aob_text_add(page, any ? "</div>\n" : "");
 }
 
+static void add_case(struct aob_text *page, const struct aob_row *row)
+{
+    aob_html_label(page, row);
+    aob_html_given(page, row);
+}
+
 static void add_triptych(struct aob_text *page, const struct view *view, const struct aob_figure *figure)
 {
-    const struct aob_figure *map = find_figure(view, AOB_FIGURE_MAP, figure->row);
-    const struct aob_figure *split = find_figure(view, AOB_FIGURE_SPLIT, figure->row);
+    const struct aob_figure *map = find_figure(view, AOB_FIGURE_MAP, figure);
+    const struct aob_figure *split = find_figure(view, AOB_FIGURE_SPLIT, figure);
     aob_text_add(page, "<figure><div class=wide>");
     add_picture(page, figure, map && !map->failure ? map->file : figure->file);
     if (split)
         add_picture(page, split, split->file);
     aob_text_add(page, "</div><figcaption>");
     add_link(page, map, "error map, pixel by pixel");
-    add_link(page, find_figure(view, AOB_FIGURE_VTI, figure->row), "data for ParaView (.vti)");
-    aob_html_label(page, figure->row);
+    add_link(page, find_figure(view, AOB_FIGURE_VTI, figure), "data for ParaView (.vti)");
+    add_case(page, figure->row);
     aob_text_add(page, "</figcaption></figure>\n");
 }
 
@@ -140,20 +148,35 @@ static bool add_triptychs(struct aob_text *page, const struct view *view, const 
     return any;
 }
 
-static void add_bent(struct aob_text *page, const struct view *view)
+/* The map alone, or the pictures with the map behind them. */
+static void add_output_figure(struct aob_text *page, const struct view *view, const struct aob_figure *map)
+{
+    const struct aob_figure *pictures = find_figure(view, AOB_FIGURE_OUTPUT, map);
+    aob_text_add(page, pictures ? "<figure><div class=wide>" : "<figure class=half>");
+    if (pictures)
+        add_picture(page, pictures, map->failure ? pictures->file : map->file);
+    else
+        add_picture(page, map, map->file);
+    aob_text_add(page, pictures ? "</div><figcaption>" : "<figcaption>");
+    if (pictures)
+        add_link(page, map, "error map, pixel by pixel");
+    add_case(page, map->row);
+    aob_text_add(page, "</figcaption></figure>\n");
+}
+
+static void add_output(struct aob_text *page, const struct view *view, const struct aob_output_look *look)
 {
     bool any = false;
     for (size_t i = 0; i < view->count; i++) {
         const struct aob_figure *figure = &view->figures[i];
-        if (figure->kind != AOB_FIGURE_BENT)
+        if (figure->kind != AOB_FIGURE_OUTPUT_MAP || figure->look != look)
             continue;
-        aob_text_add(page, "%s<figure class=half>",
-                     any ? "" : "<h4>Angle between bent normals and what is open</h4>\n");
+        if (!any)
+            aob_text_add(page, "<h4>%s</h4>\n", look->heading);
+        if (!any && look->sentence)
+            aob_text_add(page, "<p class=soft>%s</p>\n", look->sentence);
         any = true;
-        add_picture(page, figure, figure->file);
-        aob_text_add(page, "<figcaption>");
-        aob_html_label(page, figure->row);
-        aob_text_add(page, "</figcaption></figure>\n");
+        add_output_figure(page, view, figure);
     }
 }
 
@@ -185,7 +208,8 @@ static void add_panel(struct aob_text *page, const struct aob_gallery *g, const 
     else if (!add_triptychs(page, &view, "Each technique\u2019s most accurate case"))
         aob_text_add(page, "<p class=soft>The run keeps no image of these cases, or not this truth.</p>\n");
     add_landscape(page, &view);
-    add_bent(page, &view);
+    for (size_t i = 0; i < AOB_OUTPUT_LOOKS; i++)
+        add_output(page, &view, &aob_output_looks[i]);
     aob_text_add(page, "</div>\n");
 }
 

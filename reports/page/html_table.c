@@ -8,6 +8,7 @@
 struct table {
     const struct aob_rows *rows;
     size_t target;
+    bool outputs; /* some case gives more than visibility */
 };
 
 static void add_scene(struct aob_text *page, const struct aob_row *row)
@@ -103,6 +104,8 @@ static const struct column {
     {"technique", "", "", false, add_technique},
     {"parameters", "", "and run options: what varies among the cases, then what is not at its default", false,
      add_label},
+    {"outputs", "", "what the case gives; no pass is laid that none of them reads", false,
+     aob_html_outputs_cell},
     {"backend", "", "", false, add_backend},
     {"size", "px", "", true, add_size},
     {"status", "", "with the reason if it is not ok", false, add_status},
@@ -140,13 +143,19 @@ static void find_shown(const struct table *table, bool *shown)
     }
 }
 
+static bool is_shown(const struct table *table, const struct column *column)
+{
+    return column->add != aob_html_outputs_cell || table->outputs;
+}
+
 static void add_head(struct aob_text *page, const struct table *table, const bool *shown)
 {
     aob_text_add(page, "<thead><tr>");
     if (table->rows->run_count > 1)
         add_name(page, "run", "", "", false);
     for (size_t i = 0; i < AOB_COUNT(columns); i++)
-        add_name(page, columns[i].name, columns[i].unit, columns[i].meaning, columns[i].number);
+        if (is_shown(table, &columns[i]))
+            add_name(page, columns[i].name, columns[i].unit, columns[i].meaning, columns[i].number);
     for (const struct aob_metric *m = aob_metric_table; m->name; m++)
         if (shown[m - aob_metric_table])
             add_name(page, m->title, m->unit ? m->unit : "", m->doc, true);
@@ -161,24 +170,28 @@ static void add_row(struct aob_text *page, const struct table *table, const bool
     if (table->rows->run_count > 1)
         aob_html_text_cell(page, "", table->rows->runs[row->run].name);
     for (size_t i = 0; i < AOB_COUNT(columns); i++)
-        columns[i].add(page, row);
+        if (is_shown(table, &columns[i]))
+            columns[i].add(page, row);
     for (const struct aob_metric *m = aob_metric_table; m->name; m++)
         if (shown[m - aob_metric_table])
             aob_html_metric_cell(page, m, score ? aob_metric_get(&score->metrics, m) : NAN);
     aob_text_add(page, "</tr>\n");
 }
 
-static void add_table(struct aob_text *page, const struct table *table)
+static void add_table(struct aob_text *page, const struct aob_rows *rows, size_t target)
 {
+    struct table made = {.rows = rows, .target = target};
     bool shown[64] = {false};
     _Static_assert(sizeof(struct aob_metrics) / sizeof(double) <= sizeof shown, "a place for each metric");
-    find_shown(table, shown);
+    find_shown(&made, shown);
+    for (size_t i = 0; i < rows->count; i++)
+        made.outputs = made.outputs || (is_in(&made, &rows->list[i]) && aob_html_gives_more(&rows->list[i]));
     aob_text_add(page, "<div class=scroll><table class=cases>\n");
-    add_head(page, table, shown);
+    add_head(page, &made, shown);
     aob_text_add(page, "<tbody>\n");
-    for (size_t i = 0; i < table->rows->count; i++)
-        if (is_in(table, &table->rows->list[i]))
-            add_row(page, table, shown, &table->rows->list[i]);
+    for (size_t i = 0; i < rows->count; i++)
+        if (is_in(&made, &rows->list[i]))
+            add_row(page, &made, shown, &rows->list[i]);
     aob_text_add(page, "</tbody></table></div>\n");
 }
 
@@ -190,10 +203,10 @@ void aob_html_table(struct aob_text *page, const struct aob_rows *rows)
               "</label> <output id=shown></output> <a href=\"cases.csv\">all of it as cases.csv</a></p>\n");
     for (size_t i = 0; i < rows->target_count; i++) {
         aob_html_target_open(page, rows, i, "");
-        add_table(page, &(struct table){rows, i});
+        add_table(page, rows, i);
         aob_text_add(page, "</div>\n");
     }
     if (!rows->target_count)
-        add_table(page, &(struct table){rows, AOB_NO_TARGET});
+        add_table(page, rows, AOB_NO_TARGET);
     aob_text_add(page, "</section>\n");
 }

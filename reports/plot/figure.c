@@ -1,5 +1,7 @@
 #include "figure.h"
 #include "base/memory.h"
+#include "base/text.h"
+#include "figure_colour.h"
 #include "figure_image.h"
 #include "figure_parts.h"
 #include "viz.h"
@@ -29,6 +31,7 @@ static bool take_map(const json_t *figure, const struct aob_figure_image *from, 
         .error = alone ? NULL : channel(figure, from->error, "error", "error.AO", error),
         .limit = json_number_value(json_object_get(figure, "limit")),
         .amount = aob_figure_text(figure, "amount", NULL),
+        .quantity = aob_figure_text(figure, "quantity", NULL),
     };
     return alone || map->error;
 }
@@ -58,22 +61,46 @@ static bool draw_height(const json_t *figure, struct aob_figure_cache *cache, co
     return draw_with(aob_viz_height_png, figure, cache, out, error);
 }
 
+static bool take_greys(struct aob_viz_triptych *t, const struct aob_figure_image *from, const json_t *figure,
+                       struct aob_error *error)
+{
+    bool alone = json_is_true(json_object_get(figure, "alone"));
+    const float *technique = channel(figure, from->technique, "technique", "technique.AO", error);
+    const float *reference =
+        technique && !alone ? channel(figure, from->reference, "reference", "reference.AO", error) : NULL;
+    t->technique.channels[0] = technique;
+    t->reference.channels[0] = reference;
+    return technique && (alone || reference);
+}
+
+/* The heading of a picture in colour says its exposure. */
+static void add_heading(struct aob_text *text, const json_t *figure, const char *member,
+                        const char *otherwise, const struct aob_viz_triptych *t)
+{
+    aob_text_add(text, "%s", aob_figure_text(figure, member, otherwise));
+    if (t->technique.channels[1])
+        aob_text_add(text, ", exposure %g", t->exposure);
+}
+
 static bool draw_triptych(const json_t *figure, struct aob_figure_cache *cache, const char *out,
                           struct aob_error *error)
 {
+    bool colour = json_is_true(json_object_get(figure, "colour"));
     struct aob_figure_image from;
-    struct aob_viz_triptych t = {.technique_name = aob_figure_text(figure, "technique_name", "Technique"),
-                                 .reference_name = aob_figure_text(figure, "reference_name", "Reference")};
+    struct aob_viz_triptych t = {0};
+    struct aob_text technique = {0}, reference = {0};
     char why[AOB_VIZ_ERROR_SIZE] = "";
-    if (!aob_figure_image_load(&from, cache, figure, error) || !take_map(figure, &from, &t.map, error))
+    if (!aob_figure_image_load(&from, cache, figure, error) || !take_map(figure, &from, &t.map, error) ||
+        !(colour ? aob_figure_take_colours : take_greys)(&t, &from, figure, error))
         return false;
-    t.technique = channel(figure, from.technique, "technique", "technique.AO", error);
-    bool alone = json_is_true(json_object_get(figure, "alone"));
-    t.reference =
-        t.technique && !alone ? channel(figure, from.reference, "reference", "reference.AO", error) : NULL;
-    if (!t.technique || (!alone && !t.reference))
-        return false;
-    return aob_viz_triptych_png(&t, out, why) == 0 || aob_fail(error, "%s", why);
+    add_heading(&technique, figure, "technique_name", "Technique", &t);
+    add_heading(&reference, figure, "reference_name", "Reference", &t);
+    t.technique_name = technique.data;
+    t.reference_name = reference.data;
+    bool ok = aob_viz_triptych_png(&t, out, why) == 0 || aob_fail(error, "%s", why);
+    aob_text_finish(&technique);
+    aob_text_finish(&reference);
+    return ok;
 }
 
 static bool draw_split(const json_t *figure, struct aob_figure_cache *cache, const char *out,

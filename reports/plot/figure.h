@@ -7,6 +7,12 @@
  *                         names of its channels; default technique.AO, reference.AO, error.AO
  *   reference_image       path of another EXR file: its channel AO takes the place of the image's reference, and the error
  *                         is the technique less that, 0 where the image's Z is infinite. All but chart
+ *   colour                true: technique and reference are three channels each of the image, NAME.R NAME.G NAME.B, linear,
+ *                         drawn as sRGB, the sky grey, and their headings say the exposure. triptych; not with
+ *                         reference_image
+ *   exposure              what colours are multiplied by; default: the power of two that takes the reference's 99.5th
+ *                         percentile, of each pixel's largest channel, to above 1/2 and at most 1
+ *   quantity              what the error is of, for the label of its colours; default AO. map, triptych
  *   amount                the unit of a channel "error" that is no error but an amount from 0 up: map, vti. The .vti has
  *                         that channel only
  *   limit                 where the colours end, or
@@ -29,6 +35,9 @@
 
 /* Gives every figure with a limit_group its limit. An image that cannot be read does not take part. */
 void aob_figure_limits(json_t *figures);
+
+/* The 99.5th percentile of the absolute values that are finite; 0 if there is none. */
+double aob_figure_percentile(const float *pixels, size_t count);
 
 bool aob_figure_draw(const json_t *figure, struct aob_figure_cache *cache, struct aob_error *error);
 #endif

@@ -22,8 +22,7 @@ static int by_limit(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The 99.5th percentile of |error|; 0 if no pixel is finite. */
-static double percentile(const float *pixels, size_t count)
+double aob_figure_percentile(const float *pixels, size_t count)
 {
     float *sizes = AOB_NEW_ARRAY(float, count);
     size_t used = 0;
@@ -70,7 +69,7 @@ static bool measure(struct wish *w, const json_t *figure, struct aob_figure_cach
     struct aob_figure_image from;
     if (!aob_figure_image_load(&from, cache, figure, NULL) || !from.error)
         return false;
-    w->limit = percentile(from.error, (size_t)from.image->width * (size_t)from.image->height);
+    w->limit = aob_figure_percentile(from.error, (size_t)from.image->width * (size_t)from.image->height);
     return true;
 }
 

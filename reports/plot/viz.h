@@ -22,7 +22,7 @@ extern "C" {
 
 enum { AOB_VIZ_ERROR_SIZE = 256 };
 
-/* The error of ambient occlusion: technique minus reference. Blue is too dark, red too bright; colours end at
+/* The error of ambient occlusion, or of another output: technique minus reference. Blue is too dark, red too bright; colours end at
  * +-limit, which must be positive. */
 struct aob_viz_map {
     const char *title, *subtitle;
@@ -31,6 +31,8 @@ struct aob_viz_map {
     double limit;
     const char *
         amount; /* NULL, or the unit of what is no error but an amount from 0 up: white to red. Flat maps only */
+    const char
+        *quantity; /* what the error is of, for the label of its colours; NULL: "AO". Not of a landscape */
 };
 
 /* As a flat map: every pixel becomes a square of whole pixels, as large as fits 1440 x 1080, at least 1:1. */
@@ -39,13 +41,21 @@ int aob_viz_map_png(const struct aob_viz_map *map, const char *path, char error[
 /* As a landscape, averaged and smoothed, seen from the front left. */
 int aob_viz_height_png(const struct aob_viz_map *map, const char *path, char error[AOB_VIZ_ERROR_SIZE]);
 
+/* One channel is grey, 0 black to 1 white. Three are red, green and blue, linear: what a picture shows of them is their
+ * product with an exposure, as sRGB. */
+struct aob_viz_picture {
+    const float *channels[3]; /* [1] NULL: grey */
+    const float *depth; /* NULL, or where it is infinite there is no surface: drawn as what is not finite */
+};
+
 /* Technique, reference and error side by side. Images wider than 720 pixels are averaged down by a whole
  * factor, small ones drawn as squares of whole pixels. */
 struct aob_viz_triptych {
     struct aob_viz_map map;
-    const float *technique; /* visibility: 0 black, 1 white */
-    const float
-        *reference; /* NULL: the technique is drawn alone, and the map's error and limit are not read */
+    struct aob_viz_picture technique;
+    struct aob_viz_picture
+        reference; /* no channel: the technique is drawn alone, and the map's error and limit are not read */
+    double exposure; /* of both, where they are in colour; it must be positive then */
     const char *technique_name, *reference_name;
 };
 int aob_viz_triptych_png(const struct aob_viz_triptych *figure, const char *path,

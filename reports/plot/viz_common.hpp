@@ -55,7 +55,8 @@ struct tick {
 /* Ticks of a colour bar from -limit to +limit that is `length` pixels long. */
 std::vector<tick> error_ticks(double limit, double length);
 
-constexpr const char *ERROR_LABEL = "AO minus reference (blue: too dark, red: too bright)";
+/* What the colours of an error say, after what it is of. */
+constexpr const char *ERROR_MEANING = " (blue: too dark, red: too bright)";
 
 /* Throws if the sizes or limit cannot be drawn. */
 void check_map(const aob_viz_map &map);

@@ -14,7 +14,7 @@ using namespace aob_viz;
 namespace
 {
 constexpr int MARGIN = 40, BAR_GAP = 26, BAR_WIDTH = 22, BAR_ROOM = 116;
-constexpr const char *PART_LABEL = "part of the error (blue: darkens, red: brightens)";
+constexpr const char *PART_LABEL = "part of the error", *PART_MEANING = " (blue: darkens, red: brightens)";
 const text_style TITLE = {22, face::bold}, SUBTITLE = {15, face::plain, GREY}, HEADING = {15, face::bold},
                  TICK = {15, face::plain, INK, VTK_TEXT_LEFT, VTK_TEXT_CENTERED},
                  LABEL = {15, face::plain, INK, VTK_TEXT_CENTERED, VTK_TEXT_CENTERED, 90};
@@ -110,24 +110,50 @@ double sample(const float *pixels, int width, int height, const scale &s, int x,
 }
 
 struct panel {
-    const float *pixels;
+    aob_viz_picture picture;
     int width, height;
     scale size;
-    double limit; /* 0: grey from 0 to 1 */
+    double limit;        /* of an error; 0: a picture */
+    double exposure = 1; /* of one in colour */
 };
+
+unsigned char byte_of(double value)
+{
+    return static_cast<unsigned char>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+}
+
+double srgb(double linear)
+{
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+/* The colour of a pixel of the panel. */
+void paint(const panel &p, int x, int y, unsigned char into[3])
+{
+    double values[3];
+    int count = p.picture.channels[1] ? 3 : 1;
+    bool known = true;
+    for (int c = 0; c < count; c++) {
+        values[c] = sample(p.picture.channels[c], p.width, p.height, p.size, x, y);
+        known = known && std::isfinite(values[c]);
+    }
+    if (p.picture.depth)
+        known = known && std::isfinite(sample(p.picture.depth, p.width, p.height, p.size, x, y));
+    if (p.limit > 0 || !known)
+        std::memcpy(into, error_colour(known ? values[0] : NAN, p.limit), 3);
+    else if (count == 1)
+        std::memset(into, byte_of(values[0]), 3);
+    else
+        for (int c = 0; c < 3; c++)
+            into[c] = byte_of(srgb(p.exposure * values[c]));
+}
 
 void draw_panel(canvas &sheet, const panel &p, int x, int y)
 {
     int width = p.size.of(p.width), height = p.size.of(p.height);
     for (int j = 0; j < height; j++)
-        for (int i = 0; i < width; i++) {
-            double value = sample(p.pixels, p.width, p.height, p.size, i, j);
-            if (p.limit > 0 || !std::isfinite(value))
-                std::memcpy(sheet.at(x + i, y + j), error_colour(p.limit > 0 ? value : NAN, p.limit), 3);
-            else
-                std::memset(sheet.at(x + i, y + j),
-                            static_cast<int>(std::lround(255 * std::clamp(value, 0.0, 1.0))), 3);
-        }
+        for (int i = 0; i < width; i++)
+            paint(p, i, j, sheet.at(x + i, y + j));
     sheet.frame(x, y, width, height);
 }
 
@@ -164,9 +190,16 @@ void draw_titles(canvas &sheet, const aob_viz_map &map, int y)
 }
 
 /* A bar shorter than its label needs gets a shorter one. */
-std::string bar_label(int height, const char *label = ERROR_LABEL, const char *brief = "AO minus reference")
+std::string bar_label(int height, const std::string &brief, const char *meaning)
 {
-    return text_width(label, LABEL) <= height + 60 ? label : height >= 120 ? brief : "";
+    std::string whole = brief + meaning;
+    return text_width(whole, LABEL) <= height + 60 ? whole : height >= 120 ? brief : "";
+}
+
+std::string error_label(int height, const aob_viz_map &map)
+{
+    return bar_label(height, std::string(map.quantity ? map.quantity : "AO") + " minus reference",
+                     ERROR_MEANING);
 }
 
 void draw_map(const aob_viz_map &map, const std::string &path)
@@ -176,10 +209,10 @@ void draw_map(const aob_viz_map &map, const std::string &path)
     int width = size.of(map.width), height = size.of(map.height), top = 96, bar = std::max(height, 60);
     canvas sheet(MARGIN + std::max(width, 420) + BAR_GAP + BAR_WIDTH + BAR_ROOM, top + bar + 36);
     draw_titles(sheet, map, 26);
-    draw_panel(sheet, {map.error, map.width, map.height, size, map.limit}, MARGIN, top);
+    draw_panel(sheet, {{{map.error}, nullptr}, map.width, map.height, size, map.limit}, MARGIN, top);
     draw_error_bar(sheet, MARGIN + width + BAR_GAP, top, bar,
                    map.amount ? legend{0, map.limit, map.amount}
-                              : legend{-map.limit, map.limit, bar_label(bar)});
+                              : legend{-map.limit, map.limit, error_label(bar, map)});
     save_png(sheet.Image, path);
 }
 
@@ -198,17 +231,23 @@ void draw_alone(const aob_viz_triptych &figure, const std::string &path)
     canvas sheet(std::max(2 * MARGIN + width, 720), top + size.of(map.height) + 32);
     draw_titles(sheet, map, 20);
     sheet.text(MARGIN, top - 10, fit_text(figure.technique_name, HEADING, width), HEADING);
-    draw_panel(sheet, {figure.technique, map.width, map.height, size, 0}, MARGIN, top);
+    draw_panel(sheet, {figure.technique, map.width, map.height, size, 0, figure.exposure}, MARGIN, top);
     save_png(sheet.Image, path);
 }
 
-/* Three images side by side; from the `first_error`-th on they are in the error's colours, before that grey. */
-void draw_row(const aob_viz_map &map, const float *const images[3], const char *const names[3],
-              int first_error, const std::string &path)
+/* Three images side by side; from the `first_error`-th on they are in the error's colours, before that pictures. */
+struct row {
+    aob_viz_picture images[3];
+    const char *names[3];
+    int first_error;
+    double exposure;
+};
+
+void draw_row(const aob_viz_map &map, const row &of, const std::string &path)
 {
-    for (int i = first_error; i < 3; i++) {
+    for (int i = of.first_error; i < 3; i++) {
         aob_viz_map drawn = map;
-        drawn.error = images[i];
+        drawn.error = of.images[i].channels[0];
         check_map(drawn);
     }
     scale size = panel_scale(map.width, map.height);
@@ -218,10 +257,11 @@ void draw_row(const aob_viz_map &map, const float *const images[3], const char *
     draw_titles(sheet, map, 20);
     for (int i = 0; i < 3; i++) {
         int x = MARGIN + i * step;
-        sheet.text(x, top - 10, fit_text(names[i], HEADING, step - 24), HEADING);
-        draw_panel(sheet, {images[i], map.width, map.height, size, i >= first_error ? map.limit : 0}, x, top);
+        sheet.text(x, top - 10, fit_text(of.names[i], HEADING, step - 24), HEADING);
+        double limit = i >= of.first_error ? map.limit : 0;
+        draw_panel(sheet, {of.images[i], map.width, map.height, size, limit, of.exposure}, x, top);
     }
-    std::string label = first_error ? bar_label(bar) : bar_label(bar, PART_LABEL, "part of the error");
+    std::string label = of.first_error ? error_label(bar, map) : bar_label(bar, PART_LABEL, PART_MEANING);
     draw_error_bar(sheet, end + BAR_GAP, top, bar, {-map.limit, map.limit, label});
     save_png(sheet.Image, path);
 }
@@ -229,18 +269,26 @@ void draw_row(const aob_viz_map &map, const float *const images[3], const char *
 void draw_triptych(const aob_viz_triptych &figure, const std::string &path)
 {
     const aob_viz_map &map = figure.map;
-    if (!figure.technique || map.width < 1 || map.height < 1)
+    if (!figure.technique.channels[0] || map.width < 1 || map.height < 1)
         throw std::runtime_error("the image of the technique is missing");
-    if (!figure.reference)
+    if (figure.technique.channels[1] && !(figure.exposure > 0))
+        throw std::runtime_error("the exposure must be positive");
+    if (!figure.reference.channels[0])
         return draw_alone(figure, path);
-    const float *images[] = {figure.technique, figure.reference, map.error};
-    const char *names[] = {figure.technique_name, figure.reference_name, "Error: technique \u2212 reference"};
-    draw_row(map, images, names, 2, path);
+    draw_row(map,
+             {{figure.technique, figure.reference, {{map.error}, nullptr}},
+              {figure.technique_name, figure.reference_name, "Error: technique \u2212 reference"},
+              2,
+              figure.exposure},
+             path);
 }
 
 void draw_split(const aob_viz_split &figure, const std::string &path)
 {
-    draw_row(figure.map, figure.parts, figure.names, 0, path);
+    row of = {{}, {figure.names[0], figure.names[1], figure.names[2]}, 0, 1};
+    for (int i = 0; i < 3; i++)
+        of.images[i].channels[0] = figure.parts[i];
+    draw_row(figure.map, of, path);
 }
 
 void write_vti(int width, int height, const aob_viz_field *fields, size_t count, const std::string &path)

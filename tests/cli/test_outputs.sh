@@ -47,6 +47,30 @@ check "the page has a picture of each" test "$(grep -o 'figures/[^"]*-bent.png' 
 for picture in both/report/figures/*-bent.png; do check "$picture is drawn" test -s "$picture"; done
 check "none of them without" test "$(grep -c -- '-bent.png' plain/report/index.html)" -eq 0
 
+# Bounces, specular occlusion and irradiance: pictures, a map, and what was laid for them.
+sed -e 's/^name: .*/name: light/' -e 's/{name: corner}/{name: gallery}/' -e 's/, {name: hbao.*/]/' -e '/^  {name: crytek/d' \
+  -e 's/guard_band: 8/guard_band: 8, specular: [off, on], visibility_rgb: on, irradiance: on/' plain.yaml >light.yaml
+check "a run with three more" "$program" run light.yaml --out light --quiet
+lit() { jq -s "map(select(.options.specular == \"$1\"))[0] | $2" light/journal.jsonl; }
+page=light/report/index.html
+for output in bounces specular irradiance; do
+  for end in .png -map.png; do
+    picture=$(grep -o "figures/[^\"]*-$output$end" $page | sort -u)
+    check "one picture of $output$end: '$picture'" test -s "light/report/$picture"
+  done
+done
+for which in off on; do
+  gives=$(lit $which '.outputs | join(", ")' | tr -d '"')
+  check "specular $which: what it gives, and in how many passes" \
+    grep -q "gives $gives in $(lit $which '.time.passes | length') passes: " $page
+done
+check "specular has a pass of its own" test "$(lit on '.time.passes | length')" -eq $(($(lit off '.time.passes | length') + 1))
+check "its pass is on the page" grep -q '^<li>specular: [0-9.]* ms</li>$' $page
+for word in '<button>outputs</button>' 'RMSE after bounces in band' 'relative RMSE of specular in band' 'relative RMSE of irradiance in band'; do
+  check "a column: $word" grep -q "$word" $page
+  check "not without: $word" test "$(grep -c "$word" plain/report/index.html)" -eq 0
+done
+
 # In one frame.
 expect 2 "unsupported: alchemy gives no bent_normal" "$program" shot --technique alchemy --scene corner --size 32x18 --backend gl-egl -p bent_normal=on
 expect 2 "bent_normal" "$program" shot --technique gtao --scene corner --size 32x18 --backend gl-egl -p bent_normal=maybe

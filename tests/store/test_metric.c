@@ -33,8 +33,7 @@ static void json_gives_back_what_it_took(void **state)
     json_t *object = json_object();
     aob_metrics_to_json(&out, 1u << AOB_OUT_VISIBILITY, object);
     assert_null(json_object_get(object, "bent_mean")); /* of an output that was not asked for */
-    for (int which = AOB_OUT_BENT_NORMAL; which < AOB_OUTPUT_COUNT; which++)
-        aob_metrics_to_json(&out, 1u << which, object);
+    aob_metrics_to_json(&out, ~(1u << AOB_OUT_VISIBILITY), object);
     assert_true(json_is_null(json_object_get(object, "ssim")));
     assert_true(json_is_integer(json_object_get(object, "pixels")));
     assert_true(json_number_value(json_object_get(json_object_get(object, "covariance"),
