@@ -31,10 +31,11 @@ static const struct aob_param params[] = {
               .min = 1, .max = 1024, .initial = 6,
               .doc =
                   "Taps on each side of a slice (directionSampleCount); more finds horizons more exactly."),
-    AOB_PARAM(struct values, weighting, .stage = AOB_CONSTANT, .choices = weightings,
-              .doc =
-                  "How directions are weighted: with the cosine as in the text, or by the bare solid angle, which "
-                  "gives no bounces, specular or irradiance."),
+    AOB_PARAM(
+        struct values, weighting, .stage = AOB_CONSTANT, .choices = weightings,
+        .doc =
+            "How directions are weighted: with the cosine as in the text, or by the bare solid angle, which "
+            "gives no bounces, specular or irradiance."),
     AOB_PARAM(struct values, noise_index, .min = 0, .max = 1e6, .initial = 0,
               .doc = "Frame of the temporal noise: turns slices and moves steps; repeats after 24."),
     AOB_PARAM_DIVISOR(struct values, divisor),

@@ -30,8 +30,7 @@ static uint32_t reads;
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
-    aob_tex o =
-        aob_texture(graph, .name = "o", .format = AOB_RGBA32F, .divisor = (uint32_t)v->divisor);
+    aob_tex o = aob_texture(graph, .name = "o", .format = AOB_RGBA32F, .divisor = (uint32_t)v->divisor);
     aob_tex full = aob_texture(graph, .name = "full", .format = AOB_RGBA32F);
     aob_tex share = aob_texture(graph, .name = "share", .format = AOB_R8);
     return aob_pass(graph, .name = "only", .shader = chosen, .reads = reads,
@@ -40,8 +39,11 @@ static bool build(struct aob_graph *graph, const void *values)
                     .out = {{.name = "full", .tex = full}, {.name = "share", .tex = share}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, share) && aob_output(graph, AOB_OUT_IRRADIANCE, full);
 }
-static const struct aob_technique technique = {.name = "materials", .params = params, .param_count = 2,
-                                               .values_size = sizeof(struct values), .shaders = shaders,
+static const struct aob_technique technique = {.name = "materials",
+                                               .params = params,
+                                               .param_count = 2,
+                                               .values_size = sizeof(struct values),
+                                               .shaders = shaders,
                                                .build = build};
 static const char *const backends[] = {"vulkan", "gl-egl", "gl-osmesa"};
 

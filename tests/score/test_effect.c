@@ -91,7 +91,8 @@ static void what_is_no_light_is_refused(void **state)
 {
     (void)state;
     struct still still;
-    refuse(AOB_OUT_SPECULAR, 1.02f, "pixel (1, 1) of the specular is 1.02: it must be finite and within 0..1");
+    refuse(AOB_OUT_SPECULAR, 1.02f,
+           "pixel (1, 1) of the specular is 1.02: it must be finite and within 0..1");
     refuse(AOB_OUT_SPECULAR, NAN, "within 0..1");
     refuse(AOB_OUT_VISIBILITY_RGB, -0.01f, "visibility_rgb is -0.01");
     refuse(AOB_OUT_IRRADIANCE, -1e-6f, "it must be finite and not negative");
