@@ -35,6 +35,12 @@ struct aob_options aob_case_options(const struct aob_case *c)
     return options;
 }
 
+bool aob_case_is_lit(const struct aob_case *c)
+{
+    struct aob_options options = aob_case_options(c);
+    return aob_options_wanted(&options) >> AOB_OUT_IRRADIANCE & 1;
+}
+
 /* What no view can be encoded in; planes that follow the view are judged when it is known. */
 static bool judge_encoding(const struct aob_case *c, struct aob_error *error)
 {

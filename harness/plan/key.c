@@ -27,9 +27,8 @@ static void describe_scene(const struct aob_plan *plan, const struct aob_plan_sc
 /* Only an output that depends on the light makes it a part of the question. */
 static void add_light(const struct aob_case *c, struct aob_text *text)
 {
-    struct aob_options options = aob_case_options(c);
-    if (aob_options_wanted(&options) >> AOB_OUT_IRRADIANCE & 1)
-        aob_text_add(text, " light=%s", c->scene->light_name);
+    if (aob_case_is_lit(c))
+        aob_text_add(text, " light=%s", c->scene->light_digest);
 }
 
 static void make_key(struct aob_case *c, const char *scene)

@@ -21,14 +21,15 @@ struct aob_plan_scene {                /* one view of one scene */
         view; /* "front", "camera", "camera-2", "capture" or "framed" (from the mesh's box, once it is loaded) */
     struct aob_camera camera; /* unset while framed */
     bool framed;
-    bool loaded;                   /* by this run: its warnings are printed, its framing is known */
-    bool checked;                  /* by this run: run/check.h */
-    double metre;                  /* scene units that stand for a metre in default lengths (scene.h) */
-    bool unit_stated;              /* how long its unit is was stated, or it is a listed scene */
-    struct aob_light light;        /* that lights it, world space */
-    char light_name[AOB_KEY_SIZE]; /* a listed light's name, or a hash of the coefficients */
-    char geometry[AOB_KEY_SIZE];   /* of the geometry's source, the same for every build of the program */
-    char digest[AOB_KEY_SIZE];     /* of that and the version of what reads it */
+    bool loaded;                     /* by this run: its warnings are printed, its framing is known */
+    bool checked;                    /* by this run: run/check.h */
+    double metre;                    /* scene units that stand for a metre in default lengths (scene.h) */
+    bool unit_stated;                /* how long its unit is was stated, or it is a listed scene */
+    struct aob_light light;          /* that lights it, world space */
+    const char *light_name;          /* a listed light's, or the probe's path */
+    char light_digest[AOB_KEY_SIZE]; /* of the coefficients */
+    char geometry[AOB_KEY_SIZE];     /* of the geometry's source, the same for every build of the program */
+    char digest[AOB_KEY_SIZE];       /* of that and the version of what reads it */
     /* What the cases are compared with, at most AOB_CONFIG_MAX_TARGETS: the config's, or each radius of the scene's
      * cases in order; none if no error is measured. */
     struct aob_target *targets;
@@ -115,6 +116,9 @@ bool aob_case_same_but_build(const struct aob_case *a, const struct aob_case *b)
 
 /* Option by its struct: packed from c->options. */
 struct aob_options aob_case_options(const struct aob_case *c);
+
+/* Whether an output is wanted that depends on the scene's light. */
+bool aob_case_is_lit(const struct aob_case *c);
 
 /* Seconds that a run of the plan takes on two cores with nothing in the cache, roughly: compiling, timing, references,
  * and for each target the score and the pictures of each case. A large image or a dear technique takes longer. */

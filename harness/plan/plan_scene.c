@@ -1,5 +1,4 @@
 #include "plan_scene.h"
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
@@ -153,27 +152,36 @@ static bool fail_unknown_light(const char *name, struct aob_error *error)
 }
 
 /* A scene whose light nobody states is lit by its own, and a mesh or a capture uniformly. */
-static bool choose_light(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
-                         struct aob_error *error)
+static bool find_light(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                       struct aob_error *error)
 {
     struct aob_light_projection projection;
     const char *own = scene->info && scene->info->light ? scene->info->light : aob_lights[0].name;
-    const char *name = choice->light ? choice->light : own;
+    scene->light_name = choice->light ? choice->light : own;
     if (choice->is_probe) {
-        struct aob_text text = {0};
         memcpy(scene->light.sh, choice->sh, sizeof scene->light.sh);
-        for (size_t i = 0; i < AOB_COUNT(choice->sh); i++)
-            aob_text_add(&text, " %.9g", choice->sh[i]);
-        aob_hash_text(text.data, scene->light_name);
-        aob_text_finish(&text);
         return true;
     }
-    const struct aob_light_info *info = aob_light_find(name);
+    const struct aob_light_info *info = aob_light_find(scene->light_name);
     if (!info)
-        return fail_unknown_light(name, error);
+        return fail_unknown_light(scene->light_name, error);
     aob_light_make(info, &projection);
     scene->light = projection.light;
-    snprintf(scene->light_name, sizeof scene->light_name, "%s", name);
+    return true;
+}
+
+/* Nine digits: they are floats for the device. */
+static bool choose_light(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                         struct aob_error *error)
+{
+    struct aob_text text = {0};
+    if (!find_light(scene, choice, error))
+        return false;
+    for (int i = 0; i < 9; i++)
+        for (int c = 0; c < 3; c++)
+            aob_text_add(&text, " %.9g", scene->light.sh[i][c]);
+    aob_hash_text(text.data, scene->light_digest);
+    aob_text_finish(&text);
     return true;
 }
 

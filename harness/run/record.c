@@ -41,14 +41,17 @@ static json_t *bare_fingerprint(void)
 
 static json_t *identity(const struct aob_case *c)
 {
-    return json_pack("{s:s, s:s, s:s, s:f, s:s, s:i, s:o, s:o, s:s, s:i, s:i, s:o, s:o}", "key", c->key,
-                     "scene", c->scene->name, "view", c->scene->view, "metre", c->scene->metre, "technique",
-                     c->technique->name, "revision", (int)c->technique->revision, "params",
-                     values_to_json(c->technique->params, c->technique->param_count, c->params), "options",
-                     values_to_json(aob_option_params, AOB_OPTION_COUNT, c->options), "backend", c->backend,
-                     "width", c->width, "height", c->height, "reference_radius",
-                     aob_json_number(c->reference_radius), "camera",
-                     c->scene->framed ? json_null() : aob_camera_to_json(&c->scene->camera));
+    json_t *object = json_pack(
+        "{s:s, s:s, s:s, s:f, s:s, s:i, s:o, s:o, s:s, s:i, s:i, s:o, s:o}", "key", c->key, "scene",
+        c->scene->name, "view", c->scene->view, "metre", c->scene->metre, "technique", c->technique->name,
+        "revision", (int)c->technique->revision, "params",
+        values_to_json(c->technique->params, c->technique->param_count, c->params), "options",
+        values_to_json(aob_option_params, AOB_OPTION_COUNT, c->options), "backend", c->backend, "width",
+        c->width, "height", c->height, "reference_radius", aob_json_number(c->reference_radius), "camera",
+        c->scene->framed ? json_null() : aob_camera_to_json(&c->scene->camera));
+    if (aob_case_is_lit(c))
+        json_object_set_new(object, "light", aob_json_text(c->scene->light_name));
+    return object;
 }
 
 /* What the technique claims to compute, short enough for a record; NULL where its term cannot be read. */

@@ -58,6 +58,7 @@ shot=("$program" shot --technique gtao --scene window_room --size 64x36 --backen
 key() { "${shot[@]}" "$@" --json - 2>key.err | jq -r .key; }
 own=$(key -p irradiance=on)
 check "its own light, by name" test "$(key -p irradiance=on --light window)" = "$own"
+check "the record names it" test "$("${shot[@]}" -p irradiance=on --json - | jq -r .light) $("${shot[@]}" --json - | jq -r .light)" = "window null"
 check "another light is another case" test "$(key -p irradiance=on --light sky)" != "$own"
 check "not of visibility" test "$(key --light sky)" = "$(key)"
 check "nor of specular" test "$(key -p specular=on --light sky)" = "$(key -p specular=on)"
