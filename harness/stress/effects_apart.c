@@ -1,4 +1,5 @@
 #include <math.h>
+#include <stdlib.h>
 #include "base/memory.h"
 #include "base/text.h"
 #include "effects.h"
@@ -63,12 +64,25 @@ void aob_ask_effects_apart(struct aob_trial *trial)
     }
 }
 
+/* Nobody needs light or materials for a visibility. */
+static void take_reads(struct aob_trial *trial)
+{
+    struct aob_pass_graph *graph = aob_subject_lay(trial->subject, 0);
+    uint32_t reads = graph ? aob_graph_reads(graph) & (AOB_MATERIAL | AOB_LIGHT) : 0;
+    aob_trial_take(trial, graph && !reads ? 0 : 1, NULL, "visibility alone reads %s",
+                   reads & AOB_LIGHT ? "the light"
+                   : reads           ? "materials"
+                                     : "no more than it needs");
+    free(graph);
+}
+
 /* Each of these outputs has a texture of its own, so that a frame which does not want it is smaller. */
 void aob_ask_effects_unwanted(struct aob_trial *trial)
 {
     struct aob_chance chance = aob_chance_of("effects_unwanted");
     struct frames frames;
     start(trial, &frames, NULL, &chance);
+    take_reads(trial);
     struct aob_reading none = draw(trial, &frames, 0), all = draw(trial, &frames, LIGHT);
     for (int which = AOB_OUT_VISIBILITY_RGB; which < AOB_OUTPUT_COUNT; which++) {
         if (!all.of[which] || !none.of[AOB_OUT_VISIBILITY])
