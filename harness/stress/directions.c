@@ -47,34 +47,15 @@ static void ask_plane(struct aob_trial *trial)
     }
 }
 
-/* A plane `out` from the eye, which looks along -z; its normal comes towards the axis of the view. */
-static struct aob_exhibit *plane_beside(struct aob_trial *trial, struct aob_vec3 out, double ortho_height)
-{
-    struct aob_mesh mesh = {0};
-    struct aob_vec3 front = aob_vec_scale(out, -1), u = aob_vec(0, 0, -400), v = aob_vec_cross(front, u);
-    if (out.z != 0) {
-        u = aob_vec(400, 0, 0);
-        v = aob_vec(0, 400, 0);
-    }
-    aob_mesh_add_quad(&mesh, aob_vec_sub(out, aob_vec_scale(aob_vec_add(u, v), 0.5)), u, v);
-    const struct aob_exhibit_desc desc = {
-        .mesh = &mesh,
-        .camera = {.target = {0, 0, -1}, .fov_deg = 90, .ortho_height = ortho_height},
-        .width = 64,
-        .height = 48,
-        .guard = 16};
-    return aob_trial_exhibit(trial, &desc);
-}
-
 /* Normals exactly along the axes of view space. */
 static void ask_axial(struct aob_trial *trial)
 {
-    take_plane(trial, plane_beside(trial, aob_vec(0, 0, -1), 0), "a plane ahead");
-    take_plane(trial, plane_beside(trial, aob_vec(0, 0, -1), 3), "a plane ahead, orthographic");
-    take_plane(trial, plane_beside(trial, aob_vec(0, -1, 0), 0), "a floor");
-    take_plane(trial, plane_beside(trial, aob_vec(0, 1, 0), 0), "a ceiling");
-    take_plane(trial, plane_beside(trial, aob_vec(-1, 0, 0), 0), "a wall on the left");
-    take_plane(trial, plane_beside(trial, aob_vec(1, 0, 0), 0), "a wall on the right");
+    take_plane(trial, aob_set_plane_beside(trial, aob_vec(0, 0, -1), 0), "a plane ahead");
+    take_plane(trial, aob_set_plane_beside(trial, aob_vec(0, 0, -1), 3), "a plane ahead, orthographic");
+    take_plane(trial, aob_set_plane_beside(trial, aob_vec(0, -1, 0), 0), "a floor");
+    take_plane(trial, aob_set_plane_beside(trial, aob_vec(0, 1, 0), 0), "a ceiling");
+    take_plane(trial, aob_set_plane_beside(trial, aob_vec(-1, 0, 0), 0), "a wall on the left");
+    take_plane(trial, aob_set_plane_beside(trial, aob_vec(1, 0, 0), 0), "a wall on the right");
 }
 
 /* Before a crease the mean open direction leans away from the wall. The plain normal is off by all of that lean, so that its angle

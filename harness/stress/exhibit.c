@@ -1,6 +1,7 @@
 #include "exhibit.h"
 #include <stdlib.h>
 #include <string.h>
+#include "base/memory.h"
 
 bool aob_exhibit_init(struct aob_exhibit *exhibit, const struct aob_exhibit_desc *desc,
                       struct aob_error *error)
@@ -62,6 +63,20 @@ struct aob_vec3 aob_exhibit_position(const struct aob_exhibit *exhibit, size_t i
     double x = (double)(i % width) + exhibit->guard + 0.5, y = (double)(i / width) + exhibit->guard + 0.5;
     aob_camera_ray(&exhibit->camera, &exhibit->gbuffer.projection, x, y, &origin, &direction);
     return aob_vec_add(origin, aob_vec_scale(direction, (double)aob_exhibit_depth(exhibit, i)));
+}
+
+void aob_exhibit_paint(struct aob_exhibit *exhibit, const float albedo[3], const float shine[2])
+{
+    struct aob_gbuffer *gbuffer = &exhibit->gbuffer;
+    size_t count = (size_t)gbuffer->projection.width * (size_t)gbuffer->projection.height;
+    if (!gbuffer->albedo) {
+        gbuffer->albedo = AOB_NEW_ARRAY(float, 3 * count);
+        gbuffer->shine = AOB_NEW_ARRAY(float, 2 * count);
+    }
+    for (size_t i = 0; i < count; i++) {
+        memcpy(&gbuffer->albedo[3 * i], albedo, 3 * sizeof(float));
+        memcpy(&gbuffer->shine[2 * i], shine, 2 * sizeof(float));
+    }
 }
 
 struct aob_visibility_desc aob_exhibit_rays(const struct aob_exhibit *exhibit,

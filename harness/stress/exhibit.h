@@ -38,6 +38,9 @@ float aob_exhibit_depth(const struct aob_exhibit *exhibit, size_t i);
 struct aob_vec3 aob_exhibit_position(const struct aob_exhibit *exhibit, size_t i);
 size_t aob_exhibit_place(const struct aob_exhibit *exhibit, size_t i);
 
+/* Paints all of it, sky and guard band too, with one material: linear base colour; roughness and metalness. */
+void aob_exhibit_paint(struct aob_exhibit *exhibit, const float albedo[3], const float shine[2]);
+
 /* What is to be traced of its image, the guard band left out: one term, which must outlive it, with `spp` rays a pixel, an even
  * number. */
 struct aob_visibility_desc aob_exhibit_rays(const struct aob_exhibit *exhibit,

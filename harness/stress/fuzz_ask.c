@@ -69,16 +69,20 @@ static void write_images(const struct aob_fuzz_frame *frame, const struct aob_fu
 {
     static const char *const normal[] = {"N.X", "N.Y", "N.Z", NULL},
                              *const shading[] = {"S.X", "S.Y", "S.Z", NULL}, *const depth[] = {"Z", NULL},
-                             *const ao[] = {"technique.AO", NULL}, *const again[] = {"again.AO", NULL};
+                             *const ao[] = {"technique.AO", NULL}, *const again[] = {"again.AO", NULL},
+                             *const albedo[] = {"albedo.R", "albedo.G", "albedo.B", NULL},
+                             *const shine[] = {"roughness", "metalness", NULL};
     struct aob_image seen = {.width = frame->gbuffer.projection.width,
                              .height = frame->gbuffer.projection.height};
     struct aob_image drawn = {.width = aob_fuzz_frame_width(frame), .height = aob_fuzz_frame_height(frame)};
     add_channels(&seen, frame->gbuffer.depth, 1, depth);
     add_channels(&seen, frame->gbuffer.normal, 4, normal);
     add_channels(&seen, frame->gbuffer.shading, 4, shading);
+    add_channels(&seen, frame->gbuffer.albedo, 3, albedo);
+    add_channels(&seen, frame->gbuffer.shine, 2, shine);
     write_image(&seen, stem, "-gbuffer.exr");
-    add_channels(&drawn, sight->image, 1, ao);
-    add_channels(&drawn, sight->again, 1, again);
+    add_channels(&drawn, sight->drawn[0].of[AOB_OUT_VISIBILITY], 1, ao);
+    add_channels(&drawn, sight->drawn[1].of[AOB_OUT_VISIBILITY], 1, again);
     write_image(&drawn, stem, "-image.exr");
 }
 

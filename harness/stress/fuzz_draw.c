@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "frame/frame.h"
 #include "score/bent.h"
+#include "score/effect.h"
 
 static const char *const fault_words[AOB_FUZZ_FAULT_COUNT] = {
     "fine",         "refused", "error", "not finite", "out of range", "sky not open", "not the same again",
@@ -41,15 +42,17 @@ static void make_geometry(const struct aob_fuzz_frame *frame, struct aob_geometr
 
 /* A frame that nobody drew before: new textures, which hold whatever their memory held. */
 static enum aob_fuzz_fault draw_once(const struct aob_frame_desc *desc, struct aob_screen *screen,
-                                     float *pixels, float (*bent)[3], struct aob_error *error)
+                                     struct aob_reading *drawn, struct aob_error *error)
 {
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     bool ok = aob_frame_init_desc(frame, screen, desc, error);
     bool unfit = !ok && frame->unfit;
-    ok = ok && aob_frame_run(frame, 1, NULL, error) &&
-         aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, error) &&
-         (!aob_graph_gives(&frame->graph, AOB_OUT_BENT_NORMAL) ||
-          aob_frame_read(frame, AOB_OUT_BENT_NORMAL, 3, bent[0], error));
+    ok = ok && aob_frame_run(frame, 1, NULL, error);
+    for (int which = 0; ok && which < AOB_OUTPUT_COUNT; which++) {
+        enum aob_output output = (enum aob_output)which;
+        ok = !aob_graph_gives(&frame->graph, output) ||
+             aob_frame_read(frame, output, aob_reading_components(output), drawn->of[which], error);
+    }
     aob_frame_finish(frame);
     free(frame);
     return ok ? AOB_FUZZ_FINE : unfit ? AOB_FUZZ_REFUSED : AOB_FUZZ_ERROR;
@@ -58,8 +61,8 @@ static enum aob_fuzz_fault draw_once(const struct aob_frame_desc *desc, struct a
 static enum aob_fuzz_fault draw_twice(const struct aob_frame_desc *desc, struct aob_screen *screen,
                                       struct aob_fuzz_sight *sight, struct aob_error *error)
 {
-    enum aob_fuzz_fault fault = draw_once(desc, screen, sight->image, sight->bent, error);
-    return fault == AOB_FUZZ_FINE ? draw_once(desc, screen, sight->again, sight->bent_again, error) : fault;
+    enum aob_fuzz_fault fault = draw_once(desc, screen, &sight->drawn[0], error);
+    return fault == AOB_FUZZ_FINE ? draw_once(desc, screen, &sight->drawn[1], error) : fault;
 }
 
 static enum aob_fuzz_fault draw(struct aob_fuzz_artist *artist, const struct aob_fuzz_frame *frame,
@@ -82,6 +85,7 @@ static enum aob_fuzz_fault draw(struct aob_fuzz_artist *artist, const struct aob
                                         .wanted = aob_options_wanted(&options),
                                         .programs = &subject->programs};
     enum aob_fuzz_fault fault = AOB_FUZZ_ERROR;
+    screen.light = frame->light; /* the view is the world */
     if (artist->triangles) {
         make_geometry(frame, &geometry);
         screen.geometry = &geometry;
@@ -93,53 +97,61 @@ static enum aob_fuzz_fault draw(struct aob_fuzz_artist *artist, const struct aob
     return fault;
 }
 
-/* What pixel i of an image may not be. */
-static enum aob_fuzz_fault judge_pixel(const struct aob_fuzz_frame *frame, size_t i, float value)
+/* What a surface's values of an output may not be. */
+static bool is_in_range(enum aob_output output, const float *values)
+{
+    const float depth = 1;
+    const struct aob_score_desc desc = {.width = 1, .height = 1, .depth = &depth, .sky_depth = 2};
+    const struct aob_effect effect = {
+        .output = output, .components = aob_reading_components(output), .image = values};
+    if (output == AOB_OUT_VISIBILITY)
+        return values[0] >= 0 && values[0] <= 1;
+    return output == AOB_OUT_BENT_NORMAL ? aob_bent_is_sound(values) : aob_effect_judge(&desc, &effect, NULL);
+}
+
+static enum aob_fuzz_fault judge_pixel(const struct aob_fuzz_frame *frame, const struct aob_fuzz_sight *sight,
+                                       enum aob_output output, size_t i)
 {
     enum aob_fuzz_pixel kind = (enum aob_fuzz_pixel)frame->pixels[aob_fuzz_frame_place(frame, i)];
-    if (!isfinite(value))
-        return AOB_FUZZ_NOT_FINITE;
-    if (kind == AOB_FUZZ_SKY && value != 1)
+    size_t stride = (size_t)aob_reading_components(output);
+    const float *values = sight->drawn[0].of[output] + stride * i,
+                *again = sight->drawn[1].of[output] + stride * i;
+    for (size_t c = 0; c < stride; c++)
+        if (!isfinite(values[c]))
+            return AOB_FUZZ_NOT_FINITE;
+    if (kind == AOB_FUZZ_SKY && output == AOB_OUT_VISIBILITY && values[0] != 1)
         return AOB_FUZZ_NOT_OPEN;
-    if (kind == AOB_FUZZ_SURFACE && !(value >= 0 && value <= 1))
+    if (kind == AOB_FUZZ_SURFACE && !is_in_range(output, values))
         return AOB_FUZZ_RANGE;
-    return AOB_FUZZ_FINE;
+    return memcmp(values, again, stride * sizeof *values) == 0 ? AOB_FUZZ_FINE : AOB_FUZZ_AGAIN;
 }
 
-static enum aob_fuzz_fault judge_bent(const struct aob_fuzz_frame *frame, size_t i, const float bent[3])
+static void tell(const struct aob_fuzz_frame *frame, struct aob_fuzz_sight *sight, enum aob_output output,
+                 size_t i)
 {
-    if (!isfinite(bent[0]) || !isfinite(bent[1]) || !isfinite(bent[2]))
-        return AOB_FUZZ_NOT_FINITE;
-    bool surface = frame->pixels[aob_fuzz_frame_place(frame, i)] == AOB_FUZZ_SURFACE;
-    return surface && !aob_bent_is_sound(bent) ? AOB_FUZZ_RANGE : AOB_FUZZ_FINE;
-}
-
-static bool is_same(const struct aob_fuzz_sight *sight, size_t i)
-{
-    return memcmp(&sight->image[i], &sight->again[i], sizeof(float)) == 0 &&
-           memcmp(sight->bent[i], sight->bent_again[i], sizeof sight->bent[i]) == 0;
+    static const char *const kinds[] = {"a surface", "sky", "hostile"};
+    int width = aob_fuzz_frame_width(frame), height = aob_fuzz_frame_height(frame);
+    size_t stride = (size_t)aob_reading_components(output);
+    const float *values = sight->drawn[0].of[output] + stride * i;
+    struct aob_text text = {0};
+    for (size_t c = 0; c < stride; c++)
+        aob_text_add(&text, "%s%.9g", c ? ", " : "", (double)values[c]);
+    aob_line_print(sight->sentence, sizeof sight->sentence, "pixel (%d, %d) of %dx%d, %s, has the %s %s%s",
+                   (int)(i % (size_t)width), (int)(i / (size_t)width), width, height,
+                   kinds[frame->pixels[aob_fuzz_frame_place(frame, i)]], aob_output_name(output), text.data,
+                   sight->fault == AOB_FUZZ_AGAIN ? ", and another in a second drawing" : "");
+    aob_text_finish(&text);
 }
 
 static void judge(const struct aob_fuzz_frame *frame, struct aob_fuzz_sight *sight)
 {
-    static const char *const kinds[] = {"a surface", "sky", "hostile"};
-    int width = aob_fuzz_frame_width(frame), height = aob_fuzz_frame_height(frame);
-    size_t count = (size_t)width * (size_t)height;
-    for (size_t i = 0; i < count && sight->fault == AOB_FUZZ_FINE; i++) {
-        const float *bent = sight->bent[i];
-        sight->fault = judge_pixel(frame, i, sight->image[i]);
-        if (sight->fault == AOB_FUZZ_FINE)
-            sight->fault = judge_bent(frame, i, bent);
-        if (sight->fault == AOB_FUZZ_FINE && !is_same(sight, i))
-            sight->fault = AOB_FUZZ_AGAIN;
-        if (sight->fault != AOB_FUZZ_FINE)
-            aob_line_print(sight->sentence, sizeof sight->sentence,
-                           "pixel (%d, %d) of %dx%d, %s, is %.9g, its bent normal (%.9g, %.9g, %.9g)%s",
-                           (int)(i % (size_t)width), (int)(i / (size_t)width), width, height,
-                           kinds[frame->pixels[aob_fuzz_frame_place(frame, i)]], (double)sight->image[i],
-                           (double)bent[0], (double)bent[1], (double)bent[2],
-                           sight->fault == AOB_FUZZ_AGAIN ? ", and another in a second drawing" : "");
-    }
+    size_t count = (size_t)aob_fuzz_frame_width(frame) * (size_t)aob_fuzz_frame_height(frame);
+    for (size_t i = 0; i < count; i++)
+        for (int which = 0; which < AOB_OUTPUT_COUNT && sight->fault == AOB_FUZZ_FINE; which++) {
+            sight->fault = judge_pixel(frame, sight, (enum aob_output)which, i);
+            if (sight->fault != AOB_FUZZ_FINE)
+                tell(frame, sight, (enum aob_output)which, i);
+        }
 }
 
 void aob_fuzz_draw(struct aob_fuzz_artist *artist, const struct aob_fuzz_frame *frame,
@@ -147,10 +159,11 @@ void aob_fuzz_draw(struct aob_fuzz_artist *artist, const struct aob_fuzz_frame *
 {
     struct aob_error error = {{0}};
     size_t count = (size_t)aob_fuzz_frame_width(frame) * (size_t)aob_fuzz_frame_height(frame);
-    *sight = (struct aob_fuzz_sight){.image = AOB_NEW_ARRAY(float, count),
-                                     .again = AOB_NEW_ARRAY(float, count),
-                                     .bent = aob_alloc(count, sizeof *sight->bent),
-                                     .bent_again = aob_alloc(count, sizeof *sight->bent)};
+    *sight = (struct aob_fuzz_sight){.fault = AOB_FUZZ_FINE};
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+        for (int time = 0; time < 2; time++)
+            sight->drawn[time].of[which] =
+                AOB_NEW_ARRAY(float, (size_t)aob_reading_components((enum aob_output)which) * count);
     sight->fault = draw(artist, frame, sight, &error);
     if (sight->fault == AOB_FUZZ_FINE)
         judge(frame, sight);
@@ -160,9 +173,8 @@ void aob_fuzz_draw(struct aob_fuzz_artist *artist, const struct aob_fuzz_frame *
 
 void aob_fuzz_sight_finish(struct aob_fuzz_sight *sight)
 {
-    free(sight->image);
-    free(sight->again);
-    free(sight->bent);
-    free(sight->bent_again);
-    *sight = (struct aob_fuzz_sight){.image = NULL};
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+        for (int time = 0; time < 2; time++)
+            free(sight->drawn[time].of[which]);
+    *sight = (struct aob_fuzz_sight){.fault = AOB_FUZZ_FINE};
 }

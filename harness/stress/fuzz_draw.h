@@ -1,6 +1,6 @@
 /* Draws a frame of the fuzzer and says what is wrong with its image: whether there is one, all of it is finite, surfaces are
- * within 0..1, sky is 1, a bent normal is no longer than 1, and a second drawing is the same to the bit. Threads: the one that
- * opened the device. */
+ * within 0..1, sky is 1, a bent normal is no longer than 1, light is not negative, and a second drawing is the same to the
+ * bit. Threads: the one that opened the device. */
 #ifndef AOB_STRESS_FUZZ_DRAW_H
 #define AOB_STRESS_FUZZ_DRAW_H
 #include "fuzz_frame.h"
@@ -28,9 +28,9 @@ struct aob_fuzz_artist {
 
 struct aob_fuzz_sight {
     enum aob_fuzz_fault fault;
-    char sentence[240];                 /* what was seen, and where */
-    float *image, *again;               /* width x height of the frame; allocated, NULL without an image */
-    float (*bent)[3], (*bent_again)[3]; /* likewise; zeros where none is wanted or given */
+    char sentence[240]; /* what was seen, and where */
+    /* The outputs of both drawings, width x height pixels each; zeros where one is not wanted or not given. */
+    struct aob_reading drawn[2];
 };
 void aob_fuzz_draw(struct aob_fuzz_artist *artist, const struct aob_fuzz_frame *frame,
                    struct aob_fuzz_sight *sight);

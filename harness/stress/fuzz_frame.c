@@ -71,7 +71,9 @@ static void allocate(struct aob_fuzz_frame *frame)
     frame->gbuffer.depth = AOB_NEW_ARRAY(float, count);
     frame->gbuffer.normal = AOB_NEW_ARRAY(float, 4 * count);
     frame->gbuffer.shading = AOB_NEW_ARRAY(float, 4 * count);
-    frame->gbuffer.velocity = frame->gbuffer.albedo = NULL;
+    frame->gbuffer.velocity = NULL;
+    frame->gbuffer.albedo = AOB_NEW_ARRAY(float, 3 * count);
+    frame->gbuffer.shine = AOB_NEW_ARRAY(float, 2 * count);
     frame->pixels = AOB_NEW_ARRAY(unsigned char, count);
     frame->calm_depth = AOB_NEW_ARRAY(float, count);
     frame->calm_normal = AOB_NEW_ARRAY(float, 4 * count);
@@ -106,6 +108,7 @@ void aob_fuzz_frame_init(struct aob_fuzz_frame *frame, const struct aob_fuzz_nam
     frame->triangle_count = 1 + aob_chance_below(&own, AOB_FUZZ_TRIANGLES);
     for (size_t i = 0; i < frame->triangle_count; i++)
         draw_triangle(frame->corners[i], &own, scale);
+    aob_fuzz_light_fill(frame, &own);
 }
 
 void aob_fuzz_frame_copy(struct aob_fuzz_frame *into, const struct aob_fuzz_frame *from)
@@ -116,6 +119,8 @@ void aob_fuzz_frame_copy(struct aob_fuzz_frame *into, const struct aob_fuzz_fram
     memcpy(into->gbuffer.depth, from->gbuffer.depth, count * sizeof(float));
     memcpy(into->gbuffer.normal, from->gbuffer.normal, 4 * count * sizeof(float));
     memcpy(into->gbuffer.shading, from->gbuffer.shading, 4 * count * sizeof(float));
+    memcpy(into->gbuffer.albedo, from->gbuffer.albedo, 3 * count * sizeof(float));
+    memcpy(into->gbuffer.shine, from->gbuffer.shine, 2 * count * sizeof(float));
     memcpy(into->pixels, from->pixels, count);
     memcpy(into->calm_depth, from->calm_depth, count * sizeof(float));
     memcpy(into->calm_normal, from->calm_normal, 4 * count * sizeof(float));
@@ -216,9 +221,10 @@ json_t *aob_fuzz_frame_to_json(const struct aob_fuzz_frame *frame)
         json_pack("{s:b, s:i, s:i, s:i, s:f, s:f, s:f, s:f}", "perspective", p->perspective, "width",
                   aob_fuzz_frame_width(frame), "height", aob_fuzz_frame_height(frame), "guard",
                   frame->gbuffer.guard, "sx", p->sx, "sy", p->sy, "cx", p->cx, "cy", p->cy);
-    return json_pack("{s:o, s:o, s:o, s:I, s:o, s:o*}", "params",
+    return json_pack("{s:o, s:o, s:o, s:o, s:I, s:o, s:o*}", "params",
                      values_to_json(frame->technique->params, frame->technique->param_count, frame->params),
-                     "options", values_to_json(aob_option_params, AOB_OPTION_COUNT, frame->options), "view",
-                     view, "hostile_pixels", (json_int_t)aob_fuzz_frame_hostile(frame), "triangles",
-                     triangles_to_json(frame), "pixels", few ? pixels_to_json(frame) : NULL);
+                     "options", values_to_json(aob_option_params, AOB_OPTION_COUNT, frame->options), "light",
+                     aob_json_vector(frame->light.sh[0], 27), "view", view, "hostile_pixels",
+                     (json_int_t)aob_fuzz_frame_hostile(frame), "triangles", triangles_to_json(frame),
+                     "pixels", few ? pixels_to_json(frame) : NULL);
 }

@@ -1,10 +1,11 @@
-/* A frame of the fuzzer: values, options, a small G-buffer and a few triangles, all drawn by lot. The frame of a seed, a
+/* A frame of the fuzzer: values, options, a small G-buffer, a light and a few triangles, all drawn by lot. The frame of a seed, a
  * technique, a backend and a number is the same everywhere, so that one frame can be drawn alone. Threads: one at a time. */
 #ifndef AOB_STRESS_FUZZ_FRAME_H
 #define AOB_STRESS_FUZZ_FRAME_H
 #include <jansson.h>
 #include "chance.h"
 #include "gbuffer/gbuffer.h"
+#include "scene/light.h"
 #include "technique/option.h"
 
 /* What a pixel of the G-buffer shows. Of a hostile one depth or normal are what no renderer should write. */
@@ -16,8 +17,9 @@ struct aob_fuzz_frame {
     const struct aob_technique *technique;
     double params[AOB_MAX_PARAM], options[AOB_OPTION_COUNT];
     struct aob_gbuffer gbuffer;
-    unsigned char *pixels;                          /* enum aob_fuzz_pixel of each, guard band included */
-    float *calm_depth, *calm_normal;                /* the G-buffer before anything hostile was put in */
+    unsigned char *pixels;           /* enum aob_fuzz_pixel of each, guard band included */
+    float *calm_depth, *calm_normal; /* the G-buffer before anything hostile was put in */
+    struct aob_light light;
     struct aob_vec3 corners[AOB_FUZZ_TRIANGLES][3]; /* view space; the view is the world */
     size_t triangle_count;
 };
@@ -46,6 +48,9 @@ void aob_fuzz_frame_pack(const struct aob_fuzz_frame *frame, void *values, struc
 
 /* Fills pixels, depth and normals (fuzz_gbuffer.c). `scale` is about how far the surfaces are. */
 void aob_fuzz_gbuffer_fill(struct aob_fuzz_frame *frame, struct aob_chance *chance, double scale);
+
+/* Paints the pixels, and draws the light (fuzz_light.c). */
+void aob_fuzz_light_fill(struct aob_fuzz_frame *frame, struct aob_chance *chance);
 
 /* Values of the parameters by lot (fuzz_values.c): those that compile or lay passes, and the others. What check() refuses
  * is drawn again a few times. */

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
+#include "scene/material.h"
 #include "technique/param.h"
 
 /* Drawings that it may take in all; what compiles anew costs half a second. */
@@ -42,6 +43,8 @@ static void move_pixel(struct aob_fuzz_frame *frame, size_t to, size_t from)
     memmove(&frame->gbuffer.normal[4 * to], &frame->gbuffer.normal[4 * from], 4 * sizeof(float));
     memmove(&frame->gbuffer.shading[4 * to], &frame->gbuffer.shading[4 * from], 4 * sizeof(float));
     memmove(&frame->calm_normal[4 * to], &frame->calm_normal[4 * from], 4 * sizeof(float));
+    memmove(&frame->gbuffer.albedo[3 * to], &frame->gbuffer.albedo[3 * from], 3 * sizeof(float));
+    memmove(&frame->gbuffer.shine[2 * to], &frame->gbuffer.shine[2 * from], 2 * sizeof(float));
 }
 
 /* The part of the frame that begins at (x, y), guard bands included, seen by the same camera. */
@@ -177,6 +180,22 @@ static bool shrink_surface(struct shrinking *s)
     return keep_if_alike(s, &candidate);
 }
 
+/* One plain material throughout, and one radiance. */
+static void shrink_light(struct shrinking *s)
+{
+    struct aob_fuzz_frame candidate;
+    aob_fuzz_frame_copy(&candidate, s->frame);
+    for (size_t i = 0; i < aob_fuzz_frame_pixels(&candidate); i++) {
+        memcpy(&candidate.gbuffer.albedo[3 * i], aob_material_default.base_colour, 3 * sizeof(float));
+        candidate.gbuffer.shine[2 * i] = aob_material_default.roughness;
+        candidate.gbuffer.shine[2 * i + 1] = aob_material_default.metalness;
+    }
+    keep_if_alike(s, &candidate);
+    aob_fuzz_frame_copy(&candidate, s->frame);
+    candidate.light = aob_light_uniform;
+    keep_if_alike(s, &candidate);
+}
+
 static bool shrink_triangles(struct shrinking *s)
 {
     bool any = false;
@@ -192,12 +211,13 @@ static bool shrink_triangles(struct shrinking *s)
     return any;
 }
 
-/* What costs no compiling first. The flat surface is tried once: it is always another frame. */
+/* What costs no compiling first. What is always another frame is tried once. */
 void aob_fuzz_shrink(struct aob_fuzz_artist *artist, struct aob_fuzz_frame *frame,
                      struct aob_fuzz_sight *sight)
 {
     struct shrinking s = {artist, frame, sight, 0};
     shrink_surface(&s);
+    shrink_light(&s);
     for (bool any = true; any && s.drawings < MOST_DRAWINGS;) {
         any = shrink_guard(&s);
         any = shrink_size(&s) || any;

@@ -5,7 +5,7 @@
 
 extern const struct aob_property aob_properties_projection[], aob_properties_numbers[], aob_properties_near[],
     aob_properties_normals[], aob_properties_resolution[], aob_properties_edges[], aob_properties_halos[],
-    aob_properties_faces[], aob_properties_relations[], aob_properties_directions[],
+    aob_properties_faces[], aob_properties_relations[], aob_properties_directions[], aob_properties_light[],
     aob_properties_instruments[];
 
 /* Excuses that several groups have. */
@@ -14,4 +14,8 @@ const char *aob_excuse_no_blur(const struct aob_subject *subject);
 const char *aob_excuse_no_triangles(const struct aob_subject *subject);
 const char *aob_excuse_no_radius(const struct aob_subject *subject);
 const char *aob_excuse_no_bent_normal(const struct aob_subject *subject);
+const char *aob_excuse_no_bounces(const struct aob_subject *subject);
+const char *aob_excuse_no_specular(const struct aob_subject *subject);
+const char *aob_excuse_no_irradiance(const struct aob_subject *subject);
+const char *aob_excuse_no_effects(const struct aob_subject *subject);
 #endif

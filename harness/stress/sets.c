@@ -22,6 +22,24 @@ struct aob_exhibit *aob_set_plane(struct aob_trial *trial, const struct aob_plan
     return aob_trial_exhibit(trial, &desc);
 }
 
+struct aob_exhibit *aob_set_plane_beside(struct aob_trial *trial, struct aob_vec3 out, double ortho_height)
+{
+    struct aob_mesh mesh = {0};
+    struct aob_vec3 front = aob_vec_scale(out, -1), u = aob_vec(0, 0, -400), v = aob_vec_cross(front, u);
+    if (out.z != 0) {
+        u = aob_vec(400, 0, 0);
+        v = aob_vec(0, 400, 0);
+    }
+    aob_mesh_add_quad(&mesh, aob_vec_sub(out, aob_vec_scale(aob_vec_add(u, v), 0.5)), u, v);
+    const struct aob_exhibit_desc desc = {
+        .mesh = &mesh,
+        .camera = {.target = {0, 0, -1}, .fov_deg = 90, .ortho_height = ortho_height},
+        .width = 64,
+        .height = 48,
+        .guard = 16};
+    return aob_trial_exhibit(trial, &desc);
+}
+
 static void place(struct aob_mesh *mesh, size_t first, double scale, struct aob_vec3 move)
 {
     for (size_t i = first; i < mesh->vertex_count; i++)

@@ -14,6 +14,10 @@ struct aob_plane_desc {
 };
 struct aob_exhibit *aob_set_plane(struct aob_trial *trial, const struct aob_plane_desc *plane);
 
+/* An open plane `out` from the eye, which looks along -z; its normal comes towards the axis of the view. 90 degrees, or
+ * orthographic; 64 x 48, with a guard band of 16. */
+struct aob_exhibit *aob_set_plane_beside(struct aob_trial *trial, struct aob_vec3 out, double ortho_height);
+
 /* The still life: on a floor before a wall stand a box, a ball and a thin pillar; 5 units wide, all within 1.6 of the floor.
  * `scale` and `move` place it: everything is multiplied, then moved. */
 void aob_set_still_life(struct aob_mesh *mesh, double scale, struct aob_vec3 move);

@@ -127,29 +127,49 @@ bool aob_subject_values(const struct aob_subject *subject, const struct aob_shot
     return true;
 }
 
+int aob_reading_components(enum aob_output output)
+{
+    return output == AOB_OUT_VISIBILITY || output == AOB_OUT_SPECULAR ? 1 : 3;
+}
+
+static bool read_frame(struct aob_frame *frame, struct aob_reading *reading, struct aob_error *error)
+{
+    bool ok = true;
+    reading->bytes = frame->memory_bytes;
+    for (int which = 0; ok && which < AOB_OUTPUT_COUNT; which++) {
+        enum aob_output output = (enum aob_output)which;
+        ok = !reading->of[which] ||
+             aob_frame_read(frame, output, aob_reading_components(output), reading->of[which], error);
+    }
+    return ok;
+}
+
 /* The triangles are uploaded for techniques that draw them only. */
 static bool draw_frame(struct aob_subject *subject, const struct aob_shot *shot,
-                       const struct aob_frame_desc *desc, struct aob_screen *screen, float *pixels,
-                       float (*bent)[3], bool *unfit, struct aob_error *error)
+                       const struct aob_frame_desc *desc, struct aob_screen *screen,
+                       struct aob_reading *reading, bool *unfit, struct aob_error *error)
 {
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_geometry geometry = shot->exhibit->geometry;
     bool triangles = aob_subject_draws_triangles(subject);
     bool ok = !triangles || aob_geometry_upload(&geometry, subject->gpu, error);
     screen->geometry = triangles ? &geometry : NULL;
+    if (shot->light) {
+        const struct aob_frame_axes axes = aob_camera_axes(&shot->exhibit->camera);
+        aob_light_turn(shot->light, &axes, &screen->light);
+    }
     ok = ok && aob_frame_init_desc(frame, screen, desc, error);
     *unfit = frame->unfit;
     ok = ok && aob_frame_run(frame, shot->runs > 0 ? shot->runs : 1, NULL, error) &&
-         aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, error);
-    ok = ok && (!bent || aob_frame_read(frame, AOB_OUT_BENT_NORMAL, 3, bent[0], error));
+         read_frame(frame, reading, error);
     aob_frame_finish(frame);
     aob_gpu_texture_destroy(subject->gpu, geometry.texture);
     free(frame);
     return ok;
 }
 
-bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, float *pixels,
-                      float (*bent)[3], bool *unfit, struct aob_error *error)
+bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, struct aob_reading *reading,
+                      bool *unfit, struct aob_error *error)
 {
     unsigned char values[4 * AOB_MAX_PARAM];
     struct aob_options options;
@@ -169,7 +189,7 @@ bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, 
                                         .fetch = (enum aob_fetch)options.fetch,
                                         .wanted = aob_options_wanted(&options),
                                         .programs = &subject->programs};
-    ok = ok && draw_frame(subject, shot, &desc, &screen, pixels, bent, unfit, error);
+    ok = ok && draw_frame(subject, shot, &desc, &screen, reading, unfit, error);
     aob_screen_finish(&screen);
     return ok;
 }

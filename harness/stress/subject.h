@@ -4,6 +4,7 @@
 #define AOB_STRESS_SUBJECT_H
 #include "frame/programs.h"
 #include "exhibit.h"
+#include "scene/light.h"
 #include "technique/option.h"
 #include "technique/registry.h"
 
@@ -39,7 +40,8 @@ struct aob_shot {
      * by default. A shared word for a parameter that it has not is left out, so that one text serves all techniques,
      * and any other is a mistake; a number out of its bounds is moved to the nearest bound. NULL: nothing. */
     const char *set;
-    int runs; /* how often the frame is drawn, over itself, before it is read; 0: once */
+    int runs;                      /* how often the frame is drawn, over itself, before it is read; 0: once */
+    const struct aob_light *light; /* world space; NULL: uniform */
 };
 
 /* What a shot makes of the technique's values struct (4 * AOB_MAX_PARAM bytes) and of the options. False after a line if a
@@ -47,9 +49,17 @@ struct aob_shot {
 bool aob_subject_values(const struct aob_subject *subject, const struct aob_shot *shot, void *values,
                         struct aob_options *options, struct aob_error *error);
 
-/* Draws one frame and reads the visibility of width x height pixels; and their bent normals if `bent` is not NULL, for which
- * the shot sets bent_normal=on and the technique gives them. False after a line; *unfit then says that it is no fault of
- * the technique: the device lacks something, or the values are refused by its check(). */
-bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, float *pixels,
-                      float (*bent)[3], bool *unfit, struct aob_error *error);
+/* Where outputs of a frame are read to, by enum aob_output: width x height pixels of aob_reading_components floats; NULL: it is
+ * not read. What is read the shot wants and the technique gives. */
+struct aob_reading {
+    float *of[AOB_OUTPUT_COUNT];
+    size_t bytes; /* filled in: of the technique's own textures */
+};
+
+int aob_reading_components(enum aob_output output); /* 1 or 3 */
+
+/* Draws one frame and reads it. False after a line; *unfit then says that it is no fault of the technique: the device lacks
+ * something, or the values are refused by its check(). */
+bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, struct aob_reading *reading,
+                      bool *unfit, struct aob_error *error);
 #endif

@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "score/bent.h"
+#include "score/effect.h"
 
 void aob_trial_init(struct aob_trial *trial, struct aob_subject *subject, bool quick)
 {
@@ -85,50 +86,87 @@ static void look_through(struct aob_trial *trial, const struct aob_shot *shot, c
     }
 }
 
-float *aob_trial_draw(struct aob_trial *trial, const struct aob_shot *shot)
-{
-    bool unfit = false;
-    struct aob_error error = {{0}};
-    if (stopped(trial) || !shot->exhibit)
-        return NULL;
-    float *pixels = aob_trial_image(trial, shot->exhibit);
-    if (!aob_subject_draw(trial->subject, shot, pixels, NULL, &unfit, &error)) {
-        *(unfit ? &trial->excuse : &trial->error) = error;
-        return NULL;
-    }
-    look_through(trial, shot, pixels);
-    return pixels;
-}
-
-static void look_through_bent(struct aob_trial *trial, const struct aob_shot *shot, struct aob_open open)
+static void look_through_bent(struct aob_trial *trial, const struct aob_shot *shot,
+                              const struct aob_reading *reading)
 {
     for (size_t i = 0; i < aob_exhibit_pixels(shot->exhibit); i++) {
-        const float *b = open.bent[i];
+        const float *b = reading->of[AOB_OUT_BENT_NORMAL] + 3 * i;
         if (!aob_exhibit_is_surface(shot->exhibit, i) || aob_bent_is_sound(b) || trial->broken)
             continue;
         int x = (int)(i % (size_t)shot->exhibit->width), y = (int)(i / (size_t)shot->exhibit->width);
-        aob_trial_take(trial, NAN, &(struct aob_seen){.shot = shot, .image = open.visibility},
+        aob_trial_take(trial, NAN, &(struct aob_seen){.shot = shot, .image = reading->of[AOB_OUT_VISIBILITY]},
                        "pixel (%d, %d): the bent normal (%g, %g, %g) is not finite or longer than 1", x, y,
                        (double)b[0], (double)b[1], (double)b[2]);
         trial->broken = true;
     }
 }
 
-struct aob_open aob_trial_draw_open(struct aob_trial *trial, const struct aob_shot *shot)
+static void look_through_effect(struct aob_trial *trial, const struct aob_shot *shot, enum aob_output output,
+                                const struct aob_reading *reading)
 {
-    const struct aob_open none = {NULL, NULL};
+    const struct aob_exhibit *exhibit = shot->exhibit;
+    float *depth = aob_trial_image(trial, exhibit);
+    for (size_t i = 0; i < aob_exhibit_pixels(exhibit); i++)
+        depth[i] = aob_exhibit_depth(exhibit, i);
+    const struct aob_score_desc desc = {.width = exhibit->width,
+                                        .height = exhibit->height,
+                                        .depth = depth,
+                                        .sky_depth = 0.5f * AOB_GBUFFER_SKY};
+    const struct aob_effect effect = {
+        .output = output, .components = aob_reading_components(output), .image = reading->of[output]};
+    struct aob_error line = {{0}};
+    if (trial->broken || aob_effect_judge(&desc, &effect, &line))
+        return;
+    aob_trial_take(trial, NAN, &(struct aob_seen){.shot = shot, .image = reading->of[AOB_OUT_VISIBILITY]},
+                   "%s", line.text);
+    trial->broken = true;
+}
+
+/* Draws, reads the outputs of these bits, and looks at all of them. */
+static struct aob_reading read_outputs(struct aob_trial *trial, const struct aob_shot *shot, uint32_t outputs)
+{
+    struct aob_reading reading = {{0}, 0};
     bool unfit = false;
     struct aob_error error = {{0}};
     if (stopped(trial) || !shot->exhibit)
-        return none;
-    struct aob_open open = {aob_trial_image(trial, shot->exhibit), aob_trial_vectors(trial, shot->exhibit)};
-    if (!aob_subject_draw(trial->subject, shot, open.visibility, open.bent, &unfit, &error)) {
+        return reading;
+    for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
+        if (outputs >> which & 1)
+            reading.of[which] = aob_reading_components((enum aob_output)which) == 1
+                                    ? aob_trial_image(trial, shot->exhibit)
+                                    : aob_trial_vectors(trial, shot->exhibit)[0];
+    if (!aob_subject_draw(trial->subject, shot, &reading, &unfit, &error)) {
         *(unfit ? &trial->excuse : &trial->error) = error;
-        return none;
+        return (struct aob_reading){{0}, 0};
     }
-    look_through(trial, shot, open.visibility);
-    look_through_bent(trial, shot, open);
-    return open;
+    look_through(trial, shot, reading.of[AOB_OUT_VISIBILITY]);
+    if (reading.of[AOB_OUT_BENT_NORMAL])
+        look_through_bent(trial, shot, &reading);
+    for (int which = AOB_OUT_VISIBILITY_RGB; which < AOB_OUTPUT_COUNT; which++)
+        if (reading.of[which])
+            look_through_effect(trial, shot, (enum aob_output)which, &reading);
+    return reading;
+}
+
+float *aob_trial_draw(struct aob_trial *trial, const struct aob_shot *shot)
+{
+    return read_outputs(trial, shot, 1u << AOB_OUT_VISIBILITY).of[AOB_OUT_VISIBILITY];
+}
+
+struct aob_open aob_trial_draw_open(struct aob_trial *trial, const struct aob_shot *shot)
+{
+    struct aob_reading reading =
+        read_outputs(trial, shot, 1u << AOB_OUT_VISIBILITY | 1u << AOB_OUT_BENT_NORMAL);
+    return (struct aob_open){reading.of[AOB_OUT_VISIBILITY], (float(*)[3])reading.of[AOB_OUT_BENT_NORMAL]};
+}
+
+struct aob_reading aob_trial_read(struct aob_trial *trial, const struct aob_shot *shot)
+{
+    unsigned char values[4 * AOB_MAX_PARAM];
+    struct aob_options options;
+    if (stopped(trial) || !aob_subject_values(trial->subject, shot, values, &options, &trial->error))
+        return (struct aob_reading){{0}, 0};
+    return read_outputs(trial, shot, 1u << AOB_OUT_VISIBILITY | aob_options_wanted(&options));
 }
 
 float *aob_trial_trace(struct aob_trial *trial, const struct aob_exhibit *exhibit, double radius, int spp)

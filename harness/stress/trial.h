@@ -48,6 +48,10 @@ struct aob_open {
 };
 struct aob_open aob_trial_draw_open(struct aob_trial *trial, const struct aob_shot *shot);
 
+/* Draws a shot and reads all outputs that it wants, which the technique gives. All are NULL where that fails. What is looked
+ * through as well: shares that are not finite and within 0..1, light that is not finite or is negative (score/effect.h). */
+struct aob_reading aob_trial_read(struct aob_trial *trial, const struct aob_shot *shot);
+
 /* The traced visibility of the exhibit (aob_exhibit_trace), which is looked through as well. */
 float *aob_trial_trace(struct aob_trial *trial, const struct aob_exhibit *exhibit, double radius, int spp);
 

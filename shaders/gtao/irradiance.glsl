@@ -68,5 +68,6 @@ void main()
 #else
     vec3 light = triple_product(normal, axis, cone_cosine(open.w));
 #endif
-    irradiance = vec4(aob_surface_is_sky(p) ? vec3(0.0) : max(light, vec3(0.0)), 1.0);
+    const float most = 65504.0; /* the largest half float: a probe may hold the sun */
+    irradiance = vec4(aob_surface_is_sky(p) ? vec3(0.0) : clamp(light, vec3(0.0), vec3(most)), 1.0);
 }

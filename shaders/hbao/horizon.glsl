@@ -4,6 +4,7 @@
  * edge, and reports the false occlusion that this makes. A direction's steps are even up to the image's edge. */
 #include "common/bent.glsl"
 #include "common/facing.glsl"
+#include "common/mean.glsl"
 #include "common/search.glsl"
 
 /* Sine of the elevation of the surface's own plane along v, raised by the angle bias; 1 from the zenith on. */
@@ -100,5 +101,5 @@ void main()
         sum += occlusion_along(aob_image(p), position, normal, d * pixels, jitter.z);
     }
     sum /= float(DIRECTIONS);
-    visibility = open_of(clamp(1.0 - param.intensity * sum.w, 0.0, 1.0), open - sum.xyz);
+    visibility = open_of(clamp(1.0 - param.intensity * sum.w, 0.0, 1.0), bounded_mean(open - sum.xyz));
 }

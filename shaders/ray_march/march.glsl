@@ -6,6 +6,7 @@
 #include "common/bent.glsl"
 #include "common/facing.glsl"
 #include "common/frame.glsl"
+#include "common/mean.glsl"
 #include "common/noise.glsl"
 #include "common/search.glsl"
 
@@ -49,5 +50,5 @@ void main()
         }
     }
     const float rays = float(DIRECTIONS * RAYS);
-    visibility = open_of(clamp(1.0 - sum / rays, 0.0, 1.0), open - away / rays);
+    visibility = open_of(clamp(1.0 - sum / rays, 0.0, 1.0), bounded_mean(open - away / rays));
 }

@@ -110,7 +110,7 @@ static const struct aob_by_definition by_definition[] = {
 };
 
 AOB_TECHNIQUE(
-    hbao, .title = "Horizon-based ambient occlusion", .revision = 5, .shaders = aob_shaders_hbao,
+    hbao, .title = "Horizon-based ambient occlusion", .revision = 6, .shaders = aob_shaders_hbao,
     .summary =
         "Visibility from horizons about the view axis: along even directions in the image each sample "
         "that raises the horizon adds the sector it closes, attenuated by its distance. Elevations are "

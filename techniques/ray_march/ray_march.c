@@ -60,7 +60,7 @@ static const struct aob_by_definition by_definition[] = {
 };
 
 AOB_TECHNIQUE(
-    ray_march, .title = "Ray marching of the depth buffer", .revision = 3, .shaders = aob_shaders_ray_march,
+    ray_march, .title = "Ray marching of the depth buffer", .revision = 4, .shaders = aob_shaders_ray_march,
     .summary =
         "Rays in the hemisphere about the normal, marched in even steps; the first step below the depth "
         "buffer, taken as a height field, is a hit and counts by its distance. With many of each it is "

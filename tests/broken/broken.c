@@ -69,6 +69,43 @@ static aob_tex lay_upsample(struct aob_graph *graph, aob_tex low, const struct v
     return full;
 }
 
+enum { LIGHT_ALWAYS = 52 }; /* the fault that lays for nobody */
+
+/* Visibility after bounces. With its fault visibility goes through the pass as well, so that it is always laid. */
+static aob_tex lay_bounces(struct aob_graph *graph, aob_tex open)
+{
+    bool always = FAULT == LIGHT_ALWAYS;
+    if (!always && !aob_wants(graph, AOB_OUT_VISIBILITY_RGB))
+        return open;
+    aob_tex bounced = aob_texture(graph, .name = "bounces", .format = AOB_RGBA16F);
+    struct aob_pass pass = {.name = "bounces",
+                            .shader = "bounces",
+                            .reads = AOB_DEPTH | AOB_MATERIAL,
+                            .defines = {{"FAULT", FAULT}},
+                            .in = {{.name = "open", .tex = open}},
+                            .out = {{.name = "bounced", .tex = bounced}}};
+    if (always) {
+        open = aob_texture(graph, .name = "kept", .format = aob_open_format(aob_open_kind(graph)));
+        pass.out[1] = (struct aob_bind){.name = "kept", .tex = open};
+    }
+    aob_pass_add(graph, &pass);
+    aob_output(graph, AOB_OUT_VISIBILITY_RGB, bounced);
+    return open;
+}
+
+/* One pass and one texture for an output that is wanted, of the name of both. */
+static void lay_effect(struct aob_graph *graph, enum aob_output which, const struct aob_tex_desc *desc,
+                       uint32_t reads, aob_tex open)
+{
+    if (!aob_wants(graph, which))
+        return;
+    aob_tex texture = aob_texture(graph, .name = desc->name, .format = desc->format);
+    aob_pass(graph, .name = desc->name, .shader = desc->name, .reads = AOB_DEPTH | AOB_NORMAL | reads,
+             .defines = {{"FAULT", FAULT}}, .in = {{.name = "open", .tex = open}},
+             .out = {{.name = desc->name, .tex = texture}});
+    aob_output(graph, which, texture);
+}
+
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
@@ -77,9 +114,16 @@ static bool build(struct aob_graph *graph, const void *values)
                               .divisor = (uint32_t)v->divisor);
     aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = pyramid,
              .border = AOB_FAR,
-             .defines = {{"FAULT", FAULT}, {"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)}},
+             .defines = {{"FAULT", FAULT},
+                         {"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)},
+                         {"LIGHT", aob_wants(graph, AOB_OUT_IRRADIANCE)}},
              .out = {{.name = "visibility", .tex = raw}});
-    return aob_open_outputs(graph, aob_open_kind(graph), lay_upsample(graph, lay_soften(graph, raw, v), v));
+    aob_tex open = lay_bounces(graph, lay_upsample(graph, lay_soften(graph, raw, v), v));
+    lay_effect(graph, AOB_OUT_SPECULAR, &(struct aob_tex_desc){.name = "specular", .format = AOB_R16F},
+               AOB_MATERIAL, open);
+    lay_effect(graph, AOB_OUT_IRRADIANCE, &(struct aob_tex_desc){.name = "irradiance", .format = AOB_RGBA16F},
+               AOB_LIGHT, open);
+    return aob_open_outputs(graph, aob_open_kind(graph), open);
 }
 
 AOB_TECHNIQUE(broken, .title = "Horizons, sound or with one fault", .citation = "tests", .revision = 1,

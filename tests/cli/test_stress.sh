@@ -37,6 +37,8 @@ check "no technique fails a quick property" test $? -eq 0
 check "each technique has its row" jq -e '[.rows[].technique] | length == 9 and (unique | length == 9)' quick/stress.json
 check "most pass" jq -e '.counts | .fail == 0 and .pass > 250 and 10 * .["by definition"] <= (.pass + .["by definition"] + .["n/a"])' quick/stress.json
 check "the counts are of the cells" jq -e '(.counts | add) == ([.rows[].cells | length] | add)' quick/stress.json
+check "who gives no light is not asked for it" jq -e '[.rows[] | select(.technique == "hbao") | .cells[] | select(.property == "irradiance_uniform")] | length == 1 and .[0].outcome == "n/a" and .[0].reason == "it gives no irradiance"' quick/stress.json
+check "who gives light is asked" jq -e '[.rows[] | select(.technique == "gtao") | .cells[] | select(.property | test("^(bounced|specular|irradiance)_"))] | length >= 12 and all(.[]; .outcome == "pass")' quick/stress.json
 check "every cell has its command" jq -e '[.rows[] as $r | $r.cells[] | .command == "aobudget stress --technique \($r.technique) --backend vulkan --property \(.property)"] | all' quick/stress.json
 check "what is by definition shows its sentence and its place" jq -e '[.rows[].cells[] | select(.outcome == "by definition")] | length > 0 and all(.[]; .declared and .where != "" and .reason != .where and .image)' quick/stress.json
 check "its image is there" test -s "quick/images/$(jq -r '[.rows[].cells[] | select(.image)][0].image' quick/stress.json)"

@@ -98,10 +98,39 @@ static void values_keep_their_bounds(void **state)
     }
 }
 
+/* A share of each output's frames want it; lights are dark, plain, and stronger than half floats hold. */
+static void lights_and_materials_are_drawn(void **state)
+{
+    (void)state;
+    size_t wanted[AOB_OPTION_COUNT] = {0}, dark = 0, strong = 0, ends = 0, pixels = 0;
+    for (uint64_t index = 0; index < 1000; index++) {
+        struct aob_fuzz_frame frame;
+        const struct aob_fuzz_name name = name_of(index % 9, index * 513);
+        aob_fuzz_frame_init(&frame, &name);
+        for (size_t i = AOB_OPTION_FIRST_OUTPUT; i < AOB_OPTION_COUNT; i++)
+            wanted[i] += frame.options[i] == 1;
+        for (int c = 0; c < 3; c++) {
+            assert_true(aob_light_least(&frame.light, c) >= -1e-6 * frame.light.sh[0][c]);
+            dark += frame.light.sh[0][c] == 0;
+            strong += frame.light.sh[0][c] > 1e5;
+        }
+        for (size_t i = 0; i < aob_fuzz_frame_pixels(&frame); i++, pixels++) {
+            float metalness = frame.gbuffer.shine[2 * i + 1];
+            assert_true(metalness >= 0 && metalness <= 1);
+            ends += metalness == 1;
+        }
+        aob_fuzz_frame_finish(&frame);
+    }
+    for (size_t i = AOB_OPTION_FIRST_OUTPUT; i < AOB_OPTION_COUNT; i++)
+        assert_in_range(wanted[i], 300, 700);
+    assert_true(dark > 200 && strong > 100 && ends > pixels / 5 && ends < pixels / 2);
+}
+
 static void assert_same(const struct aob_fuzz_frame *a, const struct aob_fuzz_frame *b, bool same)
 {
     bool alike = memcmp(&a->gbuffer.projection, &b->gbuffer.projection, sizeof a->gbuffer.projection) == 0 &&
                  memcmp(a->params, b->params, sizeof a->params) == 0 &&
+                 memcmp(&a->light, &b->light, sizeof a->light) == 0 &&
                  memcmp(a->gbuffer.depth, b->gbuffer.depth, aob_fuzz_frame_pixels(a) * sizeof(float)) == 0;
     assert_int_equal(alike, same);
 }
@@ -132,8 +161,8 @@ static void a_name_is_a_frame(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(frames_are_what_they_say),
-                                       cmocka_unit_test(values_keep_their_bounds),
-                                       cmocka_unit_test(a_name_is_a_frame)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(frames_are_what_they_say), cmocka_unit_test(values_keep_their_bounds),
+        cmocka_unit_test(lights_and_materials_are_drawn), cmocka_unit_test(a_name_is_a_frame)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -135,6 +135,8 @@ vec2 gather(vec2 start, vec3 position, vec3 normal, vec3 v, out vec3 closed)
     float turn = noise_rotation(tile), offset = noise_offset(tile);
     if (FAULT == BENT_NOISE)
         offset += 0.3 * float(BENT);
+    if (FAULT == LIGHT_NOISE)
+        offset += 0.3 * float(LIGHT);
     for (int slice = 0; slice < SLICES; slice++) {
         int which = FAULT == REPEATED_JITTERS ? slice / 2 * 2 : slice;
         vec3 t = direction_of(AOB_PI * (float(which) + turn) / float(SLICES), v);
