@@ -69,6 +69,6 @@ static void run_true_inputs(const struct aob_rig *rig, struct aob_gpu *gpu,
     true_inputs.traced = traced;
     true_inputs.output = output;
     true_inputs.way = way;
-    aob_rig_draw(rig, gpu, &technique, NULL, &(struct aob_options){0}, images);
+    aob_rig_draw(rig, gpu, &technique, "", &(struct aob_options){0}, images);
 }
 #endif
