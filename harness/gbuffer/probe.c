@@ -139,6 +139,20 @@ static void project(const struct aob_image *image, float *const planes[3],
     aob_light_window(projection, energy);
 }
 
+/* Half floats hold what a technique writes of it. A surface that faces all of the light has 4 times its mean. */
+static bool check_scale(const struct aob_light *light, const char *path, struct aob_error *error)
+{
+    double most = 0;
+    for (int channel = 0; channel < 3; channel++)
+        most = fmax(most, light->sh[0][channel] * 0.5 / sqrt(M_PI));
+    return (most >= AOB_PROBE_LEAST_MEAN && most <= AOB_PROBE_MOST_MEAN) ||
+           aob_fail(
+               error,
+               "%s: no light probe: its mean radiance is %.3g, and techniques write half floats: scale it by "
+               "%.1g, so that it lies within %g .. %g",
+               path, most, 1 / most, AOB_PROBE_LEAST_MEAN, AOB_PROBE_MOST_MEAN);
+}
+
 bool aob_probe_read(const char *path, struct aob_light_projection *projection, struct aob_error *error)
 {
     struct aob_image image;
@@ -150,6 +164,7 @@ bool aob_probe_read(const char *path, struct aob_light_projection *projection, s
     bool ok = check_size(&image, path, error) && check_texels(&image, planes, path, error);
     if (ok)
         project(&image, planes, projection);
+    ok = ok && check_scale(&projection->light, path, error);
     aob_image_finish(&image);
     return ok;
 }

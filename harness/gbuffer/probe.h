@@ -15,10 +15,14 @@
 
 enum { AOB_PROBE_MAX_WIDTH = 8192 }; /* texels; nine coefficients need no more than a few hundred */
 
+/* Bounds of the mean radiance of a probe's brightest channel: what a technique writes in half floats keeps its digits. */
+#define AOB_PROBE_LEAST_MEAN 1e-3
+#define AOB_PROBE_MOST_MEAN  1.6e4
+
 /* Reads and projects a probe. Each texel is one radiance over its part of the sphere, whose integrals are exact; the
  * window is that of aob_light_project. The file may be another program's, of any form that aob_image_read_layers takes,
  * so this belongs into a worker, as captures do. It takes about 12 bytes a texel. False after one line that names the
  * file, if that cannot be read, lacks one of the channels, is too large or not twice as wide as high, has a texel that is
- * negative or not finite, or is black. */
+ * negative or not finite, is black, or is too dark or bright in the mean. */
 bool aob_probe_read(const char *path, struct aob_light_projection *projection, struct aob_error *error);
 #endif

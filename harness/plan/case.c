@@ -2,10 +2,13 @@
 #include "plan.h"
 #include "technique/param.h"
 
-static void add_values(const struct aob_param *params, size_t count, const double *values,
+/* A parameter of an output that is not wanted decides nothing. */
+static void add_values(const struct aob_param *params, size_t count, const double *values, uint32_t wanted,
                        struct aob_text *text)
 {
     for (size_t i = 0; i < count; i++) {
+        if (params[i].output && !(wanted >> params[i].output & 1))
+            continue;
         aob_text_add(text, " %s=", params[i].name);
         aob_param_print(&params[i], values[i], text);
     }
@@ -16,15 +19,17 @@ static void add_outputs(const double *options, struct aob_text *text)
 {
     for (size_t i = AOB_OPTION_FIRST_OUTPUT; i < AOB_OPTION_COUNT; i++)
         if (options[i] != 0)
-            add_values(&aob_option_params[i], 1, &options[i], text);
+            add_values(&aob_option_params[i], 1, &options[i], 0, text);
 }
 
 void aob_case_settings(const struct aob_case *c, struct aob_text *text)
 {
+    struct aob_options options = aob_case_options(c);
     aob_text_add(text, "%s", c->technique->name);
-    add_values(c->technique->params, c->technique->param_count, c->params, text);
+    add_values(c->technique->params, c->technique->param_count, c->params, aob_options_wanted(&options),
+               text);
     aob_text_add(text, " %s %dx%d", c->backend, c->width, c->height);
-    add_values(aob_option_params, AOB_OPTION_FIRST_OUTPUT, c->options, text);
+    add_values(aob_option_params, AOB_OPTION_FIRST_OUTPUT, c->options, 0, text);
     add_outputs(c->options, text);
 }
 

@@ -92,6 +92,8 @@ void aob_case_describe(const struct aob_plan *plan, const struct aob_case *c, st
         aob_text_add(text, " (%s)", c->technique->module);
     for (size_t i = 0; i < 2 * AOB_COUNT(all); i++)
         add_values(&all[i % AOB_COUNT(all)], i < AOB_COUNT(all), text);
+    if (c->scene->light_stated && aob_case_is_lit(c))
+        aob_text_add(text, " light=%s", c->scene->light_name);
     if (v->backend)
         aob_text_add(text, " %s", c->backend);
     if (v->size)

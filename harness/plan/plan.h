@@ -26,6 +26,7 @@ struct aob_plan_scene {                /* one view of one scene */
     double metre;                    /* scene units that stand for a metre in default lengths (scene.h) */
     bool unit_stated;                /* how long its unit is was stated, or it is a listed scene */
     struct aob_light light;          /* that lights it, world space */
+    bool light_stated;               /* by the config, in place of its own */
     const char *light_name;          /* a listed light's, or the probe's path */
     char light_digest[AOB_KEY_SIZE]; /* of the coefficients */
     char geometry[AOB_KEY_SIZE];     /* of the geometry's source, the same for every build of the program */

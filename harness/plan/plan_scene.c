@@ -157,6 +157,7 @@ static bool find_light(struct aob_plan_scene *scene, const struct aob_scene_choi
 {
     struct aob_light_projection projection;
     const char *own = scene->info && scene->info->light ? scene->info->light : aob_lights[0].name;
+    scene->light_stated = choice->light;
     scene->light_name = choice->light ? choice->light : own;
     if (choice->is_probe) {
         memcpy(scene->light.sh, choice->sh, sizeof scene->light.sh);

@@ -16,7 +16,7 @@ static void take_answer(void *user, const json_t *object)
 
 static void note(const char *file, const struct aob_light_projection *projection)
 {
-    if (projection->factors[0] < 1)
+    if (projection->factors[0] < 0.995)
         aob_note("%s: nine coefficients hold %.0f %% of the light's energy; bands 1 and 2 count %.2f and "
                  "%.2f, so that "
                  "no direction is negative",

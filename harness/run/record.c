@@ -50,7 +50,9 @@ static json_t *identity(const struct aob_case *c)
         c->width, "height", c->height, "reference_radius", aob_json_number(c->reference_radius), "camera",
         c->scene->framed ? json_null() : aob_camera_to_json(&c->scene->camera));
     if (aob_case_is_lit(c))
-        json_object_set_new(object, "light", aob_json_text(c->scene->light_name));
+        json_object_set_new(object, "light",
+                            json_pack("{s:o, s:s}", "name", aob_json_text(c->scene->light_name), "digest",
+                                      c->scene->light_digest));
     return object;
 }
 

@@ -55,18 +55,23 @@ struct scores {
     double rmse, band, bias, se, plain, model;
 };
 
+static double share(double part, double whole)
+{
+    return whole > 0 ? part / whole : NAN;
+}
+
 /* A relative error is over what the truth is; NAN where there is none. */
 static struct scores scores_of(const struct sums *sums, bool relative)
 {
     double all = relative ? sums->truth : (double)sums->count;
     double band = relative ? sums->band_truth : (double)sums->band_count;
     double mean = relative ? sums->mean : (double)sums->count;
-    return (struct scores){.rmse = sqrt(sums->square / all),
-                           .band = sqrt(sums->band / band),
-                           .bias = sums->bias / mean,
-                           .se = sqrt(sums->se / all),
-                           .plain = sqrt(sums->plain / band),
-                           .model = sqrt(sums->model / band)};
+    return (struct scores){.rmse = sqrt(share(sums->square, all)),
+                           .band = sqrt(share(sums->band, band)),
+                           .bias = share(sums->bias, mean),
+                           .se = sqrt(share(sums->se, all)),
+                           .plain = sqrt(share(sums->plain, band)),
+                           .model = sqrt(share(sums->model, band))};
 }
 
 void aob_effect_score(const struct aob_score_desc *desc, const struct aob_effect *effect,

@@ -2,6 +2,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "base/text.h"
+#include "graph.h"
 #include "registry.h"
 
 static json_t *choices_to_json(const char *const *choices)
@@ -36,6 +37,8 @@ json_t *aob_param_to_json(const struct aob_param *param)
                           "max", param->max, "initial", param->initial);
     if (param->choices)
         json_object_set_new(p, "choices", choices_to_json(param->choices));
+    if (param->output)
+        json_object_set_new(p, "output", json_string(aob_output_name((enum aob_output)param->output)));
     return p;
 }
 
@@ -96,7 +99,11 @@ static bool param_from_json(json_t *p, struct aob_param *param)
     param->rule = (enum aob_rule)word_index(rule_words, rule);
     if (json_object_get(p, "choices"))
         param->choices = choices_from_json(json_object_get(p, "choices"));
-    return true;
+    const char *output = json_string_value(json_object_get(p, "output"));
+    while (output && param->output < AOB_OUTPUT_COUNT &&
+           strcmp(output, aob_output_name((enum aob_output)param->output)) != 0)
+        param->output++;
+    return param->output < AOB_OUTPUT_COUNT;
 }
 
 static const char *optional(const json_t *described, const char *name)

@@ -79,9 +79,10 @@ static bool judge_param(const struct aob_technique *technique, const struct aob_
                         technique->name, param->name);
     if ((param->type != AOB_FLOAT && param->type != AOB_INT) || (unsigned)param->stage > AOB_HOST ||
         (unsigned)param->unit > AOB_UNIT_COUNT || (unsigned)param->scale > AOB_LOG2 ||
-        (unsigned)param->rule > AOB_POWER_OF_TWO || param->offset % 4 || technique->values_size < 4 ||
-        param->offset > technique->values_size - 4)
-        return aob_fail(error, "technique '%s': parameter '%s' has a bad type, stage, unit, rule or offset",
+        (unsigned)param->rule > AOB_POWER_OF_TWO || (unsigned)param->output >= AOB_OUTPUT_COUNT ||
+        param->offset % 4 || technique->values_size < 4 || param->offset > technique->values_size - 4)
+        return aob_fail(error,
+                        "technique '%s': parameter '%s' has a bad type, stage, unit, rule, output or offset",
                         technique->name, param->name);
     return param->choices ? judge_choices(technique, param, error) : judge_numbers(technique, param, error);
 }

@@ -95,7 +95,7 @@ static float *make_plain(const struct aob_block *block, size_t f, enum aob_outpu
     return plain;
 }
 
-/* The fit of bounces, given the true visibility. */
+/* The fit of bounces, given the true visibility; it is one of visibility that the cosine weighs. */
 static float *make_model(const struct aob_block *block, const float *truth)
 {
     size_t pixels = pixels_of(block);
@@ -117,7 +117,8 @@ bool aob_case_effects_score(const struct aob_block *block, size_t f, const struc
         if (!load_truth(block, target->truth[which], effect, error))
             return false;
         float *plain = make_plain(block, f, (enum aob_output)which, image),
-              *model = which == AOB_OUT_VISIBILITY_RGB ? make_model(block, desc->truth) : NULL;
+              *model =
+                  which == AOB_OUT_VISIBILITY_RGB && !target->uniform ? make_model(block, desc->truth) : NULL;
         const struct aob_effect scored = {.output = (enum aob_output)which,
                                           .components = effect->components,
                                           .image = effect->image,

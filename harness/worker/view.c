@@ -67,7 +67,7 @@ static double bytes_of(const struct aob_view_job *job)
     for (size_t i = 0; i < job->term_count; i++)
         if (!job->terms[i].term.bound)
             bytes +=
-                (job->terms[i].term.bent ? 20 : 8 * aob_term_components(job->terms[i].term.output)) * pixels;
+                (job->terms[i].term.bent ? 20 : 16 * aob_term_components(job->terms[i].term.output)) * pixels;
     return bytes + 72.0 * (view->width + 2 * view->guard) * (view->height + 2 * view->guard);
 }
 

@@ -77,6 +77,9 @@ struct aob_param {
     const char *const *
         choices; /* NULL, or NULL-ended names of 0, 1, 2...; min and max are then unused: leave them 0. What is off
                                    or on has the choices off, on */
+    /* enum aob_output that alone it shapes. Where that is not wanted the parameter decides nothing: it is in no key, and a sweep over
+     * it is one case. 0, the visibility, which is always wanted: it always counts */
+    int output;
     size_t offset; /* of the field in the technique's values struct */
 };
 #define AOB_PARAM(T, field, ...)                                                                             \
@@ -118,7 +121,8 @@ enum aob_output {
     AOB_OUT_VISIBILITY_RGB,
     /* r: open share of what the surface's GGX lobe reflects towards the eye (alpha = roughness^2, Fresnel 1), 0 to 1. */
     AOB_OUT_SPECULAR,
-    /* rgb: irradiance of the scene's light that what is closed leaves, over pi: what a white matt surface shows; not negative. A
+    /* rgb: irradiance of the scene's light that what is closed leaves, over pi: what a white matt surface shows; not negative, and
+     * within a half float (a light's mean is within 1e-3 .. 1.6e4). A
      * target of rgba16f or rgba32f. */
     AOB_OUT_IRRADIANCE,
     AOB_OUTPUT_COUNT,

@@ -1,7 +1,8 @@
 /* Occluded irradiance of the scene's light, over pi, from visibility and bent normal.
  * IRRADIANCE_BY 0: the visibility is the mean of what is open, weighed by the cosine, and the bent normal is its first moment, so
  * the bands 0 and 1 of the light are right as they are. Of band 2 what is closed takes its part: it lies about its own mean
- * direction, as narrow as the length of that says (a lobe of k in band 1 has about k^3 in band 2).
+ * direction, as narrow as the length of that says: a lobe of k in band 1 has k^p in band 2, with p such that a whole hemisphere, 2/3, has
+ * the quarter that it must have, and one direction has 1.
  * For comparison: the text's directional GTAO, where what is open is a cone about the bent normal and so is the cosine, one
  * zonal function (1); the light of an open surface that faces the bent normal, times the visibility (2, Landis 2002); that of the
  * surface itself (3, plain ambient occlusion); and cone and cosine as two functions of nine harmonics each, whose product
@@ -46,9 +47,9 @@ vec3 by_moments(vec3 normal, vec4 open)
     vec3 shut = 2.0 / 3.0 * normal - open.xyz;
     float closed = max(1.0 - open.w, 0.0), square = dot(shut, shut);
     vec3 axis = direction_or(shut, normal);
-    float narrow = min(sqrt(square) / max(closed, 1e-4), 1.0);
+    float narrow = min(sqrt(square) / max(closed, 1e-4), 1.0), band2 = pow(narrow, 3.419023);
     return open.w * light_band0() + light_band1(open.xyz) + 0.25 * light_band2(normal)
-        - closed * narrow * narrow * narrow * light_band2(axis);
+        - closed * band2 * light_band2(axis);
 }
 
 void main()

@@ -41,11 +41,11 @@ static const struct aob_param params[] = {
     AOB_PARAM_DIVISOR(struct values, divisor),
     AOB_PARAM_DEPTH_DIVISOR(struct values, depth_divisor),
     AOB_PARAM_BLUR(struct values, blur, 5),
-    AOB_PARAM(struct values, irradiance_by, .stage = AOB_HOST, .choices = irradiances,
-              .doc =
-                  "How irradiance is made, where it is wanted; zonal is the text's, and the rest compare."),
     AOB_PARAM(
-        struct values, specular_by, .stage = AOB_HOST, .choices = speculars,
+        struct values, irradiance_by, .output = AOB_OUT_IRRADIANCE, .stage = AOB_HOST, .choices = irradiances,
+        .doc = "How irradiance is made, where it is wanted; zonal is the text's, and the rest compare."),
+    AOB_PARAM(
+        struct values, specular_by, .output = AOB_OUT_SPECULAR, .stage = AOB_HOST, .choices = speculars,
         .doc =
             "How specular is made, where it is wanted: a closed cap, the text's open cone, or visibility."),
 };

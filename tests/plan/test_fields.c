@@ -118,6 +118,21 @@ static void test_scene(void **state)
     s->target_count = 2;
 }
 
+/* Where its output is wanted the parameter makes another case of another history. */
+static void expect_of_wanted(struct aob_case *c, size_t param, int output)
+{
+    char key[2][AOB_KEY_SIZE], series[2][AOB_KEY_SIZE];
+    double *option = &c->options[AOB_OPTION_FIRST_OUTPUT + output - 1];
+    *option = 1;
+    identify(key[0], series[0]);
+    c->params[param] += 1;
+    identify(key[1], series[1]);
+    c->params[param] -= 1;
+    *option = 0;
+    assert_string_not_equal(key[0], key[1]);
+    assert_string_not_equal(series[0], series[1]);
+}
+
 static void test_case(void **state)
 {
     (void)state;
@@ -130,9 +145,12 @@ static void test_case(void **state)
     expect("the backend", true, true);
     c->backend = backend;
     for (size_t i = 0; i < technique.param_count; i++) {
+        int output = technique.params[i].output; /* counts where that is wanted */
         c->params[i] += 1;
-        expect(technique.params[i].name, true, true);
+        expect(technique.params[i].name, !output, !output);
         c->params[i] -= 1;
+        if (output)
+            expect_of_wanted(c, i, output);
     }
     for (size_t i = 0; i < AOB_OPTION_COUNT; i++) {
         c->options[i] += 1;

@@ -76,6 +76,21 @@ static void light_is_relative(void **state)
     assert_near(m.specular_plain, 0.6, 1e-6);
 }
 
+/* Nothing is a share of no light. */
+static void what_is_dark_has_no_relative_error(void **state)
+{
+    (void)state;
+    struct still still;
+    struct aob_metrics m;
+    still_init(&still, AOB_OUT_SPECULAR, 1);
+    for (int i = 0; i < N; i++)
+        still.truth[i] = 0;
+    aob_metrics_init(&m);
+    aob_effect_score(&still.desc, &still.effect, &m);
+    assert_true(isnan(m.specular_rmse) && isnan(m.specular_band) && isnan(m.specular_bias) &&
+                isnan(m.specular_se) && isnan(m.specular_plain));
+}
+
 static void refuse(enum aob_output output, float value, const char *says)
 {
     struct still still;
@@ -120,6 +135,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(colours_are_the_mean_of_their_squares), cmocka_unit_test(light_is_relative),
-        cmocka_unit_test(what_is_no_light_is_refused), cmocka_unit_test(bounces_follow_the_text)};
+        cmocka_unit_test(what_is_dark_has_no_relative_error), cmocka_unit_test(what_is_no_light_is_refused),
+        cmocka_unit_test(bounces_follow_the_text)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

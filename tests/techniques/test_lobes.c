@@ -144,7 +144,8 @@ static double gtao_error(const struct gallery *gallery, struct aob_gpu *gpu, con
 }
 
 /* With the traced visibility and bent normal the closed cap has less than half of the error of the visibility as specular. The
- * text's cone has more than the cap, and so it is with gtao's own (./dev bench effects has the figures of those). */
+ * text's cone has more than the cap, and so it is with gtao's own: half of the visibility's in the first view, and not in the second, whose balls hide what stands behind them
+ * (./dev bench effects). */
 static void test_gallery(void **state)
 {
     (void)state;
@@ -165,7 +166,7 @@ static void test_gallery(void **state)
             "%.3f, visibility %.3f\n",
             view, given[0], given[1], plain, cap, cone, visibility);
         assert_true(given[0] < 0.5 * plain && given[0] < given[1]);
-        assert_true(cap < visibility && cap < cone);
+        assert_true(cap < cone && cap < (view == 0 ? 0.5 : 1) * visibility);
         gallery_finish(&gallery);
     }
     free(specular);
