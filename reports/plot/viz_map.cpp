@@ -198,8 +198,10 @@ std::string bar_label(int height, const std::string &brief, const char *meaning)
 
 std::string error_label(int height, const aob_viz_map &map)
 {
-    return bar_label(height, std::string(map.quantity ? map.quantity : "AO") + " minus reference",
-                     ERROR_MEANING);
+    std::string brief = std::string(map.quantity ? map.quantity : "AO") + " minus reference";
+    if (text_width(brief, LABEL) > height + 60) /* the heading names the quantity, too */
+        brief = "technique minus reference";
+    return bar_label(height, brief, ERROR_MEANING);
 }
 
 void draw_map(const aob_viz_map &map, const std::string &path)
