@@ -115,6 +115,14 @@ static char *text_of(struct aob_text *text)
     return text->data ? text->data : aob_strdup("");
 }
 
+/* What lights the case, where it matters to it. */
+static void add_light(struct aob_text *text, const struct aob_row *row)
+{
+    const json_t *name = json_object_get(json_object_get(row->json, "light"), "name");
+    if (json_is_string(name))
+        add_pair(text, "light", name);
+}
+
 static char *label_of(const struct aob_row *row, const struct words *params, const struct words *options)
 {
     struct aob_text text = {0};
@@ -123,6 +131,7 @@ static char *label_of(const struct aob_row *row, const struct words *params, con
     add_varying(&text, options, o);
     add_unusual(&text, params, row, p);
     add_unusual(&text, options, row, o);
+    add_light(&text, row);
     return text_of(&text);
 }
 
@@ -133,27 +142,31 @@ static void add_all(struct aob_text *text, const json_t *values)
     json_object_foreach((json_t *)values, name, value) add_pair(text, name, value);
 }
 
-static char *show(const struct aob_row *row, const char *first, const char *second)
+static char *show(const struct aob_row *row, bool params, bool options)
 {
     struct aob_text text = {0};
-    add_all(&text, json_object_get(row->json, first));
-    add_all(&text, json_object_get(row->json, second));
+    if (params)
+        add_all(&text, json_object_get(row->json, "params"));
+    if (options) {
+        add_all(&text, json_object_get(row->json, "options"));
+        add_light(&text, row);
+    }
     return text_of(&text);
 }
 
 char *aob_label_params(const struct aob_row *row)
 {
-    return show(row, "params", "");
+    return show(row, true, false);
 }
 
 char *aob_label_options(const struct aob_row *row)
 {
-    return show(row, "options", "");
+    return show(row, false, true);
 }
 
 char *aob_label_full(const struct aob_row *row)
 {
-    return show(row, "params", "options");
+    return show(row, true, true);
 }
 
 /* The first run that describes the technique has them. */

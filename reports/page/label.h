@@ -1,5 +1,5 @@
 /* What a case is called beside its technique: parameters and run options that are not the same in all cases, then those
- * that are, but not at their defaults. */
+ * that are, but not at their defaults, then the light where an output is wanted that depends on it. */
 #ifndef AOB_REPORTS_PAGE_LABEL_H
 #define AOB_REPORTS_PAGE_LABEL_H
 #include "rows.h"
@@ -12,7 +12,7 @@ void aob_labels_make(struct aob_rows *rows);
 /* Every parameter and option of the case with its value; free() it. */
 char *aob_label_full(const struct aob_row *row);
 char *aob_label_params(const struct aob_row *row);  /* the parameters only */
-char *aob_label_options(const struct aob_row *row); /* the run options only */
+char *aob_label_options(const struct aob_row *row); /* the run options and the light only */
 
 /* The defaults of a technique's parameters, as a record writes values; `technique` is an entry of run.json's list.
  * decref it. A length is {"metres": number}, since its value depends on the scene: aob_label_is_default compares one of

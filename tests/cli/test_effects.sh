@@ -67,6 +67,15 @@ check "a cap gains over visibility as specular" jq -e '.error | .specular_band <
   <("$program" shot --technique gtao --scene gallery --size 96x54 --backend gl-egl --reference-spp 64 -p radius=0.5 -p specular=on --json -)
 probe_key() { "${shot[@]}" -p irradiance=on --light changed.exr --json - 2>key.err | jq -r .key; }
 
+config "irradiance: [on]" >lights.yaml
+sed -i 's/{name: coloured_walls}/{name: corner, light: sky}, {name: corner, light: window}, {name: corner, light: .\/white.exr}/' lights.yaml
+"$AOBUDGET_BUILD/probe_file" white.exr 8 1
+check "three lights" "$program" run lights.yaml --out lights --quiet 2>/dev/null
+lights() { grep -o "light=[a-z./]*" "$1" | LC_ALL=C sort -u | tr '\n' ' '; }
+"$program" plan lights.yaml >told 2>/dev/null
+check "the plan tells them apart" test "$(lights told)" = "light=./white.exr light=sky light=window "
+check "so does the page" test "$(lights lights/report/index.html)" = "light=./white.exr light=sky light=window "
+
 # Probes: 8 x 4 texels of 1 are uniform light.
 probe() { "$AOBUDGET_BUILD/probe_file" "$@"; }
 probe white.exr 8 1
