@@ -58,17 +58,21 @@ struct scene {
     bool *traced; /* of each term of the job */
 };
 
-/* At least: 72 bytes a pixel were measured for the hits and their file, and the terms of one trace are held together.
+/* At least: 72 bytes a pixel were measured for the hits and their file, and the terms of one trace are held together, those of
+ * further outputs one by one with their file.
  * What a screen-space bound takes depends on what the view shows (reference/bound.h). */
 static double bytes_of(const struct aob_view_job *job)
 {
     const struct aob_job_view *view = &job->view;
-    double pixels = (double)view->width * view->height, bytes = 0;
-    for (size_t i = 0; i < job->term_count; i++)
-        if (!job->terms[i].term.bound)
-            bytes +=
-                (job->terms[i].term.bent ? 20 : 16 * aob_term_components(job->terms[i].term.output)) * pixels;
-    return bytes + 72.0 * (view->width + 2 * view->guard) * (view->height + 2 * view->guard);
+    double pixels = (double)view->width * view->height, bytes = 0, effects = 0;
+    for (size_t i = 0; i < job->term_count; i++) {
+        const struct aob_term *term = &job->terms[i].term;
+        if (term->output != AOB_OUT_VISIBILITY)
+            effects = fmax(effects, 16 * pixels * aob_term_components(term->output));
+        else if (!term->bound)
+            bytes += (term->bent ? 20 : 8) * pixels;
+    }
+    return bytes + effects + 72.0 * (view->width + 2 * view->guard) * (view->height + 2 * view->guard);
 }
 
 static bool judge_memory(const struct aob_view_job *job, struct aob_error *error)
