@@ -12,6 +12,7 @@ _aobudget() {
     case $previous in
       --technique) words=$(_aobudget_names techniques) ;;
       --scene) words=$(_aobudget_names scenes) ;;
+      --light) words=$(_aobudget_names lights) ;;
       --depth) words="planar distance device device_reversed" ;;
       --normals) words="view world derived" ;;
       --handed) words="right left" ;;

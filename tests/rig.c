@@ -106,8 +106,6 @@ void aob_rig_params(const struct aob_technique *technique, const char *params, v
     aob_param_pack(aob_option_params, AOB_OPTION_COUNT, chosen, options, sizeof *options);
 }
 
-static const int components_of[AOB_OUTPUT_COUNT] = {1, 3, 3, 1, 3};
-
 void aob_rig_draw(const struct aob_rig *rig, struct aob_gpu *gpu, const struct aob_technique *technique,
                   const void *values, const struct aob_options *options,
                   float *const images[AOB_OUTPUT_COUNT])
@@ -127,8 +125,9 @@ void aob_rig_draw(const struct aob_rig *rig, struct aob_gpu *gpu, const struct a
     aob_light_turn(&rig->light, &axes, &screen.light);
     ok = ok && aob_frame_init_desc(frame, &screen, &desc, &error) && aob_frame_run(frame, 1, NULL, &error);
     for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
-        ok = ok && (!images[which] || aob_frame_read(frame, (enum aob_output)which, components_of[which],
-                                                     images[which], &error));
+        ok = ok && (!images[which] ||
+                    aob_frame_read(frame, (enum aob_output)which,
+                                   aob_output_components((enum aob_output)which), images[which], &error));
     if (!ok)
         give_up(technique->name, &error);
     aob_frame_finish(frame);

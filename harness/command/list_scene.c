@@ -2,7 +2,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "scene/camera_json.h"
-#include "scene/light.h"
+#include "scene/light_json.h"
 #include "scene/scene.h"
 #include "scene/scene_folder.h"
 
@@ -91,15 +91,6 @@ bool aob_list_scenes(struct aob_common *common, struct aob_error *error)
     return ok;
 }
 
-static json_t *coefficients_to_json(const struct aob_light *light)
-{
-    json_t *array = json_array();
-    for (int i = 0; i < 9; i++)
-        json_array_append_new(array,
-                              json_pack("[f, f, f]", light->sh[i][0], light->sh[i][1], light->sh[i][2]));
-    return array;
-}
-
 bool aob_list_lights(struct aob_common *common, struct aob_error *error)
 {
     json_t *array = json_array();
@@ -109,7 +100,7 @@ bool aob_list_lights(struct aob_common *common, struct aob_error *error)
         json_array_append_new(array,
                               json_pack("{s:s, s:s, s:f, s:[f, f], s:o}", "name", info->name, "radiance",
                                         info->title, "held", made.held, "factors", made.factors[0],
-                                        made.factors[1], "coefficients", coefficients_to_json(&made.light)));
+                                        made.factors[1], "coefficients", aob_light_to_json(&made.light)));
         if (common->json)
             continue;
         aob_text_add_line(&common->out, "%s: %s", info->name, info->title);

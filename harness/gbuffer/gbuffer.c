@@ -8,45 +8,21 @@ const char aob_gbuffer_version[] = "2";
 static const char *const normal_names[3] = {"N.X", "N.Y", "N.Z"};
 static const char *const shading_names[3] = {"S.X", "S.Y", "S.Z"};
 
-static void add_vectors(struct aob_image *image, const char *const names[3], const float (*vectors)[3],
-                        size_t count)
-{
-    for (int c = 0; c < 3; c++) {
-        float *channel = aob_image_add(image, names[c]);
-        for (size_t i = 0; i < count; i++)
-            channel[i] = vectors[i][c];
-    }
-}
-
 static const char *const velocity_names[2] = {"V.X", "V.Y"};
-
-static void add_velocity(struct aob_image *image, const struct aob_hits *hits, size_t count)
-{
-    for (int c = 0; c < 2 && hits->velocity; c++) {
-        float *channel = aob_image_add(image, velocity_names[c]);
-        for (size_t i = 0; i < count; i++)
-            channel[i] = hits->velocity[i][c];
-    }
-}
-
 static const char *const albedo_names[3] = {"albedo.R", "albedo.G", "albedo.B"};
 static const char *const shine_names[2] = {"roughness", "metalness"};
 
-/* One float of each material over the pixels: the float `at` bytes into it. */
-static void add_property(struct aob_image *image, const char *name, size_t at, const struct aob_hits *hits,
-                         const struct aob_mesh *mesh)
+/* `count` channels of `count` floats a pixel; none of NULL. */
+static void add_parts(struct aob_image *image, const char *const *names, const float *from, size_t count)
 {
-    size_t count = (size_t)image->width * (size_t)image->height;
-    float *channel = aob_image_add(image, name);
-    for (size_t i = 0; i < count; i++)
-        if (hits->primitive[i] != AOB_NO_PRIMITIVE)
-            memcpy(&channel[i], (const char *)aob_mesh_material(mesh, hits->primitive[i]) + at,
-                   sizeof channel[i]);
+    for (size_t c = 0; c < count && from; c++)
+        aob_image_add_part(image, names[c], from + c, count);
 }
 
 static void add_materials(struct aob_image *image, const struct aob_hits *hits, const struct aob_mesh *mesh,
                           size_t count)
 {
+    struct aob_gbuffer painted = {0};
     if (!mesh->materials)
         return;
     float *index = aob_image_add(image, "material");
@@ -54,11 +30,10 @@ static void add_materials(struct aob_image *image, const struct aob_hits *hits, 
         index[i] = hits->primitive[i] == AOB_NO_PRIMITIVE
                        ? -1.0f
                        : (float)aob_mesh_material_index(mesh, hits->primitive[i]);
-    for (size_t c = 0; c < 3; c++)
-        add_property(image, albedo_names[c], offsetof(struct aob_material, base_colour) + c * sizeof(float),
-                     hits, mesh);
-    add_property(image, shine_names[0], offsetof(struct aob_material, roughness), hits, mesh);
-    add_property(image, shine_names[1], offsetof(struct aob_material, metalness), hits, mesh);
+    aob_gbuffer_paint(&painted, hits, mesh);
+    add_parts(image, albedo_names, painted.albedo, 3);
+    add_parts(image, shine_names, painted.shine, 2);
+    aob_gbuffer_finish(&painted);
 }
 
 bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh, const char *path,
@@ -67,9 +42,9 @@ bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh,
     struct aob_image image = {.width = hits->width, .height = hits->height};
     size_t count = (size_t)hits->width * (size_t)hits->height;
     memcpy(aob_image_add(&image, "Z"), hits->depth, count * sizeof(float));
-    add_vectors(&image, normal_names, (const float(*)[3])hits->normal, count);
-    add_vectors(&image, shading_names, (const float(*)[3])hits->shading, count);
-    add_velocity(&image, hits, count);
+    add_parts(&image, normal_names, hits->normal[0], 3);
+    add_parts(&image, shading_names, hits->shading[0], 3);
+    add_parts(&image, velocity_names, hits->velocity ? hits->velocity[0] : NULL, 2);
     add_materials(&image, hits, mesh, count);
     float *primitive = aob_image_add(&image, "primitive");
     for (size_t i = 0; i < count; i++)
@@ -77,22 +52,6 @@ bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh,
     bool ok = aob_image_write(&image, path, error);
     aob_image_finish(&image);
     return ok;
-}
-
-/* Returns `size` channels side by side with `stride` floats a pixel, the rest 0; NULL unless all channels are there. */
-static float *interleave(const struct aob_image *image, const char *const *names, size_t size, size_t stride)
-{
-    size_t count = (size_t)image->width * (size_t)image->height;
-    for (size_t c = 0; c < size; c++)
-        if (!aob_image_channel(image, names[c]))
-            return NULL;
-    float *into = AOB_NEW_ARRAY(float, stride *count);
-    for (size_t c = 0; c < size; c++) {
-        const float *from = aob_image_channel(image, names[c]);
-        for (size_t i = 0; i < count; i++)
-            into[stride * i + c] = from[i];
-    }
-    return into;
 }
 
 void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,
@@ -135,8 +94,8 @@ static bool copy_channels(struct aob_gbuffer *gbuffer, const struct aob_image *i
     gbuffer->depth = AOB_NEW_ARRAY(float, count);
     for (size_t i = 0; i < count; i++)
         gbuffer->depth[i] = z[i] > 0 ? z[i] : AOB_GBUFFER_SKY;
-    gbuffer->normal = interleave(image, normal_names, 3, 4);
-    gbuffer->shading = interleave(image, shading_names, 3, 4);
+    gbuffer->normal = aob_image_interleaved(image, normal_names, 3, 4);
+    gbuffer->shading = aob_image_interleaved(image, shading_names, 3, 4);
     return gbuffer->normal && gbuffer->shading;
 }
 
@@ -152,9 +111,9 @@ bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struc
     bool fits = image.width == gbuffer->projection.width && image.height == gbuffer->projection.height;
     size_t count = (size_t)image.width * (size_t)image.height;
     if (fits) {
-        gbuffer->albedo = interleave(&image, albedo_names, 3, 3);
-        gbuffer->shine = interleave(&image, shine_names, 2, 2);
-        gbuffer->velocity = desc->camera->moves ? interleave(&image, velocity_names, 2, 2) : NULL;
+        gbuffer->albedo = aob_image_interleaved(&image, albedo_names, 3, 3);
+        gbuffer->shine = aob_image_interleaved(&image, shine_names, 2, 2);
+        gbuffer->velocity = desc->camera->moves ? aob_image_interleaved(&image, velocity_names, 2, 2) : NULL;
     }
     bool ok = fits && copy_channels(gbuffer, &image, count) && !gbuffer->albedo == !gbuffer->shine &&
               !gbuffer->velocity == !desc->camera->moves;

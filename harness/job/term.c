@@ -5,13 +5,7 @@
 #include <string.h>
 #include "base/json.h"
 #include "base/memory.h"
-
-enum { LIGHT_NUMBERS = sizeof(struct aob_light) / sizeof(double) };
-
-int aob_term_components(enum aob_output output)
-{
-    return output == AOB_OUT_VISIBILITY_RGB || output == AOB_OUT_IRRADIANCE ? 3 : 1;
-}
+#include "scene/light_json.h"
 
 bool aob_term_same_trace(const struct aob_term *a, const struct aob_term *b)
 {
@@ -38,7 +32,7 @@ json_t *aob_term_to_json(const struct aob_term *term)
     if (term->output == AOB_OUT_VISIBILITY_RGB)
         json_object_set_new(object, "bounces", json_integer(term->bounces));
     if (term->output == AOB_OUT_IRRADIANCE)
-        json_object_set_new(object, "light", aob_json_vector(term->light.sh[0], LIGHT_NUMBERS));
+        json_object_set_new(object, "light", aob_light_to_json(&term->light));
     return object;
 }
 
@@ -78,8 +72,8 @@ static bool read_output(const json_t *object, struct aob_term *term, struct aob_
     term->output = (enum aob_output)which;
     term->bounces = (int)json_integer_value(json_object_get(object, "bounces"));
     return which != AOB_OUT_IRRADIANCE ||
-           aob_json_to_vector(json_object_get(object, "light"), term->light.sh[0], LIGHT_NUMBERS) ||
-           aob_fail(error, "a term's light has not %d numbers", LIGHT_NUMBERS);
+           aob_light_from_json(json_object_get(object, "light"), &term->light) ||
+           aob_fail(error, "a term has no light");
 }
 
 bool aob_term_from_json(const json_t *object, struct aob_term *term, struct aob_error *error)

@@ -29,9 +29,6 @@ struct aob_term {
 };
 enum { AOB_TRUTH_BOUNCES = 8 }; /* that a run asks for */
 
-/* Components of such a file: 1 or 3; 1 of visibility. */
-int aob_term_components(enum aob_output output);
-
 /* Whether one set of rays serves both: same weighting, distance and surface. A cosine term that is traced beside a
  * uniform one has other noise, and a cached file must not depend on what else was wanted when it was made. */
 bool aob_term_same_trace(const struct aob_term *a, const struct aob_term *b);

@@ -4,8 +4,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "scene/camera_json.h"
-
-enum { LIGHT_NUMBERS = sizeof(struct aob_light) / sizeof(double) };
+#include "scene/light_json.h"
 
 void aob_job_view_to_json(const struct aob_job_view *view, json_t *job)
 {
@@ -19,7 +18,7 @@ void aob_job_view_to_json(const struct aob_job_view *view, json_t *job)
     json_object_set_new(job, "height", json_integer(view->height));
     json_object_set_new(job, "guard", json_integer(view->guard));
     json_object_set_new(job, "gbuffer", aob_json_path(view->gbuffer));
-    json_object_set_new(job, "light", aob_json_vector(view->light.sh[0], LIGHT_NUMBERS));
+    json_object_set_new(job, "light", aob_light_to_json(&view->light));
 }
 
 bool aob_job_view_from_json(const json_t *job, struct aob_job_view *view, struct aob_error *error)
@@ -32,8 +31,8 @@ bool aob_job_view_from_json(const json_t *job, struct aob_job_view *view, struct
                     &view->gbuffer) != 0)
         return aob_fail(error, "a job's view lacks a field");
     view->captured = captured;
-    if (!aob_json_to_vector(json_object_get(job, "light"), view->light.sh[0], LIGHT_NUMBERS))
-        return aob_fail(error, "a job's view has not the %d numbers of its light", LIGHT_NUMBERS);
+    if (!aob_light_from_json(json_object_get(job, "light"), &view->light))
+        return aob_fail(error, "a job's view has no light");
     return aob_camera_from_json(json_object_get(job, "camera"), &view->camera, error);
 }
 

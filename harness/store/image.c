@@ -24,6 +24,29 @@ float *aob_image_add(struct aob_image *image, const char *name)
     return channel->pixels;
 }
 
+void aob_image_add_part(struct aob_image *image, const char *name, const float *from, size_t stride)
+{
+    float *channel = aob_image_add(image, name);
+    for (size_t i = 0; i < (size_t)image->width * (size_t)image->height; i++)
+        channel[i] = from[i * stride];
+}
+
+float *aob_image_interleaved(const struct aob_image *image, const char *const *names, size_t count,
+                             size_t stride)
+{
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    for (size_t c = 0; c < count; c++)
+        if (!aob_image_channel(image, names[c]))
+            return NULL;
+    float *into = AOB_NEW_ARRAY(float, stride *pixels);
+    for (size_t c = 0; c < count; c++) {
+        const float *from = aob_image_channel(image, names[c]);
+        for (size_t i = 0; i < pixels; i++)
+            into[stride * i + c] = from[i];
+    }
+    return into;
+}
+
 /* The attribute of this name, emptied, or a new one. */
 static struct aob_attribute *attribute_slot(struct aob_image *image, const char *name)
 {

@@ -27,6 +27,12 @@ struct aob_image {
  * none. */
 float *aob_image_add(struct aob_image *image, const char *name);
 float *aob_image_channel(const struct aob_image *image, const char *name);
+
+/* Adds a channel of every `stride`th float of `from`, one a pixel; aob_image_interleaved goes the other way: `count` channels side
+ * by side with `stride` floats a pixel, the rest 0, for the caller to free; NULL unless all of them are there. */
+void aob_image_add_part(struct aob_image *image, const char *name, const float *from, size_t stride);
+float *aob_image_interleaved(const struct aob_image *image, const char *const *names, size_t count,
+                             size_t stride);
 void aob_image_set_number(struct aob_image *image, const char *name, double value);
 void aob_image_set_vec3(struct aob_image *image, const char *name, const double value[3]);
 void aob_image_set_text(struct aob_image *image, const char *name, const char *text);

@@ -51,7 +51,7 @@ void aob_ask_effects_apart(struct aob_trial *trial)
         if (!all.of[which])
             continue;
         struct aob_reading alone = draw(trial, &frames, 1u << which);
-        int stride = aob_reading_components((enum aob_output)which);
+        int stride = aob_output_components((enum aob_output)which);
         for (int c = 0; alone.of[which] && c < stride; c++) {
             const struct aob_exhibit *exhibit = frames.shot.exhibit;
             const float *image = alone.of[which], *wanted = all.of[which];

@@ -51,7 +51,7 @@ static enum aob_fuzz_fault draw_once(const struct aob_frame_desc *desc, struct a
     for (int which = 0; ok && which < AOB_OUTPUT_COUNT; which++) {
         enum aob_output output = (enum aob_output)which;
         ok = !aob_graph_gives(&frame->graph, output) ||
-             aob_frame_read(frame, output, aob_reading_components(output), drawn->of[which], error);
+             aob_frame_read(frame, output, aob_output_components(output), drawn->of[which], error);
     }
     aob_frame_finish(frame);
     free(frame);
@@ -103,7 +103,7 @@ static bool is_in_range(enum aob_output output, const float *values)
     const float depth = 1;
     const struct aob_score_desc desc = {.width = 1, .height = 1, .depth = &depth, .sky_depth = 2};
     const struct aob_effect effect = {
-        .output = output, .components = aob_reading_components(output), .image = values};
+        .output = output, .components = aob_output_components(output), .image = values};
     if (output == AOB_OUT_VISIBILITY)
         return values[0] >= 0 && values[0] <= 1;
     return output == AOB_OUT_BENT_NORMAL ? aob_bent_is_sound(values) : aob_effect_judge(&desc, &effect, NULL);
@@ -113,7 +113,7 @@ static enum aob_fuzz_fault judge_pixel(const struct aob_fuzz_frame *frame, const
                                        enum aob_output output, size_t i)
 {
     enum aob_fuzz_pixel kind = (enum aob_fuzz_pixel)frame->pixels[aob_fuzz_frame_place(frame, i)];
-    size_t stride = (size_t)aob_reading_components(output);
+    size_t stride = (size_t)aob_output_components(output);
     const float *values = sight->drawn[0].of[output] + stride * i,
                 *again = sight->drawn[1].of[output] + stride * i;
     for (size_t c = 0; c < stride; c++)
@@ -131,7 +131,7 @@ static void tell(const struct aob_fuzz_frame *frame, struct aob_fuzz_sight *sigh
 {
     static const char *const kinds[] = {"a surface", "sky", "hostile"};
     int width = aob_fuzz_frame_width(frame), height = aob_fuzz_frame_height(frame);
-    size_t stride = (size_t)aob_reading_components(output);
+    size_t stride = (size_t)aob_output_components(output);
     const float *values = sight->drawn[0].of[output] + stride * i;
     struct aob_text text = {0};
     for (size_t c = 0; c < stride; c++)
@@ -163,7 +163,7 @@ void aob_fuzz_draw(struct aob_fuzz_artist *artist, const struct aob_fuzz_frame *
     for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
         for (int time = 0; time < 2; time++)
             sight->drawn[time].of[which] =
-                AOB_NEW_ARRAY(float, (size_t)aob_reading_components((enum aob_output)which) * count);
+                AOB_NEW_ARRAY(float, (size_t)aob_output_components((enum aob_output)which) * count);
     sight->fault = draw(artist, frame, sight, &error);
     if (sight->fault == AOB_FUZZ_FINE)
         judge(frame, sight);

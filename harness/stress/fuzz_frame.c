@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "technique/param.h"
+#include "scene/light_json.h"
 
 enum { FEW_PIXELS = 16 };
 
@@ -224,7 +225,7 @@ json_t *aob_fuzz_frame_to_json(const struct aob_fuzz_frame *frame)
     return json_pack("{s:o, s:o, s:o, s:o, s:I, s:o, s:o*}", "params",
                      values_to_json(frame->technique->params, frame->technique->param_count, frame->params),
                      "options", values_to_json(aob_option_params, AOB_OPTION_COUNT, frame->options), "light",
-                     aob_json_vector(frame->light.sh[0], 27), "view", view, "hostile_pixels",
+                     aob_light_to_json(&frame->light), "view", view, "hostile_pixels",
                      (json_int_t)aob_fuzz_frame_hostile(frame), "triangles", triangles_to_json(frame),
                      "pixels", few ? pixels_to_json(frame) : NULL);
 }

@@ -127,11 +127,6 @@ bool aob_subject_values(const struct aob_subject *subject, const struct aob_shot
     return true;
 }
 
-int aob_reading_components(enum aob_output output)
-{
-    return output == AOB_OUT_VISIBILITY || output == AOB_OUT_SPECULAR ? 1 : 3;
-}
-
 static bool read_frame(struct aob_frame *frame, struct aob_reading *reading, struct aob_error *error)
 {
     bool ok = true;
@@ -139,7 +134,7 @@ static bool read_frame(struct aob_frame *frame, struct aob_reading *reading, str
     for (int which = 0; ok && which < AOB_OUTPUT_COUNT; which++) {
         enum aob_output output = (enum aob_output)which;
         ok = !reading->of[which] ||
-             aob_frame_read(frame, output, aob_reading_components(output), reading->of[which], error);
+             aob_frame_read(frame, output, aob_output_components(output), reading->of[which], error);
     }
     return ok;
 }

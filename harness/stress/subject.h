@@ -49,14 +49,12 @@ struct aob_shot {
 bool aob_subject_values(const struct aob_subject *subject, const struct aob_shot *shot, void *values,
                         struct aob_options *options, struct aob_error *error);
 
-/* Where outputs of a frame are read to, by enum aob_output: width x height pixels of aob_reading_components floats; NULL: it is
+/* Where outputs of a frame are read to, by enum aob_output: width x height pixels of aob_output_components floats; NULL: it is
  * not read. What is read the shot wants and the technique gives. */
 struct aob_reading {
     float *of[AOB_OUTPUT_COUNT];
     size_t bytes; /* filled in: of the technique's own textures */
 };
-
-int aob_reading_components(enum aob_output output); /* 1 or 3 */
 
 /* Draws one frame and reads it. False after a line; *unfit then says that it is no fault of the technique: the device lacks
  * something, or the values are refused by its check(). */

@@ -113,7 +113,7 @@ static void look_through_effect(struct aob_trial *trial, const struct aob_shot *
                                         .depth = depth,
                                         .sky_depth = 0.5f * AOB_GBUFFER_SKY};
     const struct aob_effect effect = {
-        .output = output, .components = aob_reading_components(output), .image = reading->of[output]};
+        .output = output, .components = aob_output_components(output), .image = reading->of[output]};
     struct aob_error line = {{0}};
     if (trial->broken || aob_effect_judge(&desc, &effect, &line))
         return;
@@ -132,7 +132,7 @@ static struct aob_reading read_outputs(struct aob_trial *trial, const struct aob
         return reading;
     for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
         if (outputs >> which & 1)
-            reading.of[which] = aob_reading_components((enum aob_output)which) == 1
+            reading.of[which] = aob_output_components((enum aob_output)which) == 1
                                     ? aob_trial_image(trial, shot->exhibit)
                                     : aob_trial_vectors(trial, shot->exhibit)[0];
     if (!aob_subject_draw(trial->subject, shot, &reading, &unfit, &error)) {

@@ -73,6 +73,7 @@ bool aob_graph_gives(const struct aob_pass_graph *graph, enum aob_output which);
 /* The first component of its texture that an output has: 3 of a visibility that lies behind a bent normal, else 0. */
 int aob_graph_output_component(const struct aob_pass_graph *graph, enum aob_output which);
 const char *aob_output_name(enum aob_output which); /* "bent_normal" */
+int aob_output_components(enum aob_output which);   /* of a pixel: 3 of a direction or colour, 1 of a share */
 
 /* Divisors, of the depth that a pass reads, of what it writes, and of the texels of a bind. */
 int aob_graph_depth_divisor(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass);

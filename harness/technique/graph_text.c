@@ -64,6 +64,11 @@ const char *aob_output_name(enum aob_output which)
     return names[which];
 }
 
+int aob_output_components(enum aob_output which)
+{
+    return which == AOB_OUT_VISIBILITY || which == AOB_OUT_SPECULAR ? 1 : 3;
+}
+
 uint32_t aob_graph_reads(const struct aob_pass_graph *graph)
 {
     uint32_t reads = 0;

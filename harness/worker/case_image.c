@@ -52,9 +52,7 @@ static void add_vectors(struct aob_image *file, const char *stem, const float (*
     for (int c = 0; c < 3 && vectors; c++) {
         char name[64];
         snprintf(name, sizeof name, "%s.%c", stem, 'X' + c);
-        float *channel = aob_image_add(file, name);
-        for (size_t i = 0; i < (size_t)file->width * (size_t)file->height; i++)
-            channel[i] = vectors[i][c];
+        aob_image_add_part(file, name, vectors[0] + c, 3);
     }
 }
 

@@ -18,7 +18,7 @@ bool aob_case_effects_read(const struct aob_block *block, struct aob_frame *fram
         struct aob_case_effect *effect = &image->effects[which];
         if (!aob_graph_gives(&frame->graph, (enum aob_output)which))
             continue;
-        effect->components = aob_term_components((enum aob_output)which);
+        effect->components = aob_output_components((enum aob_output)which);
         effect->image = AOB_NEW_ARRAY(float, pixels_of(block) * (size_t)effect->components);
         if (!aob_frame_read(frame, (enum aob_output)which, effect->components, effect->image, error))
             return false;
@@ -39,37 +39,18 @@ bool aob_case_effects_judge(const struct aob_score_desc *desc, const struct aob_
     return true;
 }
 
-/* Channels side by side, `components` floats a pixel; NULL unless all are there. */
-static float *interleave(const struct aob_image *file, const char *const *names, int components)
-{
-    size_t pixels = (size_t)file->width * (size_t)file->height, stride = (size_t)components;
-    float *into = AOB_NEW_ARRAY(float, pixels *stride);
-    for (size_t c = 0; c < stride; c++) {
-        const float *channel = aob_image_channel(file, names[c]);
-        if (!channel) {
-            free(into);
-            return NULL;
-        }
-        for (size_t i = 0; i < pixels; i++)
-            into[i * stride + c] = channel[i];
-    }
-    return into;
-}
-
 static bool load_truth(const struct aob_block *block, const char *path, struct aob_case_effect *effect,
                        struct aob_error *error)
 {
     static const char *const values[] = {"R", "G", "B"}, *const errors[] = {"SE.R", "SE.G", "SE.B"};
     const struct aob_job_view *view = &block->job.drawing.view;
     struct aob_image file = {0};
-    free(effect->truth);
-    free(effect->se);
-    effect->truth = effect->se = NULL;
+    size_t stride = (size_t)effect->components;
     if (!aob_image_read(&file, path, error))
         return false;
     if (file.width == view->width && file.height == view->height) {
-        effect->truth = interleave(&file, values, effect->components);
-        effect->se = interleave(&file, errors, effect->components);
+        effect->truth = aob_image_interleaved(&file, values, stride, stride);
+        effect->se = aob_image_interleaved(&file, errors, stride, stride);
     }
     aob_image_finish(&file);
     return (effect->truth && effect->se) ||
@@ -106,30 +87,54 @@ static float *make_model(const struct aob_block *block, const float *truth)
     return model;
 }
 
+static void score_effect(const struct aob_block *block, size_t f, const struct aob_block_target *target,
+                         const struct aob_score_desc *desc, const struct aob_case_image *image,
+                         const struct aob_effect *traced, struct aob_metrics *metrics)
+{
+    struct aob_effect effect = *traced;
+    bool fits = effect.output == AOB_OUT_VISIBILITY_RGB && !target->uniform;
+    float *plain = make_plain(block, f, effect.output, image),
+          *model = fits ? make_model(block, desc->truth) : NULL;
+    effect.plain = plain;
+    effect.model = model;
+    aob_effect_score(desc, &effect, metrics);
+    free(plain);
+    free(model);
+}
+
+static bool is_own(const struct aob_block *block, size_t f, const struct aob_block_target *target)
+{
+    return target == &block->job.targets[block->job.cases[block->case_of_frame[f]].target];
+}
+
 bool aob_case_effects_score(const struct aob_block *block, size_t f, const struct aob_block_target *target,
                             const struct aob_score_desc *desc, struct aob_case_image *image,
                             struct aob_metrics *metrics, unsigned *outputs, struct aob_error *error)
 {
     for (int which = 0; which < AOB_OUTPUT_COUNT; which++) {
-        struct aob_case_effect *effect = &image->effects[which];
-        if (!effect->image || !target->truth[which])
+        struct aob_case_effect *drawn = &image->effects[which];
+        struct aob_case_effect traced = {.components = drawn->components};
+        if (!drawn->image || !target->truth[which])
             continue;
-        if (!load_truth(block, target->truth[which], effect, error))
+        bool ok = load_truth(block, target->truth[which], &traced, error);
+        if (ok) {
+            const struct aob_effect effect = {.output = (enum aob_output)which,
+                                              .components = drawn->components,
+                                              .image = drawn->image,
+                                              .truth = traced.truth,
+                                              .se = traced.se};
+            score_effect(block, f, target, desc, image, &effect, metrics);
+            *outputs |= 1u << which;
+        }
+        if (ok && is_own(block, f, target)) {
+            drawn->truth = traced.truth;
+            drawn->se = traced.se;
+            continue;
+        }
+        free(traced.truth);
+        free(traced.se);
+        if (!ok)
             return false;
-        float *plain = make_plain(block, f, (enum aob_output)which, image),
-              *model =
-                  which == AOB_OUT_VISIBILITY_RGB && !target->uniform ? make_model(block, desc->truth) : NULL;
-        const struct aob_effect scored = {.output = (enum aob_output)which,
-                                          .components = effect->components,
-                                          .image = effect->image,
-                                          .truth = effect->truth,
-                                          .se = effect->se,
-                                          .plain = plain,
-                                          .model = model};
-        aob_effect_score(desc, &scored, metrics);
-        *outputs |= 1u << which;
-        free(plain);
-        free(model);
     }
     return true;
 }
@@ -138,13 +143,10 @@ bool aob_case_effects_score(const struct aob_block *block, size_t f, const struc
 static void add_channels(struct aob_image *file, const char *whose, const char *name, const float *values,
                          int components)
 {
-    size_t pixels = (size_t)file->width * (size_t)file->height, stride = (size_t)components;
-    for (size_t c = 0; c < stride; c++) {
+    for (int c = 0; c < components; c++) {
         char channel[64];
-        snprintf(channel, sizeof channel, stride > 1 ? "%s.%s.%c" : "%s.%s", whose, name, "RGB"[c]);
-        float *into = aob_image_add(file, channel);
-        for (size_t i = 0; i < pixels; i++)
-            into[i] = values[i * stride + c];
+        snprintf(channel, sizeof channel, components > 1 ? "%s.%s.%c" : "%s.%s", whose, name, "RGB"[c]);
+        aob_image_add_part(file, channel, values + c, (size_t)components);
     }
 }
 

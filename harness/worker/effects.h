@@ -14,8 +14,8 @@ bool aob_case_effects_judge(const struct aob_score_desc *desc, const struct aob_
                             struct aob_error *error);
 
 /* Reads the target's truths and scores what the case gives against them; adds the bits 1 << enum aob_output of what it scored
- * to `outputs`. `desc` has the true visibility, `f` is the case's frame. The truths of the last target stay with the image:
- * score the case's own one last, or again. */
+ * to `outputs`. `desc` has the true visibility, `f` is the case's frame. The truths of the case's own target stay with the
+ * image. */
 bool aob_case_effects_score(const struct aob_block *block, size_t f, const struct aob_block_target *target,
                             const struct aob_score_desc *desc, struct aob_case_image *image,
                             struct aob_metrics *metrics, unsigned *outputs, struct aob_error *error);

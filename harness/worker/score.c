@@ -42,25 +42,10 @@ static void free_traced(struct traced *traced)
     free(traced->open);
 }
 
-static float (*copy_directions(const struct aob_image *image, size_t count))[3]
-{
-    static const char *const names[3] = {"B.X", "B.Y", "B.Z"};
-    float(*vectors)[3] = aob_alloc(count, sizeof *vectors);
-    for (int c = 0; c < 3; c++) {
-        const float *channel = aob_image_channel(image, names[c]);
-        if (!channel) {
-            free(vectors);
-            return NULL;
-        }
-        for (size_t i = 0; i < count; i++)
-            vectors[i][c] = channel[i];
-    }
-    return vectors;
-}
-
 static bool load_traced(const char *path, const struct aob_block *block, bool bent, struct traced *traced,
                         struct aob_error *error)
 {
+    static const char *const names[3] = {"B.X", "B.Y", "B.Z"};
     struct aob_image image = {0};
     size_t count = pixels_of(block);
     if (!aob_image_read(&image, path, error))
@@ -69,7 +54,7 @@ static bool load_traced(const char *path, const struct aob_block *block, bool be
         image.width == block->job.drawing.view.width && image.height == block->job.drawing.view.height;
     if (fits)
         *traced = (struct traced){copy_channel(&image, "AO", count), copy_channel(&image, "SE", count),
-                                  bent ? copy_directions(&image, count) : NULL};
+                                  bent ? (float(*)[3])aob_image_interleaved(&image, names, 3, 3) : NULL};
     aob_image_finish(&image);
     return (traced->ao && traced->se && (!bent || traced->open)) ||
            aob_fail(error, "%s: not a reference of %dx%d", path, block->job.drawing.view.width,
@@ -197,14 +182,15 @@ static bool judge_drawn(const struct aob_block *block, size_t f, const struct ao
 
 /* Against one target; the truth of the case's own one stays with the image. */
 static bool score_against(const struct aob_block *block, size_t f, size_t t, struct aob_case_image *image,
-                          json_t *entries, struct aob_error *error)
+                          json_t *errors, struct aob_error *error)
 {
     const struct aob_block_target *target = &block->job.targets[t];
     struct traced truth = {0};
     bool ok = load_traced(target->truth[AOB_OUT_VISIBILITY], block, target->bent, &truth, error);
     json_t *entry = ok ? score_target(block, f, target, image, &truth, error) : NULL;
     ok = entry;
-    json_array_set_new(entries, t, entry ? entry : json_null());
+    if (ok)
+        json_array_append_new(errors, entry);
     if (ok && t == block->job.cases[block->case_of_frame[f]].target) {
         image->truth = truth.ao;
         image->se = truth.se;
@@ -217,19 +203,13 @@ static bool score_against(const struct aob_block *block, size_t f, size_t t, str
     return ok;
 }
 
-/* The case's own target comes last, so that its truths stay with the image. */
 static bool score_case(const struct aob_block *block, size_t f, struct aob_case_image *image, json_t *answer,
                        struct aob_error *error)
 {
     json_t *errors = json_array();
-    size_t count = block->job.error ? block->job.target_count : 0;
-    size_t own = block->job.cases[block->case_of_frame[f]].target;
     bool ok = true;
-    for (size_t t = 0; t < count; t++)
-        json_array_append_new(errors, json_null());
-    for (size_t t = 0; ok && t < count; t++)
-        ok = t == own || score_against(block, f, t, image, errors, error);
-    ok = ok && (!count || score_against(block, f, own, image, errors, error));
+    for (size_t t = 0; ok && block->job.error && t < block->job.target_count; t++)
+        ok = score_against(block, f, t, image, errors, error);
     if (json_array_size(errors))
         json_object_set(answer, "errors", errors);
     json_decref(errors);

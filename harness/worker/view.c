@@ -20,11 +20,8 @@ static bool write_visibility(const struct aob_visibility *visibility, const stru
     size_t pixels = (size_t)view->width * (size_t)view->height;
     memcpy(aob_image_add(&image, "AO"), visibility->ao, pixels * sizeof(float));
     memcpy(aob_image_add(&image, "SE"), visibility->se, pixels * sizeof(float));
-    for (int c = 0; c < 3 && visibility->bent; c++) {
-        float *channel = aob_image_add(&image, bent[c]);
-        for (size_t i = 0; i < pixels; i++)
-            channel[i] = visibility->bent[i][c];
-    }
+    for (int c = 0; c < 3 && visibility->bent; c++)
+        aob_image_add_part(&image, bent[c], visibility->bent[0] + c, 3);
     bool ok = aob_image_write(&image, path, error);
     aob_image_finish(&image);
     return ok;
@@ -36,12 +33,10 @@ static bool write_effect(const float *values, const float *errors, int component
 {
     static const char *const names[2][3] = {{"R", "G", "B"}, {"SE.R", "SE.G", "SE.B"}};
     struct aob_image image = {.width = view->width, .height = view->height};
-    size_t pixels = (size_t)view->width * (size_t)view->height, stride = (size_t)components;
-    for (size_t k = 0; k < 2 * stride; k++) {
-        const float *from = k < stride ? values : errors;
-        float *channel = aob_image_add(&image, names[k / stride][k % stride]);
-        for (size_t i = 0; i < pixels; i++)
-            channel[i] = from[i * stride + k % stride];
+    size_t stride = (size_t)components;
+    for (size_t c = 0; c < stride; c++) {
+        aob_image_add_part(&image, names[0][c], values + c, stride);
+        aob_image_add_part(&image, names[1][c], errors + c, stride);
     }
     bool ok = aob_image_write(&image, path, error);
     aob_image_finish(&image);
@@ -68,7 +63,7 @@ static double bytes_of(const struct aob_view_job *job)
     for (size_t i = 0; i < job->term_count; i++) {
         const struct aob_term *term = &job->terms[i].term;
         if (term->output != AOB_OUT_VISIBILITY)
-            effects = fmax(effects, 16 * pixels * aob_term_components(term->output));
+            effects = fmax(effects, 16 * pixels * aob_output_components(term->output));
         else if (!term->bound)
             bytes += (term->bent ? 20 : 8) * pixels;
     }

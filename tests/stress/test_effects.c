@@ -51,7 +51,7 @@ static void outputs_have_their_components(void **state)
                                                      [AOB_OUT_SPECULAR] = 1,
                                                      [AOB_OUT_IRRADIANCE] = 3};
     for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
-        assert_int_equal(aob_reading_components((enum aob_output)which), components[which]);
+        assert_int_equal(aob_output_components((enum aob_output)which), components[which]);
 }
 
 int main(void)
