@@ -6,6 +6,6 @@
 #include <stdbool.h>
 #include "light.h"
 
-json_t *aob_light_to_json(const struct aob_light *light); /* a new array */
+json_t *aob_light_to_json(const struct aob_light *light);               /* a new array */
 bool aob_light_from_json(const json_t *array, struct aob_light *light); /* false: of another form */
 #endif
