@@ -4,7 +4,7 @@
 #define AOB_SCORE_FILTER_H
 #include "score.h"
 
-enum { AOB_KERNEL_RADIUS_MAX = 9 };
+enum { AOB_KERNEL_RADIUS_MAX = 10 };
 struct aob_kernel { /* weight[radius + i] is that of the pixel i to the right, or below */
     int radius;
     double weight[2 * AOB_KERNEL_RADIUS_MAX + 1];

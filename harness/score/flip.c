@@ -3,57 +3,82 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "filter.h"
+#include "flip_space.h"
 
-/* The curve of CIE L*a*b* is a cube root with a straight line near black. */
-static double lab_curve(double t)
+enum { OPPONENTS = AOB_FLIP_SPACE_OPPONENTS };
+static const double pi = 3.14159265358979323846;
+
+/* One image as it is compared: the plane of its luminance, and where it has colours those of the other two opponents. */
+struct picture {
+    double *planes;
+    int channels; /* 1 or OPPONENTS */
+};
+
+static struct picture grey_picture(const struct aob_score_desc *desc, const float *image)
 {
-    const double delta = 6.0 / 29;
-    return t > delta * delta * delta ? cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
+    return (struct picture){aob_filter_plane(desc, image), 1};
 }
 
-static double lightness(double luminance)
+static struct picture colour_picture(const struct aob_score_desc *desc, const float *image, double exposure)
 {
-    return 116 * lab_curve(fmin(fmax(luminance, 0), 1)) - 16;
+    size_t count = (size_t)desc->width * (size_t)desc->height;
+    double *planes = AOB_NEW_ARRAY(double, OPPONENTS *count);
+    for (size_t i = 0; i < count; i++) {
+        double rgb[3] = {1, 1, 1}, opponents[OPPONENTS];
+        for (size_t k = 0; k < 3 && !aob_score_is_sky(desc, i); k++)
+            rgb[k] = exposure * image[3 * i + k];
+        aob_flip_space_opponents(rgb, opponents);
+        for (size_t k = 0; k < OPPONENTS; k++)
+            planes[k * count + i] = opponents[k];
+    }
+    return (struct picture){planes, OPPONENTS};
 }
 
-/* L*a*b* of one primary of sRGB at full strength, relative to the white of all three, adjusted after Hunt. */
-static void hunt_lab_of_primary(int primary, double lab[3])
+static double difference(double hyab)
 {
-    static const double xyz[3][3] = {{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
-                                     {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
-                                     {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}};
-    double f[3];
-    for (int i = 0; i < 3; i++)
-        f[i] = lab_curve(xyz[i][primary] / (xyz[i][0] + xyz[i][1] + xyz[i][2]));
-    lab[0] = 116 * f[1] - 16;
-    lab[1] = 0.01 * lab[0] * 500 * (f[0] - f[1]);
-    lab[2] = 0.01 * lab[0] * 200 * (f[1] - f[2]);
-}
-
-static const double colour_exponent = 0.7;
-
-static double largest_difference(void)
-{
-    double green[3], blue[3];
-    hunt_lab_of_primary(1, green);
-    hunt_lab_of_primary(2, blue);
-    double hyab = fabs(green[0] - blue[0]) + hypot(green[1] - blue[1], green[2] - blue[2]);
-    return pow(hyab, colour_exponent);
+    return pow(hyab, 0.7);
 }
 
 /* Differences up to 0.4 of the largest are spread over 0..0.95. */
 static double colour_difference(double hyab, double largest)
 {
     const double knee = 0.4 * largest, at_knee = 0.95;
-    double e = pow(hyab, colour_exponent);
+    double e = difference(hyab);
     return e < knee ? at_knee * e / knee : at_knee + (1 - at_knee) * (e - knee) / (largest - knee);
 }
 
-/* The contrast sensitivity of luminance is a Gaussian of frequency, so its filter is one of space. The paper gives all
- * filters the radius of the widest, 10 pixels; of this one, less than 1e-9 of the weight lies farther out than 6. */
-static struct aob_kernel sensitivity_kernel(void)
+/* The filter of an opponent: a Gaussian, or the mean of two, of which the second has that share. */
+struct sensitivity {
+    struct aob_kernel kernel, second;
+    double share; /* 0: there is no second */
+};
+
+/* Contrast sensitivity is a Gaussian of frequency f, exp(-b f^2), so its filter is one of space, exp(-pi^2 d^2 / b). */
+static struct aob_kernel sensitivity_kernel(int radius, double b)
 {
-    return aob_kernel_gauss(6, sqrt(0.0047 / 2) / 3.14159265358979323846 * AOB_FLIP_PIXELS_PER_DEGREE);
+    return aob_kernel_gauss(radius, sqrt(b / 2) / pi * AOB_FLIP_PIXELS_PER_DEGREE);
+}
+
+/* The weight of one term over the square that the filter covers. The paper scales a term by a sqrt(pi / b), which is
+ * the transform's factor in one dimension, and applies it in two. A kernel's middle is 1 over its sum before that was
+ * made 1. */
+static double term_weight(double a, double b, const struct aob_kernel *kernel)
+{
+    double middle = kernel->weight[kernel->radius];
+    return a * sqrt(pi / b) / (middle * middle);
+}
+
+/* The paper gives all filters the radius of the widest, 10 pixels. Of that of luminance less than 1e-9 of the weight
+ * lies farther out than 6, and of that of Cx less than 1e-10 farther out than 7. */
+static void make_sensitivities(struct sensitivity sensitivity[OPPONENTS])
+{
+    const double a[2] = {34.1, 13.5}, b[2] = {0.04, 0.025};
+    sensitivity[0] = (struct sensitivity){.kernel = sensitivity_kernel(6, 0.0047)};
+    sensitivity[1] = (struct sensitivity){.kernel = sensitivity_kernel(7, 0.0053)};
+    sensitivity[2] = (struct sensitivity){sensitivity_kernel(10, b[0]), sensitivity_kernel(10, b[1]), 0};
+    double first = term_weight(a[0], b[0], &sensitivity[2].kernel),
+           second = term_weight(a[1], b[1], &sensitivity[2].second);
+    sensitivity[2].share = second / (first + second);
 }
 
 static void normalise_signs(struct aob_kernel *kernel)
@@ -66,14 +91,16 @@ static void normalise_signs(struct aob_kernel *kernel)
 }
 
 struct kernels {
-    struct aob_kernel sensitivity, smooth, edge, point; /* the last three: a Gaussian and its derivatives */
+    struct sensitivity sensitivity[OPPONENTS];
+    struct aob_kernel smooth, edge, point; /* a Gaussian and its derivatives */
 };
 
 static struct kernels make_kernels(void)
 {
     const double sigma = 0.5 * 0.082 * AOB_FLIP_PIXELS_PER_DEGREE;
     const int radius = (int)ceil(3 * sigma);
-    struct kernels k = {.sensitivity = sensitivity_kernel(), .smooth = aob_kernel_gauss(radius, sigma)};
+    struct kernels k = {.smooth = aob_kernel_gauss(radius, sigma)};
+    make_sensitivities(k.sensitivity);
     k.edge = k.point = k.smooth;
     for (int i = -radius; i <= radius; i++) {
         k.edge.weight[radius + i] *= -i;
@@ -84,14 +111,36 @@ static struct kernels make_kernels(void)
     return k;
 }
 
-/* What is compared of one row of an image. */
+/* What is compared of one row of an image; a grey has seen[0] alone. */
 struct row {
-    double *seen, *edge, *point;
+    double *seen[OPPONENTS], *edge, *point;
 };
 /* Memory that the filters use. */
 struct scratch {
     double *column, *down;
 };
+enum { ROW_PARTS = OPPONENTS + 2, SCRATCH_PARTS = 2 };
+
+static struct row divide_row(double *buffer, size_t width)
+{
+    struct row row = {.edge = buffer + OPPONENTS * width, .point = buffer + (OPPONENTS + 1) * width};
+    for (size_t k = 0; k < OPPONENTS; k++)
+        row.seen[k] = buffer + k * width;
+    return row;
+}
+
+static void filter_seen(const struct aob_planes *plane, const struct sensitivity *s, int y,
+                        const struct scratch *scratch, double *seen)
+{
+    aob_filter_down(plane, &s->kernel, y, scratch->column);
+    aob_filter_across(scratch->column, &s->kernel, plane->width, seen);
+    if (s->share == 0)
+        return;
+    aob_filter_down(plane, &s->second, y, scratch->column);
+    aob_filter_across(scratch->column, &s->second, plane->width, scratch->down);
+    for (int x = 0; x < plane->width; x++)
+        seen[x] = (1 - s->share) * seen[x] + s->share * scratch->down[x];
+}
 
 /* `strength` holds a kernel's responses across, and gets the length of the vector of those and the ones down. */
 static void add_down(const struct aob_planes *image, const struct aob_kernel *smooth,
@@ -103,55 +152,88 @@ static void add_down(const struct aob_planes *image, const struct aob_kernel *sm
         strength[x] = sqrt(strength[x] * strength[x] + scratch->down[x] * scratch->down[x]);
 }
 
-static void look(const struct aob_planes *image, const struct kernels *k, int y,
-                 const struct scratch *scratch, const struct row *row)
+/* Edges and points are features of the luminance. */
+static void filter_features(const struct aob_planes *luminance, const struct kernels *k, int y,
+                            const struct scratch *scratch, const struct row *row)
 {
-    aob_filter_down(image, &k->sensitivity, y, scratch->column);
-    aob_filter_across(scratch->column, &k->sensitivity, image->width, row->seen);
-    aob_filter_down(image, &k->smooth, y, scratch->column);
-    aob_filter_across(scratch->column, &k->edge, image->width, row->edge);
-    aob_filter_across(scratch->column, &k->point, image->width, row->point);
-    add_down(image, &k->smooth, &k->edge, y, scratch, row->edge);
-    add_down(image, &k->smooth, &k->point, y, scratch, row->point);
+    aob_filter_down(luminance, &k->smooth, y, scratch->column);
+    aob_filter_across(scratch->column, &k->edge, luminance->width, row->edge);
+    aob_filter_across(scratch->column, &k->point, luminance->width, row->point);
+    add_down(luminance, &k->smooth, &k->edge, y, scratch, row->edge);
+    add_down(luminance, &k->smooth, &k->point, y, scratch, row->point);
 }
 
-static double pixel_error(const struct row *a, const struct row *b, int x, double largest)
+static void look(const struct aob_score_desc *desc, const struct picture *picture, const struct kernels *k,
+                 int y, const struct scratch *scratch, const struct row *row)
 {
-    double colour = colour_difference(fabs(lightness(a->seen[x]) - lightness(b->seen[x])), largest);
+    size_t count = (size_t)desc->width * (size_t)desc->height;
+    struct aob_planes plane = {picture->planes, NULL, desc->width, desc->height};
+    filter_features(&plane, k, y, scratch, row);
+    for (int i = 0; i < picture->channels; i++, plane.a += count)
+        filter_seen(&plane, &k->sensitivity[i], y, scratch, row->seen[i]);
+}
+
+static void seen_lab(const struct row *row, int channels, int x, double lab[3])
+{
+    if (channels == 1) {
+        aob_flip_space_lab_of_grey(row->seen[0][x], lab);
+        return;
+    }
+    const double opponents[OPPONENTS] = {row->seen[0][x], row->seen[1][x], row->seen[2][x]};
+    aob_flip_space_lab(opponents, lab);
+}
+
+static double pixel_error(const struct row *a, const struct row *b, int channels, int x, double largest)
+{
+    double lab_a[3], lab_b[3];
+    seen_lab(a, channels, x, lab_a);
+    seen_lab(b, channels, x, lab_b);
+    double colour = colour_difference(aob_flip_space_hyab(lab_a, lab_b), largest);
     double feature = fmax(fabs(a->edge[x] - b->edge[x]), fabs(a->point[x] - b->point[x]));
     return pow(colour, 1 - sqrt(feature / sqrt(2)));
 }
 
-static double mean_error(const struct aob_score_desc *desc, const double *image, const double *truth,
-                         double *buffer)
+/* Two pictures of the same channels. */
+static double mean_error(const struct aob_score_desc *desc, const struct picture *image,
+                         const struct picture *truth, double *buffer)
 {
     size_t width = (size_t)desc->width, count = 0;
-    const struct aob_planes one = {image, NULL, desc->width, desc->height},
-                            other = {truth, NULL, desc->width, desc->height};
-    const struct row a = {buffer, buffer + width, buffer + 2 * width},
-                     b = {buffer + 3 * width, buffer + 4 * width, buffer + 5 * width};
-    const struct scratch scratch = {buffer + 7 * width, buffer + 6 * width};
+    const struct row a = divide_row(buffer, width), b = divide_row(buffer + ROW_PARTS * width, width);
+    const struct scratch scratch = {.down = buffer + 2 * ROW_PARTS * width,
+                                    .column = buffer + (2 * ROW_PARTS + 1) * width};
     const struct kernels kernels = make_kernels();
-    double largest = largest_difference(), sum = 0;
+    double largest = difference(aob_flip_space_largest()), sum = 0;
     for (int y = 0; y < desc->height; y++) {
-        look(&one, &kernels, y, &scratch, &a);
-        look(&other, &kernels, y, &scratch, &b);
+        look(desc, image, &kernels, y, &scratch, &a);
+        look(desc, truth, &kernels, y, &scratch, &b);
         for (int x = 0; x < desc->width; x++)
             if (!aob_score_is_sky(desc, (size_t)y * width + (size_t)x)) {
-                sum += pixel_error(&a, &b, x, largest);
+                sum += pixel_error(&a, &b, image->channels, x, largest);
                 count++;
             }
     }
     return count ? sum / (double)count : NAN;
 }
 
-double aob_flip(const struct aob_score_desc *desc)
+/* Frees the planes of both. */
+static double compare(const struct aob_score_desc *desc, struct picture image, struct picture truth)
 {
-    double *image = aob_filter_plane(desc, desc->image), *truth = aob_filter_plane(desc, desc->truth);
-    double *buffer = AOB_NEW_ARRAY(double, 8 * (size_t)desc->width + 2 * AOB_KERNEL_RADIUS_MAX);
-    double mean = mean_error(desc, image, truth, buffer);
-    free(image);
-    free(truth);
+    size_t parts = 2 * ROW_PARTS + SCRATCH_PARTS;
+    double *buffer = AOB_NEW_ARRAY(double, parts *(size_t)desc->width + 2 * AOB_KERNEL_RADIUS_MAX);
+    double mean = mean_error(desc, &image, &truth, buffer);
+    free(image.planes);
+    free(truth.planes);
     free(buffer);
     return mean;
+}
+
+double aob_flip(const struct aob_score_desc *desc)
+{
+    return compare(desc, grey_picture(desc, desc->image), grey_picture(desc, desc->truth));
+}
+
+double aob_flip_colour(const struct aob_score_desc *desc, const float *image, const float *truth,
+                       double exposure)
+{
+    return compare(desc, colour_picture(desc, image, exposure), colour_picture(desc, truth, exposure));
 }
