@@ -20,6 +20,7 @@ struct job {
     const struct aob_hits *hits;
     struct aob_sampler sampler;
     double roughness; /* below 0: the materials' */
+    bool fresnel;
     uint32_t seed;
     struct aob_specular *result;
 };
@@ -27,6 +28,7 @@ struct job {
 struct scratch {
     struct aob_rays rays;
     float *u, *v, *weight;
+    float *edge; /* (1 - h.v)^5 */
 };
 
 /* What the lobe of a pixel is made of. Vectors in its frame are along tangent, bitangent and normal. */
@@ -101,6 +103,7 @@ static size_t draw(const struct job *job, const struct lobe *lobe, uint64_t seed
         d->x[kept] = (float)(l.x * b->tangent[0] + l.y * b->bitangent[0] + up * b->normal[0]);
         d->y[kept] = (float)(l.x * b->tangent[1] + l.y * b->bitangent[1] + up * b->normal[1]);
         d->z[kept] = (float)(l.x * b->tangent[2] + l.y * b->bitangent[2] + up * b->normal[2]);
+        scratch->edge[kept] = (float)pow(fmax(1 - aob_vec_dot(h, lobe->view), 0), 5);
         scratch->weight[kept++] = (float)weight_of(lobe, l.z);
     }
     return kept;
@@ -111,24 +114,34 @@ struct half {
     double rgb[3];
 };
 
-/* Fresnel's factor is 1, so a direction's weight is what it brings of the light on it. */
-static void add_radiance(const struct job *job, const struct aob_surface *surface, uint64_t seed,
-                         size_t count, const struct scratch *scratch, double mean[3])
+/* A direction's weight, times Fresnel's factor, is what it brings of the light on it. */
+static void add_radiance(const struct job *job, const struct aob_surface *surface, const double f0[3],
+                         uint64_t seed, size_t count, const struct scratch *scratch, double mean[3])
 {
     const struct aob_directions *d = &scratch->rays.directions;
     for (size_t i = 0; i < count; i++) {
         double weight = (double)scratch->weight[i] / (double)job->sampler.count;
-        struct aob_bounce_path path = {{0},
-                                       {d->x[i], d->y[i], d->z[i]},
-                                       .primitive = scratch->rays.primitive[i],
-                                       .share = {weight, weight, weight}};
+        struct aob_bounce_path path = {
+            {0}, {d->x[i], d->y[i], d->z[i]}, .primitive = scratch->rays.primitive[i]};
+        for (int c = 0; c < 3; c++)
+            path.share[c] = weight * (f0[c] + (1 - f0[c]) * (double)scratch->edge[i]);
         memcpy(path.origin, surface->origin, sizeof path.origin);
         aob_bounces_follow(&job->bounces, &path, aob_sampler_mix(seed, i), mean);
     }
 }
 
+/* What a surface mirrors along its normal. */
+static void reflectance(const struct job *job, uint32_t triangle, double f0[3])
+{
+    const struct aob_material *m = aob_tracer_material(job->bounces.tracer, triangle);
+    double metal = (double)m->metalness;
+    for (int c = 0; c < 3; c++)
+        f0[c] = job->fresnel ? 0.04 + metal * ((double)m->base_colour[c] - 0.04) : 1;
+}
+
 static struct half trace_half(const struct job *job, const struct aob_surface *surface,
-                              const struct lobe *lobe, uint64_t seed, const struct scratch *scratch)
+                              const struct lobe *lobe, const double f0[3], uint64_t seed,
+                              const struct scratch *scratch)
 {
     size_t count = draw(job, lobe, seed, scratch);
     const float *distance = scratch->rays.distance, *weight = scratch->weight;
@@ -142,7 +155,7 @@ static struct half trace_half(const struct job *job, const struct aob_surface *s
     }
     half.so = all > 0 ? open / all : (double)NAN;
     if (job->result->rgb)
-        add_radiance(job, surface, seed, count, scratch, half.rgb);
+        add_radiance(job, surface, f0, seed, count, scratch, half.rgb);
     return half;
 }
 
@@ -171,11 +184,14 @@ static void do_pixel(const void *context, size_t pixel, size_t out, void *scratc
     struct aob_surface surface;
     struct lobe lobe;
     struct half half[2];
+    double f0[3];
     aob_surface_at(tracer, job->camera, job->hits, pixel, &surface);
     lobe_init(&lobe, &surface,
               job->roughness < 0 ? (double)aob_tracer_material(tracer, triangle)->roughness : job->roughness);
+    reflectance(job, triangle, f0);
     for (int h = 0; h < 2; h++)
-        half[h] = trace_half(job, &surface, &lobe, aob_gather_seed(job->hits, pixel, h, job->seed), scratch);
+        half[h] =
+            trace_half(job, &surface, &lobe, f0, aob_gather_seed(job->hits, pixel, h, job->seed), scratch);
     store(job, out, half[0], half[1]);
 }
 
@@ -185,9 +201,10 @@ static void scratch_init(void *at, const void *context)
     const struct job *job = context;
     const struct aob_sampler *sampler = &job->sampler;
     aob_rays_init(&scratch->rays, sampler, job->result->rgb);
-    scratch->u = aob_alloc(3 * sampler->padded, sizeof *scratch->u);
+    scratch->u = aob_alloc(4 * sampler->padded, sizeof *scratch->u);
     scratch->v = scratch->u + sampler->padded;
     scratch->weight = scratch->v + sampler->padded;
+    scratch->edge = scratch->weight + sampler->padded;
 }
 
 static void scratch_finish(void *at)
@@ -230,6 +247,7 @@ bool aob_tracer_specular(const struct aob_tracer *tracer, const struct aob_camer
         .camera = camera,
         .hits = hits,
         .roughness = desc->roughness,
+        .fresnel = desc->fresnel,
         .seed = desc->seed,
         .result = result};
     aob_sampler_init(&job.sampler, (size_t)desc->spp / 2, false);

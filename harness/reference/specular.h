@@ -7,7 +7,8 @@
 struct aob_specular_desc {
     double radius;    /* of the near field, scene units, above 0; INFINITY allowed */
     double roughness; /* of all surfaces, at most 1; below 0: that of each pixel's material */
-    bool radiance;    /* the reflected light is wanted too; `bounces` and `light` are of it alone */
+    bool radiance;    /* the reflected light is wanted too; the next three are of it alone */
+    bool fresnel;     /* it has Schlick's factor of each pixel's material; else the factor is 1 */
     int bounces;      /* diffuse reflections before it, 0..AOB_MOST_BOUNCES; with 0 what blocks is black */
     const struct aob_light *light; /* world space; NULL: radiance 1 from everywhere */
     int x0, y0, width, height;     /* the part of the hits to compute, the guard band cropped; 0 size: all */
@@ -32,7 +33,9 @@ struct aob_specular {
  * The reflected radiance is the integral of L f cos, where L is the distant light if no surface is met within the radius,
  * and else what the surface reflects diffusely, as aob_tracer_incident has it: its albedo times its incident light, of
  * `bounces` - 1 reflections more. It is no quotient, so it lacks what the lobe loses: a single reflection by a rough
- * surface does not give back all light. Under uniform light and without bounces it is SO times what is given back.
+ * surface does not give back all light. Under uniform light and without bounces it is SO times what is given back. With
+ * `fresnel` f has the factor F0 + (1 - F0)(1 - h.v)^5 (Schlick 1994), where F0 is .04 of what is no metal and the base colour of
+ * a metal, mixed by the metalness (glTF 2.0, appendix B).
  *
  * Half vectors are drawn from those visible to the camera (Heitz 2018), by the same scrambled Sobol points as the
  * directions of the visibility. Each direction then weighs G2/G1, and one below the surface weighs nothing. A half is the
