@@ -294,11 +294,9 @@ static void add_corners(const struct aob_prelude_desc *desc, const char *directi
         aob_text_add(text, "layout(location=3) flat %s uint aob_primitive;\n", direction);
 }
 
-static void add_shader(const struct aob_technique *technique, const char *name, struct aob_text *text)
+static void add_shader(const char *shader, struct aob_text *text)
 {
-    for (const struct aob_shader *s = technique->shaders; s->name; s++)
-        if (strcmp(s->name, name) == 0)
-            aob_text_add(text, "#line 1\n%s", s->text);
+    aob_text_add(text, "#line 1\n%s", shader);
 }
 
 /* What both stages of a pass have. */
@@ -320,7 +318,7 @@ void aob_prelude_write_vertex(const struct aob_prelude_desc *desc, struct aob_te
     add_corners(desc, "out", text);
     aob_text_add(text, "#define AOB_ROW %d\nlayout(BIND(%d)) uniform sampler2D aob_triangles;\n%s",
                  AOB_GEOMETRY_ROW, AOB_BINDING_TRIANGLES, aob_text_frame_triangle_vertex);
-    add_shader(desc->graph->technique, desc->pass->vertex, text);
+    add_shader(desc->pass->vertex_text, text);
     aob_text_add(text,
                  "\n#line 1 1\nvoid main() {\n"
                  "    int triangle = VERTEX_ID / %u;\n"
@@ -338,7 +336,7 @@ static void add_traced_shader(const struct aob_prelude_desc *desc, struct aob_te
     aob_text_add(text, "%s#define main aob_body\n",
                  desc->pass->draw == AOB_TRIANGLES ? aob_text_frame_trace_fragments
                                                    : aob_text_frame_trace_screen);
-    add_shader(desc->graph->technique, desc->pass->shader, text);
+    add_shader(desc->pass->text, text);
     aob_text_add(text, "\n#line 1 1\n#undef main\nvoid main() { aob_open(); aob_body(); aob_close(); }\n");
 }
 
@@ -367,5 +365,5 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
     if (desc->planes)
         add_traced_shader(desc, text);
     else
-        add_shader(desc->graph->technique, pass->shader, text);
+        add_shader(pass->text, text);
 }

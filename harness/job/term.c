@@ -16,6 +16,16 @@ bool aob_term_same_trace(const struct aob_term *a, const struct aob_term *b)
     return !a->bound || a->thickness == b->thickness;
 }
 
+bool aob_term_has_light(const struct aob_term *term)
+{
+    return term->output == AOB_OUT_IRRADIANCE || term->output == AOB_OUT_LIT;
+}
+
+static bool has_bounces(const struct aob_term *term)
+{
+    return term->output == AOB_OUT_VISIBILITY_RGB || term->output == AOB_OUT_LIT;
+}
+
 json_t *aob_term_to_json(const struct aob_term *term)
 {
     json_t *falloff = term->falloff ? json_array() : json_null();
@@ -29,9 +39,9 @@ json_t *aob_term_to_json(const struct aob_term *term)
         json_object_set_new(object, "bent", json_true());
     if (term->output != AOB_OUT_VISIBILITY)
         json_object_set_new(object, "output", json_string(aob_output_name(term->output)));
-    if (term->output == AOB_OUT_VISIBILITY_RGB)
+    if (has_bounces(term))
         json_object_set_new(object, "bounces", json_integer(term->bounces));
-    if (term->output == AOB_OUT_IRRADIANCE)
+    if (aob_term_has_light(term))
         json_object_set_new(object, "light", aob_light_to_json(&term->light));
     return object;
 }
@@ -71,8 +81,7 @@ static bool read_output(const json_t *object, struct aob_term *term, struct aob_
         return aob_fail(error, "a term has an output that nobody knows");
     term->output = (enum aob_output)which;
     term->bounces = (int)json_integer_value(json_object_get(object, "bounces"));
-    return which != AOB_OUT_IRRADIANCE ||
-           aob_light_from_json(json_object_get(object, "light"), &term->light) ||
+    return !aob_term_has_light(term) || aob_light_from_json(json_object_get(object, "light"), &term->light) ||
            aob_fail(error, "a term has no light");
 }
 

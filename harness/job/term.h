@@ -21,10 +21,10 @@ struct aob_term {
     bool bent;            /* the mean open direction is wanted too: channels B.X B.Y B.Z of its file */
     bool bound;           /* traced against the screen-space bound, */
     double thickness;     /* whose surfaces are so thick; 0: thin, INFINITY: as far as they go */
-    /* Whose truth it is. Of visibility after bounces, specular and irradiance only the radius counts besides: their files
-     * have the channels R G B (specular: R) and SE.R SE.G SE.B (SE.R). The irradiance is that of `light`. */
+    /* Whose truth it is. Of visibility after bounces, specular, irradiance and the lit image only the radius counts besides: their
+     * files have the channels R G B (specular: R) and SE.R SE.G SE.B (SE.R). Irradiance and lit image are those of `light`. */
     enum aob_output output;
-    int bounces;            /* of visibility after bounces: how many reflections count */
+    int bounces;            /* of visibility after bounces and of the lit image: how many reflections count */
     struct aob_light light; /* world space */
 };
 enum { AOB_TRUTH_BOUNCES = 8 }; /* that a run asks for */
@@ -32,6 +32,9 @@ enum { AOB_TRUTH_BOUNCES = 8 }; /* that a run asks for */
 /* Whether one set of rays serves both: same weighting, distance and surface. A cosine term that is traced beside a
  * uniform one has other noise, and a cached file must not depend on what else was wanted when it was made. */
 bool aob_term_same_trace(const struct aob_term *a, const struct aob_term *b);
+
+/* Whether `light` decides it. */
+bool aob_term_has_light(const struct aob_term *term);
 
 json_t *aob_term_to_json(const struct aob_term *term); /* a new object */
 void aob_term_set_bound(json_t *term, double thickness);

@@ -43,7 +43,7 @@ struct aob_options aob_case_options(const struct aob_case *c)
 bool aob_case_is_lit(const struct aob_case *c)
 {
     struct aob_options options = aob_case_options(c);
-    return aob_options_wanted(&options) >> AOB_OUT_IRRADIANCE & 1;
+    return aob_options_wanted(&options) & (1u << AOB_OUT_IRRADIANCE | 1u << AOB_OUT_LIT);
 }
 
 /* What no view can be encoded in; planes that follow the view are judged when it is known. */

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "base/table.h"
+#include "technique/composite.h"
 
 /* The camera, whatever the view is called. One that frames a mesh is known only once the mesh is loaded, and follows from
  * it. */
@@ -36,6 +37,8 @@ static void make_key(struct aob_case *c, const char *scene)
     struct aob_text text = {0};
     aob_case_settings(c, &text);
     add_light(c, &text);
+    if (aob_case_options(c).lit)
+        aob_text_add(&text, " composite=%s", aob_composite_version);
     aob_text_add(&text, "\n%s %u%s", c->technique->digest, c->technique->revision, scene);
     aob_hash_text(text.data, c->key);
     aob_text_finish(&text);

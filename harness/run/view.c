@@ -15,6 +15,7 @@
 #include "measurement.h"
 #include "reference/bound.h"
 #include "reference/incident.h"
+#include "reference/lit.h"
 #include "reference/specular.h"
 #include "reference/tracer.h"
 
@@ -94,14 +95,17 @@ static void describe_view(const struct aob_case *c, int guard, bool motion, stru
 }
 
 /* Of what computes a term besides the tracer. */
-static const char *version_of(const json_t *term)
+static void add_versions(const json_t *term, struct aob_text *text)
 {
     const char *output = json_string_value(json_object_get(term, "output"));
-    if (output && strcmp(output, aob_output_name(AOB_OUT_SPECULAR)) == 0)
-        return aob_specular_version;
-    if (output)
-        return aob_incident_version;
-    return json_object_get(term, "screen") ? aob_bound_version : "";
+    bool specular = output && strcmp(output, aob_output_name(AOB_OUT_SPECULAR)) == 0,
+         lit = output && strcmp(output, aob_output_name(AOB_OUT_LIT)) == 0;
+    if (lit)
+        aob_text_add(text, "%s,%s,%s", aob_lit_version, aob_incident_version, aob_specular_version);
+    else if (output)
+        aob_text_add(text, "%s", specular ? aob_specular_version : aob_incident_version);
+    else if (json_object_get(term, "screen"))
+        aob_text_add(text, "%s", aob_bound_version);
 }
 
 static char *term_path(const struct aob_measurement *m, const struct aob_case *c, json_t *term)
@@ -111,7 +115,9 @@ static char *term_path(const struct aob_measurement *m, const struct aob_case *c
     bool screen = json_object_get(term, "screen");
     /* Neither guard band nor motion changes the truth; the screen-space bound ends with the guard band. */
     describe_view(c, screen ? aob_case_options(c).guard_band : 0, false, &text);
-    aob_text_add(&text, " %d %s %s", m->plan->config->spp, version_of(term), line);
+    aob_text_add(&text, " %d ", m->plan->config->spp);
+    add_versions(term, &text);
+    aob_text_add(&text, " %s", line);
     char *path = aob_cache_path(&m->cache, "visibility", text.data, ".exr");
     free(line);
     aob_text_finish(&text);

@@ -1,10 +1,19 @@
 #include "effect.h"
 #include <math.h>
+#include <stdlib.h>
+#include "base/memory.h"
+#include "base/statistics.h"
+#include "flip.h"
 #include "technique/graph.h"
+
+static bool is_light(const struct aob_effect *effect)
+{
+    return effect->output == AOB_OUT_IRRADIANCE || effect->output == AOB_OUT_LIT;
+}
 
 static bool is_sound(const struct aob_effect *effect, double value)
 {
-    return value >= 0 && (effect->output == AOB_OUT_IRRADIANCE ? isfinite(value) : value <= 1.01);
+    return value >= 0 && (is_light(effect) ? isfinite(value) : value <= 1.01);
 }
 
 bool aob_effect_judge(const struct aob_score_desc *desc, const struct aob_effect *effect,
@@ -17,8 +26,7 @@ bool aob_effect_judge(const struct aob_score_desc *desc, const struct aob_effect
                 return aob_fail(error, "pixel (%zu, %zu) of the %s is %g: it must be %s",
                                 i % (size_t)desc->width, i / (size_t)desc->width,
                                 aob_output_name(effect->output), (double)effect->image[i * stride + c],
-                                effect->output == AOB_OUT_IRRADIANCE ? "finite and not negative"
-                                                                     : "finite and within 0..1");
+                                is_light(effect) ? "finite and not negative" : "finite and within 0..1");
     return true;
 }
 
@@ -74,6 +82,21 @@ static struct scores scores_of(const struct sums *sums, bool relative)
                            .model = sqrt(share(sums->model, band))};
 }
 
+/* Whole stops, so that images of nearly the same truth have the same; 1 where the truth is dark. */
+static double exposure_of(const struct aob_score_desc *desc, const struct aob_effect *effect)
+{
+    size_t pixels = (size_t)desc->width * (size_t)desc->height, count = 0;
+    double *largest = AOB_NEW_ARRAY(double, pixels);
+    for (size_t i = 0; i < pixels; i++)
+        if (!aob_score_is_sky(desc, i)) {
+            const float *rgb = effect->truth + 3 * i;
+            largest[count++] = (double)fmaxf(rgb[0], fmaxf(rgb[1], rgb[2]));
+        }
+    double end = count ? aob_quantile(largest, count, 0.995) : 0;
+    free(largest);
+    return end > 1e-6 && end < 1e6 ? exp2(-ceil(log2(end) - 1e-6)) : 1;
+}
+
 void aob_effect_score(const struct aob_score_desc *desc, const struct aob_effect *effect,
                       struct aob_metrics *metrics)
 {
@@ -91,6 +114,12 @@ void aob_effect_score(const struct aob_score_desc *desc, const struct aob_effect
     case AOB_OUT_SPECULAR:
         metrics->specular_rmse = s.rmse, metrics->specular_band = s.band, metrics->specular_bias = s.bias;
         metrics->specular_se = s.se, metrics->specular_plain = s.plain;
+        break;
+    case AOB_OUT_LIT:
+        metrics->lit_rmse = s.rmse, metrics->lit_band = s.band, metrics->lit_bias = s.bias;
+        metrics->lit_se = s.se;
+        metrics->lit_exposure = exposure_of(desc, effect);
+        metrics->lit_flip = aob_flip_colour(desc, effect->image, effect->truth, metrics->lit_exposure);
         break;
     default:
         metrics->irradiance_rmse = s.rmse, metrics->irradiance_band = s.band;

@@ -1,5 +1,5 @@
-/* The errors of the outputs that are light, or a share of it: visibility after bounces, specular occlusion, irradiance. Each has
- * a traced truth of its own. The error of visibility after bounces is in units of visibility; the other two are relative,
+/* The errors of the outputs that are light, or a share of it: visibility after bounces, specular occlusion, irradiance, the lit
+ * image. Each has a traced truth of its own. The error of visibility after bounces is in units of visibility; the others are relative,
  * a root of the mean square over that of the truth, since light has no scale of its own and a lobe may be open throughout.
  * Over colours an error is the mean of the channels' squares. */
 #ifndef AOB_SCORE_EFFECT_H
@@ -8,7 +8,7 @@
 
 /* What a technique wrote as one output, and what that is compared with: `components` floats a pixel each. */
 struct aob_effect {
-    enum aob_output output; /* AOB_OUT_VISIBILITY_RGB, AOB_OUT_SPECULAR or AOB_OUT_IRRADIANCE */
+    enum aob_output output; /* AOB_OUT_VISIBILITY_RGB, _SPECULAR, _IRRADIANCE or _LIT */
     int components;         /* 3; of specular 1 */
     const float *image, *truth, *se;
     const float *plain; /* what the technique's own visibility stands for without the effect */
@@ -16,7 +16,7 @@ struct aob_effect {
 };
 
 /* False with a line if the image cannot be such an output: over a surface a share must be finite and within 0..1 (within 1 %),
- * irradiance finite and not negative. Reads output, components and image. */
+ * light finite and not negative. Reads output, components and image. */
 bool aob_effect_judge(const struct aob_score_desc *desc, const struct aob_effect *effect,
                       struct aob_error *error);
 

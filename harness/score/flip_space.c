@@ -1,7 +1,7 @@
 #include "flip_space.h"
 #include <math.h>
 
-/* X, Y, Z relative to those of white. White's are the sums of the rows. */
+/* X, Y, Z relative to those of white; no sum of a colour that lacks a primary is rounded. */
 static void relative_xyz(const double rgb[3], double xyz[3])
 {
     static const double matrix[3][3] = {{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},

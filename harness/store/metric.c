@@ -113,6 +113,28 @@ const struct aob_metric aob_metric_table[] = {
     METRIC(irradiance_plain, .output = AOB_OUT_IRRADIANCE,
            .title = "relative RMSE of plain irradiance in band", .better = AOB_BETTER_NONE,
            .doc = "The relative error in band of visibility times the irradiance of an open surface."),
+    METRIC(lit_rmse, .output = AOB_OUT_LIT, .title = "relative RMSE of the lit image",
+           .better = AOB_BETTER_LESS,
+           .doc = "Relative RMSE of the lit image against the path-traced one, over all channels."),
+    METRIC(lit_band, .output = AOB_OUT_LIT, .title = "relative RMSE of the lit image in band", .brief = true,
+           .better = AOB_BETTER_LESS,
+           .doc = "The same over the pixels whose true visibility is below 0.995."),
+    METRIC(lit_bias, .output = AOB_OUT_LIT, .title = "relative bias of the lit image",
+           .better = AOB_BETTER_ZERO,
+           .doc = "Sum of that difference over the sum of the truth; a negative one is too dark."),
+    METRIC(lit_se, .output = AOB_OUT_LIT, .title = "relative reference SE of the lit image",
+           .better = AOB_BETTER_NONE,
+           .doc = "Standard error of that reference over its own root mean square."),
+    METRIC(
+        lit_flip, .output = AOB_OUT_LIT, .title = "FLIP of the lit image", .brief = true,
+        .better = AOB_BETTER_LESS,
+        .doc =
+            "Mean difference that one notices between the two lit images at the exposure: 0 none, 1 most."),
+    METRIC(lit_exposure, .output = AOB_OUT_LIT, .title = "exposure of the lit image",
+           .better = AOB_BETTER_NONE,
+           .doc = "What both are multiplied by for that: the power of two that takes the truth's 99.5th "
+                  "percentile to "
+                  "above 1/2 and at most 1."),
     {.name = NULL},
 };
 

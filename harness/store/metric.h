@@ -27,6 +27,7 @@ struct aob_metrics {
     double bounce_rmse, bounce_band, bounce_bias, bounce_se, bounce_plain, bounce_model;
     double specular_rmse, specular_band, specular_bias, specular_se, specular_plain;
     double irradiance_rmse, irradiance_band, irradiance_bias, irradiance_se, irradiance_plain;
+    double lit_rmse, lit_band, lit_bias, lit_se, lit_flip, lit_exposure;
 };
 
 struct aob_metric {

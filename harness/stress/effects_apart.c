@@ -47,7 +47,7 @@ void aob_ask_effects_apart(struct aob_trial *trial)
     struct frames frames;
     start(trial, &frames, &light, &chance);
     struct aob_reading all = draw(trial, &frames, (uint32_t)ALL);
-    for (int which = 0; which < AOB_OUTPUT_COUNT; which++) {
+    for (int which = 0; which < AOB_OUT_LIT; which++) { /* the lit image is made of the others */
         if (!all.of[which])
             continue;
         struct aob_reading alone = draw(trial, &frames, 1u << which);

@@ -1,6 +1,7 @@
 #include "graph.h"
 #include <math.h>
 #include <string.h>
+#include "composite.h"
 #include "graph_judge.h"
 
 enum { MAX_TABLE = 8192 };
@@ -103,12 +104,14 @@ static bool copy_binds(struct aob_pass_graph *graph, const struct aob_pass *pass
     return true;
 }
 
-static bool has_shader(const struct aob_technique *technique, const char *name)
+/* NULL, and a line, if there is none. */
+static const char *find_text(struct aob_pass_graph *graph, const char *pass, const char *name)
 {
-    for (const struct aob_shader *s = technique->shaders; s && s->name; s++)
+    for (const struct aob_shader *s = graph->shaders; s && s->name; s++)
         if (strcmp(s->name, name) == 0)
-            return true;
-    return false;
+            return s->text;
+    aob_fail(graph->error, "pass '%s': the module has no shader text '%s'", pass, name);
+    return NULL;
 }
 
 static bool copy_draw(struct aob_pass_graph *graph, const struct aob_pass *desc, struct aob_graph_pass *pass)
@@ -123,9 +126,9 @@ static bool copy_draw(struct aob_pass_graph *graph, const struct aob_pass *desc,
         return true;
     if (!copy_name(graph, "vertex shader", desc->vertex, pass->vertex))
         return false;
-    if (!has_shader(graph->technique, pass->vertex))
-        return aob_fail(graph->error, "pass '%s': the module has no shader text '%s'", pass->name,
-                        pass->vertex);
+    pass->vertex_text = find_text(graph, pass->name, pass->vertex);
+    if (!pass->vertex_text)
+        return false;
     if (desc->per_triangle < 3 || desc->per_triangle > AOB_MAX_VERTICES || desc->per_triangle % 3)
         return aob_fail(graph->error, "pass '%s': per_triangle is %u: must be 3, 6, ... %d", pass->name,
                         desc->per_triangle, AOB_MAX_VERTICES);
@@ -188,9 +191,9 @@ static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
     for (int i = 0; i < graph->pass_count; i++)
         if (strcmp(graph->passes[i].name, pass->name) == 0)
             return aob_fail(graph->error, "two passes are named '%s'", pass->name);
-    if (!has_shader(graph->technique, pass->shader))
-        return aob_fail(graph->error, "pass '%s': the module has no shader text '%s'", pass->name,
-                        pass->shader);
+    pass->text = find_text(graph, pass->name, pass->shader);
+    if (!pass->text)
+        return false;
     if (!copy_defines(graph, desc, pass) || !judge_reads(graph, desc) || !copy_draw(graph, desc, pass) ||
         !copy_binds(graph, desc, desc->in, AOB_MAX_IN, pass->in, &pass->in_count) ||
         !copy_binds(graph, desc, desc->out, AOB_MAX_OUT, pass->out, &pass->out_count))
@@ -215,6 +218,8 @@ static bool graph_output(struct aob_graph *interface, enum aob_output which, aob
     struct aob_pass_graph *graph = own(interface);
     if (has_failed(interface))
         return false;
+    if (which == AOB_OUT_LIT)
+        return aob_fail(graph->error, "output lit is composed by the harness: no technique gives it");
     if ((unsigned)which >= AOB_OUTPUT_COUNT || tex.id == 0 || tex.id > (uint32_t)graph->texture_count)
         return aob_fail(graph->error, "an output is unknown or has no texture of this graph");
     const struct aob_graph_texture *texture = &graph->textures[tex.id - 1];
@@ -252,6 +257,7 @@ bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *t
     const char *why = NULL;
     *graph = (struct aob_pass_graph){.interface = {&graph_ops},
                                      .technique = technique,
+                                     .shaders = technique->shaders,
                                      .wanted = wanted | AOB_OUTPUTS_REQUIRED,
                                      .error = &cause};
     memset(graph->outputs, 0xff, sizeof graph->outputs);
@@ -266,6 +272,8 @@ bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *t
         aob_fail(&cause, "build() failed without a reason");
     if (ok && *cause.text) /* a failed call that build() did not look at */
         ok = false;
+    if (ok && graph->wanted >> AOB_OUT_LIT & 1)
+        ok = aob_composite_lay(graph);
     ok = ok && aob_graph_judge(graph);
     graph->error = NULL;
     return ok || aob_fail(error, "%s: %s", technique->name, cause.text);

@@ -32,13 +32,15 @@ struct aob_graph_define {
 };
 struct aob_graph_pass {
     char name[AOB_NAME_SIZE], shader[AOB_NAME_SIZE];
+    const char *text; /* of that shader; whoever has the texts keeps it */
     struct aob_graph_define defines[AOB_MAX_DEFINE];
     uint32_t reads;
     int depth;        /* texture read in place of the G-buffer's depth, or -1 */
     int depth_levels; /* levels of it that are read, from the finest */
     enum aob_border border;
     enum aob_draw draw;
-    char vertex[AOB_NAME_SIZE]; /* of AOB_TRIANGLES, like the next two; else empty and 0 */
+    char vertex[AOB_NAME_SIZE]; /* of AOB_TRIANGLES, like the next three; else empty, NULL and 0 */
+    const char *vertex_text;
     uint32_t per_triangle;
     float reach;
     struct aob_graph_bind in[AOB_MAX_IN], out[AOB_MAX_OUT];
@@ -48,7 +50,8 @@ struct aob_graph_pass {
 struct aob_pass_graph {
     struct aob_graph interface; /* what build() sees; first member */
     const struct aob_technique *technique;
-    uint32_t wanted; /* bits 1 << enum aob_output; what is required is among them */
+    const struct aob_shader *shaders; /* that passes are laid with: the technique's, then the composite's */
+    uint32_t wanted;                  /* bits 1 << enum aob_output; what is required is among them */
     struct aob_graph_texture textures[AOB_MAX_TEXTURE];
     int texture_count;
     struct aob_graph_pass passes[AOB_MAX_PASS];
@@ -63,7 +66,8 @@ enum { AOB_OUTPUTS_REQUIRED = 1 << AOB_OUT_VISIBILITY }; /* what every technique
  * known and unique, every level of a texture written before it is read and by one pass only, outputs of a pass of one
  * size, every required output given, every given one full size and written. What nothing wanted depends on is not
  * live. On false the line names technique and object. wanted: bits 1 << enum aob_output of what is wanted besides
- * AOB_OUTPUTS_REQUIRED; that a technique does not give all of them is no fault. */
+ * AOB_OUTPUTS_REQUIRED; that a technique does not give all of them is no fault. Where AOB_OUT_LIT is wanted the composite's
+ * pass (composite.h) follows the technique's. */
 bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *technique, const void *values,
                      uint32_t wanted, struct aob_error *error);
 

@@ -59,7 +59,7 @@ const char *aob_output_name(enum aob_output which)
     static const char *const names[AOB_OUTPUT_COUNT] = {
         [AOB_OUT_VISIBILITY] = "visibility",         [AOB_OUT_BENT_NORMAL] = "bent_normal",
         [AOB_OUT_VISIBILITY_RGB] = "visibility_rgb", [AOB_OUT_SPECULAR] = "specular",
-        [AOB_OUT_IRRADIANCE] = "irradiance",
+        [AOB_OUT_IRRADIANCE] = "irradiance",         [AOB_OUT_LIT] = "lit",
     };
     return names[which];
 }
@@ -95,14 +95,6 @@ const char *aob_format_name(enum aob_format format)
     return names[format];
 }
 
-static const char *shader_text(const struct aob_technique *technique, const char *name)
-{
-    for (const struct aob_shader *s = technique->shaders; s->name; s++)
-        if (strcmp(s->name, name) == 0)
-            return s->text;
-    return "";
-}
-
 static void add_binds(const struct aob_pass_graph *graph, const struct aob_graph_bind *binds, int count,
                       struct aob_text *text)
 {
@@ -136,10 +128,9 @@ void aob_graph_digest(const struct aob_pass_graph *graph, const void *values, ch
         add_binds(graph, pass->in, pass->in_count, &text);
         aob_text_add(&text, " out");
         add_binds(graph, pass->out, pass->out_count, &text);
-        aob_text_add(&text, "\n%s\n", shader_text(graph->technique, pass->shader));
+        aob_text_add(&text, "\n%s\n", pass->text);
         if (pass->draw == AOB_TRIANGLES)
-            aob_text_add(&text, "%u of %s\n%s\n", pass->per_triangle, pass->vertex,
-                         shader_text(graph->technique, pass->vertex));
+            aob_text_add(&text, "%u of %s\n%s\n", pass->per_triangle, pass->vertex, pass->vertex_text);
     }
     aob_hash_text(text.data ? text.data : "", key);
     aob_text_finish(&text);

@@ -52,6 +52,8 @@ const struct aob_param aob_option_params[AOB_OPTION_COUNT] = {
               .doc = "Whether the open share of the GGX lobe is wanted too."),
     AOB_PARAM(struct aob_options, irradiance, .choices = switch_names,
               .doc = "Whether the occluded irradiance of the scene's light is wanted too."),
+    AOB_PARAM(struct aob_options, lit, .choices = switch_names,
+              .doc = "Whether the lit image is wanted too, composed of the outputs that are wanted."),
 };
 
 uint32_t aob_options_wanted(const struct aob_options *options)
@@ -59,5 +61,5 @@ uint32_t aob_options_wanted(const struct aob_options *options)
     return (options->bent_normal ? 1u << AOB_OUT_BENT_NORMAL : 0) |
            (options->visibility_rgb ? 1u << AOB_OUT_VISIBILITY_RGB : 0) |
            (options->specular ? 1u << AOB_OUT_SPECULAR : 0) |
-           (options->irradiance ? 1u << AOB_OUT_IRRADIANCE : 0);
+           (options->irradiance ? 1u << AOB_OUT_IRRADIANCE : 0) | (options->lit ? 1u << AOB_OUT_LIT : 0);
 }

@@ -42,7 +42,7 @@ struct aob_options {
     int32_t threads;    /* of a software driver; 0: the driver's default */
     int32_t depth_encoding, normal_encoding, normals;
     float near, far; /* of the depth encoding, scene units; 0: from the view's own depths */
-    int32_t bent_normal, visibility_rgb, specular, irradiance; /* whether these outputs are wanted */
+    int32_t bent_normal, visibility_rgb, specular, irradiance, lit; /* whether these outputs are wanted */
 };
 /* From the first output on an option says whether an output is wanted besides visibility; they are in the order of enum
  * aob_output. */

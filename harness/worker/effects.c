@@ -92,8 +92,9 @@ static void score_effect(const struct aob_block *block, size_t f, const struct a
                          const struct aob_effect *traced, struct aob_metrics *metrics)
 {
     struct aob_effect effect = *traced;
+    bool lit = effect.output == AOB_OUT_LIT; /* a case that wants no further output is the plain one */
     bool fits = effect.output == AOB_OUT_VISIBILITY_RGB && !target->uniform;
-    float *plain = make_plain(block, f, effect.output, image),
+    float *plain = lit ? NULL : make_plain(block, f, effect.output, image),
           *model = fits ? make_model(block, desc->truth) : NULL;
     effect.plain = plain;
     effect.model = model;

@@ -7,6 +7,7 @@
 #include "gbuffer/gbuffer.h"
 #include "reference/bound.h"
 #include "reference/incident.h"
+#include "reference/lit.h"
 #include "reference/specular.h"
 #include "reference/tracer.h"
 #include "store/image.h"
@@ -62,7 +63,10 @@ static double bytes_of(const struct aob_view_job *job)
     double pixels = (double)view->width * view->height, bytes = 0, effects = 0;
     for (size_t i = 0; i < job->term_count; i++) {
         const struct aob_term *term = &job->terms[i].term;
-        if (term->output != AOB_OUT_VISIBILITY)
+        if (term->output == AOB_OUT_LIT)
+            effects =
+                fmax(effects, 16 * pixels * 5); /* made of irradiance and of mirrored light with its share */
+        else if (term->output != AOB_OUT_VISIBILITY)
             effects = fmax(effects, 16 * pixels * aob_output_components(term->output));
         else if (!term->bound)
             bytes += (term->bent ? 20 : 8) * pixels;
@@ -204,17 +208,19 @@ static bool trace_incident(const struct scene *scene, const struct aob_view_term
                            struct aob_error *error)
 {
     const struct aob_job_view *view = &scene->job->view;
-    const struct aob_incident_desc desc = {
-        .radius = term->term.radius,
-        .bounces = term->term.bounces,
-        .light = term->term.output == AOB_OUT_IRRADIANCE ? &term->term.light : NULL,
-        .x0 = view->guard,
-        .y0 = view->guard,
-        .width = view->width,
-        .height = view->height,
-        .spp = scene->job->spp};
+    bool lit = term->term.output == AOB_OUT_LIT;
+    const struct aob_incident_desc desc = {.radius = term->term.radius,
+                                           .bounces = term->term.bounces,
+                                           .light =
+                                               aob_term_has_light(&term->term) ? &term->term.light : NULL,
+                                           .x0 = view->guard,
+                                           .y0 = view->guard,
+                                           .width = view->width,
+                                           .height = view->height,
+                                           .spp = scene->job->spp};
     struct aob_incident result = {0};
-    bool ok = aob_tracer_incident(scene->tracer, &view->camera, &scene->hits, &desc, &result, error) &&
+    bool ok = (lit ? aob_tracer_lit : aob_tracer_incident)(scene->tracer, &view->camera, &scene->hits, &desc,
+                                                           &result, error) &&
               write_effect(result.rgb[0], result.se[0], 3, view, term->out, error);
     aob_incident_finish(&result);
     return ok;

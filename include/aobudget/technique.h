@@ -19,7 +19,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define AOB_ABI 7u /* raised by every change to this file: modules of another number are refused */
+#define AOB_ABI 8u /* raised by every change to this file: modules of another number are refused */
 enum {
     AOB_MAX_PARAM = 32,
     AOB_MAX_IN = 8,
@@ -125,6 +125,9 @@ enum aob_output {
      * within a half float (a light's mean is within 1e-3 .. 1.6e4). A
      * target of rgba16f or rgba32f. */
     AOB_OUT_IRRADIANCE,
+    /* rgb: the surface in the scene's light, by what the outputs above leave of that. The harness composes it behind the
+     * technique's passes, of those outputs that are wanted: no technique gives it. */
+    AOB_OUT_LIT,
     AOB_OUTPUT_COUNT,
 };
 enum aob_format {

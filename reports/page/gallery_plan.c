@@ -138,8 +138,16 @@ static void add_title(struct aob_text *title, const struct wish *wish)
                      wish->kind == AOB_FIGURE_OUTPUT ? wish->look->title : wish->look->map_title);
 }
 
+/* 0: it is the plotter's choice. The lit image is shown as its FLIP was taken. */
+static double exposure_of(const struct aob_output_look *look, const struct aob_score *score)
+{
+    const struct aob_metric *metric = look->exposed ? aob_metric_find(look->exposed) : NULL;
+    return metric && score ? aob_metric_get(&score->metrics, metric) : look->exposure;
+}
+
 /* An output's channels and colours; its figures share a scale of their own. */
-static void set_look(json_t *job, const struct aob_panel *panel, const struct aob_output_look *look)
+static void set_look(json_t *job, const struct aob_panel *panel, const struct aob_output_look *look,
+                     const struct aob_score *score)
 {
     json_object_set_new(job, "error", json_string(look->error));
     json_object_set_new(job, "limit_group",
@@ -155,8 +163,8 @@ static void set_look(json_t *job, const struct aob_panel *panel, const struct ao
     json_object_set_new(job, "reference_name", json_string(look->truth));
     if (look->colour)
         json_object_set_new(job, "colour", json_true());
-    if (look->exposure > 0)
-        json_object_set_new(job, "exposure", json_real(look->exposure));
+    if (exposure_of(look, score) > 0)
+        json_object_set_new(job, "exposure", json_real(exposure_of(look, score)));
 }
 
 static struct aob_figure *add_image(struct aob_gallery *g, const struct aob_panel *panel,
@@ -177,7 +185,7 @@ static struct aob_figure *add_image(struct aob_gallery *g, const struct aob_pane
     set_path(figure->job, "image", g->rows->runs[row->run].folder, row->image);
     set_truth(figure->job, g->rows, panel, wish->kind, figure);
     if (wish->look)
-        set_look(figure->job, panel, wish->look);
+        set_look(figure->job, panel, wish->look, score);
     aob_text_finish(&title);
     aob_text_finish(&heading);
     free(facts);

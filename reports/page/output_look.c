@@ -61,4 +61,27 @@ const struct aob_output_look aob_output_looks[AOB_OUTPUT_LOOKS] = {
          "headings say. The "
          "error is the mean of the three channels\u2019 differences, without the exposure; the scores are "
          "relative to the truth."},
+    {.output = AOB_OUT_LIT,
+     .metric = "lit_band",
+     .error = "error.lit",
+     .quantity = "the lit image",
+     .technique = "technique.lit",
+     .reference = "reference.lit",
+     .truth = "Reference: path-traced",
+     .colour = true,
+     .exposed = "lit_exposure",
+     .end = "-lit.png",
+     .map_end = "-lit-map.png",
+     .title = "lit image",
+     .map_title = "error of the lit image",
+     .heading = "The lit image",
+     .sentence = "What each surface shows of the scene\u2019s light: diffuse and mirrored, composed of the "
+                 "outputs that the "
+                 "case wants; visibility stands in for those that it does not. The reference is path-traced "
+                 "with eight "
+                 "reflections. The pictures are linear colours, shown as sRGB, the sky grey; technique and "
+                 "reference have "
+                 "one exposure, which their headings say. The error is the mean of the three channels\u2019 "
+                 "differences, "
+                 "without the exposure; the scores are relative to the truth."},
 };

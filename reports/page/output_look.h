@@ -14,9 +14,11 @@ struct aob_output_look {
     const char *quantity;  /* what the difference is of, in the label of its colours */
     const char *technique; /* channels of the pictures beside the map; NULL: there is a map only */
     const char *reference;
-    const char *truth;     /* heading of the reference's picture */
-    bool colour;           /* three channels each, NAME.R to NAME.B */
-    double exposure;       /* of the colours; 0: the plotter's choice */
+    const char *truth; /* heading of the reference's picture */
+    bool colour;       /* three channels each, NAME.R to NAME.B */
+    double
+        exposure; /* of the colours; 0: that of the case's metric `exposed`, or the plotter's choice where it is NULL */
+    const char *exposed;
     const char *end;       /* of the pictures' file names */
     const char *map_end;   /* of the map's */
     const char *title;     /* of the pictures, after the technique's name and a colon */

@@ -92,18 +92,18 @@ static void add_case(struct aob_text *journal, const char *key, const char *more
 }
 
 static const char OUTPUTS[] =
-    ",\"outputs\":[\"visibility\",\"bent_normal\",\"visibility_rgb\",\"specular\",\"irradiance\"]";
+    ",\"outputs\":[\"visibility\",\"bent_normal\",\"visibility_rgb\",\"specular\",\"irradiance\",\"lit\"]";
 
-/* The case `a` is the nearer one in visibility and irradiance, `b` in the three others. */
+/* The case `a` is the nearer one in visibility, irradiance and the lit image, `b` in the three others. */
 static void make_both(struct fixture *f)
 {
     struct aob_text journal = {0};
     add_case(&journal, "a", OUTPUTS,
              "0.01,\"band_rmse\":0.01,\"bent_band\":9,\"bounce_band\":0.09,\"specular_band\":0.08,"
-             "\"irradiance_band\":0.01");
+             "\"irradiance_band\":0.01,\"lit_band\":0.01,\"lit_exposure\":0.25");
     add_case(&journal, "b", OUTPUTS,
              "0.02,\"band_rmse\":0.02,\"bent_band\":8,\"bounce_band\":0.03,\"specular_band\":0.04,"
-             "\"irradiance_band\":0.05");
+             "\"irradiance_band\":0.05,\"lit_band\":0.05,\"lit_exposure\":0.5");
     make(f, journal.data);
     aob_text_finish(&journal);
 }
@@ -128,6 +128,8 @@ static void test_each_output_has_its_own_best_case(void **state)
     assert_image(f, "-specular.png", "b");
     assert_image(f, "-irradiance.png", "a");
     assert_image(f, "-irradiance-map.png", "a");
+    assert_image(f, "-lit.png", "a");
+    assert_image(f, "-lit-map.png", "a");
 }
 
 static void test_channels_and_colours(void **state)
@@ -142,6 +144,10 @@ static void test_channels_and_colours(void **state)
     assert_true(json_is_true(json_object_get(light, "colour")));
     assert_null(json_object_get(light, "exposure"));
     assert_true(json_number_value(json_object_get(bounces, "exposure")) == 1);
+    /* As the score's FLIP was taken. */
+    assert_true(json_number_value(json_object_get(figure_of(f, "-lit.png"), "exposure")) == 0.25);
+    assert_member(figure_of(f, "-lit.png"), "technique", "technique.lit");
+    assert_true(json_is_true(json_object_get(figure_of(f, "-lit.png"), "colour")));
     assert_member(bounces, "error", "error.visibility_rgb");
     assert_member(lobe, "technique", "technique.specular");
     assert_null(json_object_get(lobe, "colour"));
@@ -159,12 +165,12 @@ static void test_a_case_says_what_it_gives(void **state)
     struct fixture *f = *state;
     make_both(f);
     assert_contains(f->page,
-                    "<summary>gives visibility, bent_normal, visibility_rgb, specular, irradiance in "
+                    "<summary>gives visibility, bent_normal, visibility_rgb, specular, irradiance, lit in "
                     "2 passes: 3.50 ms</summary><ol class=front>\n<li>horizon: 2.25 ms</li>\n"
                     "<li>&lt;lobe&gt;: 1.25 ms</li>\n</ol></details>");
     assert_contains(f->page, "<button>outputs</button>");
     assert_contains(f->page, "<td class=params><span class=clip>visibility, bent_normal, visibility_rgb, "
-                             "specular, irradiance</span></td>");
+                             "specular, irradiance, lit</span></td>");
     assert_contains(f->page, "<button>relative RMSE of irradiance in band</button>");
     assert_contains(f->page, "<h4>Irradiance of the scene\u2019s light</h4>");
 }

@@ -1,6 +1,7 @@
 #include <math.h>
 #include "check.h"
 #include "score/effect.h"
+#include "score/flip.h"
 
 enum { W = 4, H = 2, N = W * H };
 
@@ -76,6 +77,33 @@ static void light_is_relative(void **state)
     assert_near(m.specular_plain, 0.6, 1e-6);
 }
 
+/* The lit image is relative too, and looked at in whole stops: the truth's .5 is shown as 1, and its double as well. */
+static void lit_images_are_looked_at(void **state)
+{
+    (void)state;
+    struct still still;
+    struct aob_metrics m;
+    still_init(&still, AOB_OUT_LIT, 3);
+    still.effect.plain = still.effect.model = NULL;
+    aob_metrics_init(&m);
+    aob_effect_score(&still.desc, &still.effect, &m);
+    assert_near(m.lit_band, 0.2 * sqrt(14.0 / 3), 1e-6);
+    assert_near(m.lit_rmse, 2 * sqrt((4 * 0.01 * 14 + 3 * 0.04 * 14) / 21), 1e-6);
+    assert_near(m.lit_bias, 2 * (4 * 0.1 * 6 - 3 * 0.2 * 6) / 21, 1e-6);
+    assert_near(m.lit_se, 0.02 * sqrt(14.0 / 3), 1e-7);
+    assert_near(m.lit_exposure, 2, 0);
+    assert_near(m.lit_flip, aob_flip_colour(&still.desc, still.image, still.truth, 2), 0);
+    assert_true(m.lit_flip > 0.05 && isnan(m.irradiance_rmse));
+    for (int i = 0; i < 3 * (N - 1); i++)
+        still.truth[i] = 1.01f;
+    aob_effect_score(&still.desc, &still.effect, &m);
+    assert_near(m.lit_exposure, 0.5, 0);
+    for (int i = 0; i < 3 * (N - 1); i++)
+        still.truth[i] = 0;
+    aob_effect_score(&still.desc, &still.effect, &m);
+    assert_near(m.lit_exposure, 1, 0);
+}
+
 /* Nothing is a share of no light. */
 static void what_is_dark_has_no_relative_error(void **state)
 {
@@ -112,6 +140,7 @@ static void what_is_no_light_is_refused(void **state)
     refuse(AOB_OUT_VISIBILITY_RGB, -0.01f, "visibility_rgb is -0.01");
     refuse(AOB_OUT_IRRADIANCE, -1e-6f, "it must be finite and not negative");
     refuse(AOB_OUT_IRRADIANCE, INFINITY, "irradiance is inf");
+    refuse(AOB_OUT_LIT, -0.5f, "the lit is -0.5: it must be finite and not negative");
     still_init(&still, AOB_OUT_IRRADIANCE, 1);
     still.image[5] = 1e6f; /* a bright light */
     assert_true(aob_effect_judge(&still.desc, &still.effect, NULL));
@@ -133,9 +162,11 @@ static void bounces_follow_the_text(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(colours_are_the_mean_of_their_squares), cmocka_unit_test(light_is_relative),
-        cmocka_unit_test(what_is_dark_has_no_relative_error), cmocka_unit_test(what_is_no_light_is_refused),
-        cmocka_unit_test(bounces_follow_the_text)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(colours_are_the_mean_of_their_squares),
+                                       cmocka_unit_test(light_is_relative),
+                                       cmocka_unit_test(lit_images_are_looked_at),
+                                       cmocka_unit_test(what_is_dark_has_no_relative_error),
+                                       cmocka_unit_test(what_is_no_light_is_refused),
+                                       cmocka_unit_test(bounces_follow_the_text)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,11 +45,9 @@ static void materials_have_both_ends(void **state)
 static void outputs_have_their_components(void **state)
 {
     (void)state;
-    static const int components[AOB_OUTPUT_COUNT] = {[AOB_OUT_VISIBILITY] = 1,
-                                                     [AOB_OUT_BENT_NORMAL] = 3,
-                                                     [AOB_OUT_VISIBILITY_RGB] = 3,
-                                                     [AOB_OUT_SPECULAR] = 1,
-                                                     [AOB_OUT_IRRADIANCE] = 3};
+    static const int components[AOB_OUTPUT_COUNT] = {
+        [AOB_OUT_VISIBILITY] = 1, [AOB_OUT_BENT_NORMAL] = 3, [AOB_OUT_VISIBILITY_RGB] = 3,
+        [AOB_OUT_SPECULAR] = 1,   [AOB_OUT_IRRADIANCE] = 3,  [AOB_OUT_LIT] = 3};
     for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
         assert_int_equal(aob_output_components((enum aob_output)which), components[which]);
 }

@@ -71,8 +71,8 @@ static inline bool defines_pass(struct aob_graph *g, const char *name)
            aob_output(g, AOB_OUT_VISIBILITY, raw);
 }
 
-static bool try_build(struct aob_pass_graph *graph, bool (*build)(struct aob_graph *, const void *),
-                      struct aob_error *error)
+static bool try_build_wanted(struct aob_pass_graph *graph, bool (*build)(struct aob_graph *, const void *),
+                             uint32_t wanted, struct aob_error *error)
 {
     static struct aob_technique technique;
     technique = (struct aob_technique){.abi = AOB_ABI,
@@ -84,6 +84,12 @@ static bool try_build(struct aob_pass_graph *graph, bool (*build)(struct aob_gra
                                        .values_size = sizeof(struct values),
                                        .build = build};
     *error = (struct aob_error){{0}};
-    return aob_graph_build(graph, &technique, &(struct values){3, 1}, 1u << AOB_OUT_BENT_NORMAL, error);
+    return aob_graph_build(graph, &technique, &(struct values){3, 1}, wanted, error);
+}
+
+static inline bool try_build(struct aob_pass_graph *graph, bool (*build)(struct aob_graph *, const void *),
+                             struct aob_error *error)
+{
+    return try_build_wanted(graph, build, 1u << AOB_OUT_BENT_NORMAL, error);
 }
 #endif
