@@ -129,3 +129,33 @@ if wanted effects; then
     done
   done
 fi
+
+# What each effect adds to the lit image and what it costs there: its own passes and the composite's difference.
+if wanted lit; then
+  { echo '  - name: none'; entry gtao 'radius: 0.5, slices: 9, steps: 12' ''; } | sed 's/, sweep: \[\]//' |
+    config lit '{name: gallery}, {name: window_room}' 480x270 'seconds: 4' 'spp: 128' >"$folder/lit.yaml"
+  sed -i 's/^measure/options: {lit: [off, on], visibility_rgb: [off, on], specular: [off, on], irradiance: [off, on]}\nmeasure/; s/^reference/target: {radius: 0.5}\nreference/' "$folder/lit.yaml"
+  build/release/aobudget run "$folder/lit.yaml" --out "$folder/lit" --quiet || [ $? -eq 3 ] # `none` gives no effects
+  quotient() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.3f", a / b }'; }
+  # SCENE TECHNIQUE LIT BOUNCES SPECULAR IRRADIANCE FIELD
+  of() {
+    jq ".options as \$o | select(.scene == \"$1\" and .technique == \"$2\" and .status == \"ok\" and
+      [\$o.lit, \$o.visibility_rgb, \$o.specular, \$o.irradiance] == [\"$3\", \"$4\", \"$5\", \"$6\"]) | $7" "$folder/lit/journal.jsonl"
+  }
+  composite='.time.passes[] | select(.name == "lit_composite") | .ratio_to_ref'
+  row "lit: gtao 9x12, visibility with the composite / without" \
+    "$(quotient "$(of gallery gtao on off off off .time.ratio_to_ref)" "$(of gallery gtao off off off off .time.ratio_to_ref)")" ratio
+  row "lit: gtao 9x12, composite of all outputs / of visibility" \
+    "$(quotient "$(of gallery gtao on on on on "$composite")" "$(of gallery gtao on off off off "$composite")")" ratio
+  for set in "on off off" "off on off" "off off on" "on off on" "on on on"; do
+    read -r bounces specular irradiance <<<"$set"
+    price=$(quotient "$(of gallery gtao on "$bounces" "$specular" "$irradiance" .time.ratio_to_ref)" "$(of gallery gtao on off off off .time.ratio_to_ref)")
+    row "lit: gtao 9x12, bounces $bounces, specular $specular, irradiance $irradiance / visibility" "$price" ratio
+  done
+  for scene in gallery window_room; do
+    row "lit: $scene, error of none, gtao, gtao with bounces and irradiance" "$(of $scene none on off off off .error.lit_band) \
+$(of $scene gtao on off off off .error.lit_band) $(of $scene gtao on on off on .error.lit_band)" ""
+    row "lit: $scene, gtao with bounces and irradiance / with visibility" \
+      "$(quotient "$(of $scene gtao on on off on .error.lit_band)" "$(of $scene gtao on off off off .error.lit_band)")" ratio "<=" 0.999
+  done
+fi
