@@ -88,18 +88,19 @@ static const struct aob_technique *find_technique(const char *name, struct aob_e
     return NULL;
 }
 
-bool aob_canvas_show(struct aob_canvas *canvas, const char *name, const json_t *params, const json_t *options,
+bool aob_canvas_show(struct aob_canvas *canvas, const struct aob_check_drawing *drawing,
                      struct aob_frame *frame, struct aob_error *error)
 {
-    const struct aob_technique *technique = find_technique(name, error);
+    const struct aob_technique *technique = find_technique(drawing->technique, error);
     double numbers[AOB_MAX_PARAM];
     unsigned char values[4 * AOB_MAX_PARAM];
     *frame = (struct aob_frame){0};
     if (!technique ||
-        !read_values(technique->params, technique->param_count, canvas->view->metre, params, numbers,
+        !read_values(technique->params, technique->param_count, canvas->view->metre, drawing->params, numbers,
                      error) ||
-        !use_screen(canvas, options, error))
+        !use_screen(canvas, drawing->options, error))
         return false;
+    canvas->screen.light = drawing->light;
     aob_param_pack(technique->params, technique->param_count, numbers, values, sizeof values);
     const struct aob_frame_desc desc = {.technique = technique,
                                         .values = values,

@@ -9,7 +9,7 @@ struct aob_canvas {
     const struct aob_check_view *view;
     struct aob_gbuffer gbuffer;
     struct aob_geometry geometry; /* the scene's triangles */
-    struct aob_screen screen;     /* in the encodings of the last aob_canvas_show */
+    struct aob_screen screen;     /* in the encodings and the light of the last aob_canvas_show */
     struct aob_options options;   /* of that */
 };
 
@@ -18,9 +18,8 @@ bool aob_canvas_init(struct aob_canvas *canvas, struct aob_gpu *gpu, const struc
                      struct aob_error *error);
 void aob_canvas_finish(struct aob_canvas *canvas);
 
-/* A technique on the canvas. Params and options are JSON objects of values by name; what they lack, or NULL, is the default.
- * The frames of the canvas before must be finished where these options differ from theirs. False after one line;
- * frame->unfit as of aob_frame_init. */
-bool aob_canvas_show(struct aob_canvas *canvas, const char *technique, const json_t *params,
-                     const json_t *options, struct aob_frame *frame, struct aob_error *error);
+/* A technique on the canvas. The frames of the canvas before must be finished where these options or this light differ from
+ * theirs. False after one line; frame->unfit as of aob_frame_init. */
+bool aob_canvas_show(struct aob_canvas *canvas, const struct aob_check_drawing *drawing,
+                     struct aob_frame *frame, struct aob_error *error);
 #endif

@@ -1,10 +1,12 @@
 #include "check_data.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/file.h"
 #include "base/memory.h"
 #include "scene/camera_json.h"
-#include "store/image.h"
+#include "scene/light_json.h"
+#include "technique/graph.h"
 #include "technique/registry.h"
 
 static bool same_techniques(const json_t *techniques)
@@ -41,18 +43,20 @@ static bool read_image(const json_t *object, const char *folder, struct aob_chec
 {
     struct aob_check_image *image = &data->images[data->image_count++];
     const char *file;
-    json_t *params, *options;
+    json_t *params, *options, *light = NULL;
     int view;
-    if (json_unpack((json_t *)object, "{s:s, s:i, s:s, s:o, s:o, s:s}", "name", &image->name, "view", &view,
-                    "technique", &image->technique, "params", &params, "options", &options, "file",
-                    &file) != 0 ||
+    if (json_unpack((json_t *)object, "{s:s, s:i, s:s, s:o, s:o, s?o, s:s}", "name", &image->name, "view",
+                    &view, "technique", &image->drawing.technique, "params", &params, "options", &options,
+                    "light", &light, "file", &file) != 0 ||
         view < 0 || (size_t)view >= data->view_count)
         return aob_fail(error, "an image lacks a field, or is of no view");
     image->view = &data->views[view];
-    image->params = params;
-    image->options = options;
+    image->drawing.params = params;
+    image->drawing.options = options;
+    image->drawing.light = aob_light_uniform;
     image->file = aob_path_join(folder, file);
-    return true;
+    return !light || aob_light_from_json(light, &image->drawing.light) ||
+           aob_fail(error, "the light of '%s' is not nine coefficients", image->name);
 }
 
 static bool read_document(struct aob_check_data *data, const char *folder, struct aob_error *error)
@@ -107,21 +111,42 @@ void aob_check_data_finish(struct aob_check_data *data)
     *data = (struct aob_check_data){0};
 }
 
-float *aob_check_channel(const char *file, const char *channel, int width, int height,
+void aob_check_channel_name(enum aob_output output, int component, char name[AOB_CHECK_CHANNEL_SIZE])
+{
+    const char *stem = aob_output_name(output);
+    if (output == AOB_OUT_VISIBILITY)
+        snprintf(name, AOB_CHECK_CHANNEL_SIZE, "AO");
+    else if (output == AOB_OUT_BENT_NORMAL)
+        snprintf(name, AOB_CHECK_CHANNEL_SIZE, "bent.%c", "XYZ"[component]);
+    else if (aob_output_components(output) == 1)
+        snprintf(name, AOB_CHECK_CHANNEL_SIZE, "%s", stem);
+    else
+        snprintf(name, AOB_CHECK_CHANNEL_SIZE, "%s.%c", stem, "RGB"[component]);
+}
+
+bool aob_check_file_read(struct aob_image *file, const char *path, const struct aob_check_view *view,
                          struct aob_error *error)
 {
-    struct aob_image image = {0};
-    float *pixels = NULL;
-    if (!aob_image_read(&image, file, error))
-        return NULL;
-    const float *from = aob_image_channel(&image, channel);
-    size_t count = (size_t)width * (size_t)height;
-    if (from && image.width == width && image.height == height) {
-        pixels = AOB_NEW_ARRAY(float, count);
-        memcpy(pixels, from, count * sizeof *pixels);
-    } else
-        aob_fail(error, "%s: it has no channel %s of %dx%d pixels: pack it again", file, channel, width,
-                 height);
-    aob_image_finish(&image);
-    return pixels;
+    if (!aob_image_read(file, path, error))
+        return false;
+    if (file->width == view->width && file->height == view->height)
+        return true;
+    aob_fail(error, "%s: it has %dx%d pixels in place of %dx%d: pack it again", path, file->width,
+             file->height, view->width, view->height);
+    aob_image_finish(file);
+    return false;
+}
+
+float *aob_check_output(const struct aob_image *file, const char *whose, enum aob_output output)
+{
+    enum { MOST = 4 };
+    char stems[MOST][AOB_CHECK_CHANNEL_SIZE], names[MOST][2 * AOB_CHECK_CHANNEL_SIZE];
+    const char *channels[MOST];
+    int count = aob_output_components(output);
+    for (int c = 0; c < count; c++) {
+        aob_check_channel_name(output, c, stems[c]);
+        snprintf(names[c], sizeof names[c], "%s%s", whose, stems[c]);
+        channels[c] = names[c];
+    }
+    return aob_image_interleaved(file, channels, (size_t)count, (size_t)count);
 }

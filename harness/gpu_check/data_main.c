@@ -9,8 +9,11 @@
 #include "base/member.h"
 #include "base/memory.h"
 #include "check_data.h"
+#include "scene/camera_json.h"
+#include "scene/light_json.h"
 #include "store/image.h"
 #include "store/journal.h"
+#include "technique/graph.h"
 #include "technique/option.h"
 #include "technique/param.h"
 #include "technique/registry.h"
@@ -23,7 +26,8 @@ struct maker {
 
 static bool is_kept(const char *name)
 {
-    static const char *const names[] = {"N.X", "N.Y", "N.Z", "reference.AO", NULL};
+    static const char *const names[] = {"N.X",      "N.Y",       "N.Z",       "albedo.R",     "albedo.G",
+                                        "albedo.B", "roughness", "metalness", "reference.AO", NULL};
     for (const char *const *n = names; *n; n++)
         if (strcmp(*n, name) == 0)
             return true;
@@ -53,16 +57,73 @@ static bool write_view(const struct aob_image *from, const char *path, struct ao
     return ok;
 }
 
-static bool write_plane(const struct aob_image *from, const char *path, struct aob_error *error)
+/* The channels of an output under other names; false if there are none. */
+static bool copy_output(const struct aob_image *from, const char *whose, enum aob_output output,
+                        struct aob_image *into, const char *as)
 {
-    struct aob_image plane = {.width = from->width, .height = from->height};
-    const float *ao = aob_image_channel(from, "technique.AO");
-    if (!ao)
-        return aob_fail(error, "the image has no technique.AO");
-    memcpy(aob_image_add(&plane, "AO"), ao, (size_t)plane.width * (size_t)plane.height * sizeof(float));
-    bool ok = aob_image_write(&plane, path, error);
-    aob_image_finish(&plane);
+    float *pixels = aob_check_output(from, whose, output);
+    int components = aob_output_components(output);
+    for (int c = 0; c < components && pixels; c++) {
+        char stem[AOB_CHECK_CHANNEL_SIZE], name[2 * AOB_CHECK_CHANNEL_SIZE];
+        aob_check_channel_name(output, c, stem);
+        snprintf(name, sizeof name, "%s%s", as, stem);
+        aob_image_add_part(into, name, pixels + c, (size_t)components);
+    }
+    free(pixels);
+    return pixels;
+}
+
+static bool gives(const json_t *record, enum aob_output output)
+{
+    const json_t *outputs = json_object_get(record, "outputs");
+    for (size_t i = 0; i < json_array_size(outputs); i++)
+        if (strcmp(json_string_value(json_array_get(outputs, i)), aob_output_name(output)) == 0)
+            return true;
+    return false;
+}
+
+/* What the technique wrote, and the truth of that where the view has none of it. */
+static bool write_outputs(const json_t *record, const struct aob_image *from, const char *path,
+                          struct aob_error *error)
+{
+    struct aob_image file = {.width = from->width, .height = from->height};
+    bool ok = true;
+    for (int which = 0; ok && which < AOB_OUTPUT_COUNT; which++) {
+        enum aob_output output = (enum aob_output)which;
+        if (!gives(record, output))
+            continue;
+        ok = copy_output(from, "technique.", output, &file, "") ||
+             aob_fail(error, "the image has nothing of the output %s", aob_output_name(output));
+        if (output != AOB_OUT_VISIBILITY)
+            copy_output(from, "reference.", output, &file, "reference.");
+    }
+    ok = ok && aob_image_write(&file, path, error);
+    aob_image_finish(&file);
     return ok;
+}
+
+/* The light of the view in its own space, as floats, which is what shaders are given. Packed texts hold those to the bit. NULL
+ * after a line. */
+static json_t *make_light(const json_t *record, struct aob_error *error)
+{
+    const char *name = aob_member_text(json_object_get(record, "light"), "name");
+    const struct aob_light_info *info = aob_light_find(name);
+    struct aob_light_projection projection;
+    struct aob_camera camera;
+    if (!info) {
+        aob_fail(error, "%s is lit by '%s', which is no listed light", aob_member_text(record, "scene"),
+                 name);
+        return NULL;
+    }
+    if (!aob_camera_from_json(json_object_get(record, "camera"), &camera, error))
+        return NULL;
+    const struct aob_frame_axes axes = aob_camera_axes(&camera);
+    aob_light_make(info, &projection);
+    aob_light_turn(&projection.light, &axes, &projection.light);
+    for (int i = 0; i < 9; i++)
+        for (int c = 0; c < 3; c++)
+            projection.light.sh[i][c] = (double)(float)projection.light.sh[i][c];
+    return aob_light_to_json(&projection.light);
 }
 
 /* The view's place, made if it is new. -1 after a line. */
@@ -138,11 +199,14 @@ static bool add_image(struct maker *maker, const json_t *record, const struct ao
     int view = place_view(maker, record, image, false, error);
     snprintf(file, sizeof file, "image-%zu.exr", json_array_size(maker->images));
     char *path = aob_path_join(maker->folder, file);
-    bool ok = view >= 0 && write_plane(image, path, error);
-    json_array_append_new(maker->images, json_pack("{s:s, s:i, s:s, s:O, s:O, s:s}", "name", name, "view",
-                                                   view, "technique", aob_member_text(record, "technique"),
-                                                   "params", json_object_get(record, "params"), "options",
-                                                   json_object_get(record, "options"), "file", file));
+    bool lit = json_object_get(record, "light");
+    json_t *light = lit ? make_light(record, error) : NULL;
+    bool ok = view >= 0 && (light || !lit) && write_outputs(record, image, path, error);
+    json_array_append_new(maker->images,
+                          json_pack("{s:s, s:i, s:s, s:O, s:O, s:s, s:o*}", "name", name, "view", view,
+                                    "technique", aob_member_text(record, "technique"), "params",
+                                    json_object_get(record, "params"), "options",
+                                    json_object_get(record, "options"), "file", file, "light", light));
     if (!json_object_get(maker->document, "made_on"))
         json_object_set(maker->document, "made_on", json_object_get(record, "fingerprint"));
     free(path);

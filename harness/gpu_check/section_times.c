@@ -81,13 +81,14 @@ static void time_technique(struct stand *stand, const struct aob_technique *tech
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_error cause = {{0}};
     struct aob_trial trial;
+    const struct aob_check_drawing drawing = {.technique = technique->name, .light = aob_light_uniform};
     struct aob_trial_desc desc = {.fixed = &stand->fixed,
                                   .frame = frame,
                                   .clock = choose_clock(stand),
                                   .seconds = seconds,
                                   .precision = stand->job->precision};
-    if (aob_canvas_show(&stand->canvas, technique->name, NULL, NULL, frame, &cause) &&
-        make_fixed(stand, &cause) && aob_trial_run(&desc, &trial, &cause))
+    if (aob_canvas_show(&stand->canvas, &drawing, frame, &cause) && make_fixed(stand, &cause) &&
+        aob_trial_run(&desc, &trial, &cause))
         reply_time(stand, technique->name, frame, &trial);
     else
         aob_section_say(stand->job, technique->name, frame->unfit ? AOB_CHECK_SKIPPED : AOB_CHECK_FAILED,

@@ -1,8 +1,24 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
-#include "section.h"
 #include "canvas.h"
+#include "section.h"
+
+/* All that it gives: each is copied from a texture of its own. */
+static bool read_all(struct aob_frame *frame, const struct aob_check_view *view, struct aob_error *error)
+{
+    bool ok = true;
+    for (int which = 0; ok && which < AOB_OUTPUT_COUNT; which++) {
+        enum aob_output output = (enum aob_output)which;
+        int components = aob_output_components(output);
+        if (!aob_graph_gives(&frame->graph, output))
+            continue;
+        float *pixels = AOB_NEW_ARRAY(float, (size_t)components *(size_t)view->width *(size_t)view->height);
+        ok = aob_frame_read(frame, output, components, pixels, error);
+        free(pixels);
+    }
+    return ok;
+}
 
 /* Everything is made anew for each image: after its first message a device refuses all that follows. */
 static bool draw_watched(const struct aob_section_job *job, const struct aob_check_image *image,
@@ -10,17 +26,13 @@ static bool draw_watched(const struct aob_section_job *job, const struct aob_che
 {
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_canvas canvas = {0};
-    size_t count = (size_t)image->view->width * (size_t)image->view->height;
-    float *pixels = AOB_NEW_ARRAY(float, count);
     struct aob_gpu *gpu = aob_section_open(job, &(struct aob_gpu_desc){.validate = true}, error);
     bool ok = gpu && aob_canvas_init(&canvas, gpu, image->view, error) &&
-              aob_canvas_show(&canvas, image->technique, image->params, image->options, frame, error) &&
-              aob_frame_run(frame, 2, NULL, error) &&
-              aob_frame_read(frame, AOB_OUT_VISIBILITY, 1, pixels, error);
+              aob_canvas_show(&canvas, &image->drawing, frame, error) &&
+              aob_frame_run(frame, 2, NULL, error) && read_all(frame, image->view, error);
     aob_frame_finish(frame);
     aob_canvas_finish(&canvas);
     aob_gpu_close(gpu);
-    free(pixels);
     free(frame);
     return ok;
 }

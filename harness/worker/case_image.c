@@ -71,7 +71,8 @@ static void add_surface(struct aob_image *file, const struct aob_block *block,
                         const struct aob_case_image *image)
 {
     static const char *const normals[3] = {"N.X", "N.Y", "N.Z"}, *const velocities[2] = {"V.X", "V.Y"},
-                             *const albedo[3] = {"albedo.R", "albedo.G", "albedo.B"};
+                             *const albedo[3] = {"albedo.R", "albedo.G", "albedo.B"},
+                             *const shine[2] = {"roughness", "metalness"};
     const struct aob_gbuffer *gbuffer = &block->drawing.gbuffer;
     float *z = aob_image_add(file, "Z");
     for (size_t i = 0; i < (size_t)file->width * (size_t)file->height; i++)
@@ -80,6 +81,8 @@ static void add_surface(struct aob_image *file, const struct aob_block *block,
         aob_case_image_crop(block, gbuffer->normal + n, 4, aob_image_add(file, normals[n]));
     for (int a = 0; a < 3 && gbuffer->albedo; a++)
         aob_case_image_crop(block, gbuffer->albedo + a, 3, aob_image_add(file, albedo[a]));
+    for (int s = 0; s < 2 && gbuffer->shine; s++)
+        aob_case_image_crop(block, gbuffer->shine + s, 2, aob_image_add(file, shine[s]));
     for (int v = 0; v < 2 && gbuffer->velocity; v++)
         aob_case_image_crop(block, gbuffer->velocity + v, 2, aob_image_add(file, velocities[v]));
 }
