@@ -6,7 +6,8 @@
 struct tolerance {
     double visible_share, bias, rmse;
 };
-static const struct tolerance of_software = {1e-3, 1e-4, 1e-4}, of_gpu = {0.1, 2e-3, 5e-4};
+static const struct tolerance of_software = {1e-3, 1e-4, 1e-4}, of_gpu = {0.1, 2e-3, 5e-4},
+                              of_lobe = {0.25, 5e-3, 3e-3}, of_light = {0.15, 2e-3, 1e-3};
 
 /* Two floats that stand for neighbouring values of 8 bits are a step and a rounding apart. */
 static const double step = 1.0 / 255 + 1e-6;
@@ -16,6 +17,22 @@ struct sums {
     size_t visible;
     double bias[MOST_COMPONENTS], squares, errors, expected_errors;
 };
+
+static const struct tolerance *tolerance_of(enum aob_output output, bool software)
+{
+    if (software)
+        return &of_software;
+    switch (output) {
+    case AOB_OUT_VISIBILITY:
+    case AOB_OUT_BENT_NORMAL:
+    case AOB_OUT_VISIBILITY_RGB:
+        return &of_gpu;
+    case AOB_OUT_SPECULAR:
+        return &of_lobe;
+    default:
+        return &of_light;
+    }
+}
 
 static bool is_surface(const struct aob_agreement_desc *desc, size_t i)
 {
@@ -112,7 +129,7 @@ static bool refuse_bias(const struct aob_agreement *a, double most, struct aob_e
 
 bool aob_agreement_judge(const struct aob_agreement *a, bool software, struct aob_error *error)
 {
-    const struct tolerance *most = software ? &of_software : &of_gpu;
+    const struct tolerance *most = tolerance_of(a->output, software);
     if (!a->pixels)
         return aob_fail(error, "the view shows no surface");
     if (!(a->visible_share <= most->visible_share))

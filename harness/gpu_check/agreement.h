@@ -5,10 +5,11 @@
  * pixels visibly, but not all in one direction, and hardly the error against the truth. The software drivers do the same
  * operations in the same order; they get what another processor's contraction of products and sums may do.
  *
- * A tap changes every output by about the same part of its range, so all are judged alike in terms of that: their scale.
- * It is 1 of a share (visibility, that after bounces, specular), whose values lie in 0..1, and 2 of a bent normal, whose
- * components lie in -1..1. Of light it is what the surfaces of the view would receive if they were open, over pi, the mean
- * over pixels and channels: so much is 1 of the visibility that was made into it. */
+ * A tap changes every output by about the same part of its range, so all are judged in parts of that: their scale. It is 1
+ * of a share (visibility, that after bounces, specular), whose values lie in 0..1, and 2 of a bent normal, whose components
+ * lie in -1..1. Of light it is what the surfaces of the view would receive if they were open, over pi, the mean over pixels
+ * and channels: so much is a visibility of 1. Two outputs answer more than a visibility does and get more of a GPU: specular,
+ * as a lobe may be narrow, and light, as a surface that faces it receives several times the mean. */
 #ifndef AOB_GPU_CHECK_AGREEMENT_H
 #define AOB_GPU_CHECK_AGREEMENT_H
 #include <aobudget/technique.h>

@@ -100,7 +100,8 @@ static const struct {
 } tables[] = {
     {"device", "", print_device},
     {"timer", "", print_timer},
-    {"images", ": pixels off by more than 1/255, mean, root mean square and largest difference", print_image},
+    {"images", ": pixels off by more than a step of 8 bits, mean, root mean square and largest difference",
+     print_image},
     {"validation", ": messages of the Vulkan layer", print_status},
     {"times", ": medians of a frame, with 95 % intervals", print_time_item},
 };

@@ -71,8 +71,8 @@ static void add_surface(struct aob_image *file, const struct aob_block *block,
                         const struct aob_case_image *image)
 {
     static const char *const normals[3] = {"N.X", "N.Y", "N.Z"}, *const velocities[2] = {"V.X", "V.Y"},
-                             *const albedo[3] = {"albedo.R", "albedo.G", "albedo.B"},
-                             *const shine[2] = {"roughness", "metalness"};
+                             *const albedo[3] = {"albedo.R", "albedo.G", "albedo.B"};
+    static const char *const shine[2] = {"roughness", "metalness"};
     const struct aob_gbuffer *gbuffer = &block->drawing.gbuffer;
     float *z = aob_image_add(file, "Z");
     for (size_t i = 0; i < (size_t)file->width * (size_t)file->height; i++)

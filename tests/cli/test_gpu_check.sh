@@ -17,6 +17,17 @@ reference: {spp: 16}
 YAML
 done
 sed -i 's/96x54/64x36/' configs/times.yaml
+cat >configs/outputs.yaml <<YAML
+name: outputs
+scenes: [{name: gallery, view: ball}]
+resolutions: [96x54]
+backends: [vulkan]
+options: {bent_normal: "on", visibility_rgb: "on", specular: "on", irradiance: "on"}
+techniques: [{name: gtao}]
+target: {radius: 0.5}
+measure: {time: false}
+reference: {spp: 16}
+YAML
 check "packing" bash "$root/dev.d/gpu_check.sh" "$AOBUDGET_BUILD" configs pack
 expect 2 "exists and is no packed gpu-check" bash "$root/dev.d/gpu_check.sh" "$AOBUDGET_BUILD" configs configs
 touch pack/of_an_earlier_time
@@ -27,6 +38,15 @@ cat >gpu/journal.jsonl <<JSON
 {"key": "0", "technique": "gtao", "status": "ok", "image": "none.exr", "fingerprint": {"class": "discrete", "device": "Card"}}
 JSON
 expect 2 "gtao was drawn by Card: the images must be of a software driver" "$AOBUDGET_BUILD/gpu-check-data" made gpu gpu
+record() { # RECORD: a run of one case, whose image is a G-buffer of the pack
+  mkdir -p lacking && cp pack/data/view-1.exr lacking/
+  jq -c "{key: \"0\", status: \"ok\", image: \"view-1.exr\", technique: \"gtao\", scene: \"cornell\", view: \"blocks\", metre: 1,
+    params: {}, options: {}, camera: .views[1].camera, fingerprint: {class: \"cpu\"}} + $1" pack/data/check.json >lacking/journal.jsonl
+}
+record '{outputs: ["visibility", "specular"]}'
+expect 2 "the image has nothing of the output visibility" "$AOBUDGET_BUILD/gpu-check-data" made lacking lacking
+record '{outputs: [], light: {name: "probe.exr"}}'
+expect 2 "cornell is lit by 'probe.exr', which is no listed light" "$AOBUDGET_BUILD/gpu-check-data" made lacking lacking
 mv pack "moved elsewhere"
 pack=$folder/moved\ elsewhere
 
@@ -63,8 +83,12 @@ for backend in vulkan gl-egl; do
   holds "$backend: its device" ".sections[] | select(.backend == \"$backend\" and .section == \"device\").items[0] |
     (.item | contains(\"llvmpipe\")) and .driver and .class == \"cpu\" and .software"
   holds "$backend: its images" "[.sections[] | select(.backend == \"$backend\" and .section == \"images\").items[]] |
-    length == 3 and all(.status == \"passed\" and .pixels > 5000 and .visible_share == 0 and .max < 1e-5 and
+    length == 8 and all(.status == \"passed\" and .pixels > 5000 and .visible_share == 0 and .max < 1e-5 and
                         .expected_rmse > 0.01 and .rmse > 0.01)"
+  holds "$backend: its further outputs" "[.sections[] | select(.backend == \"$backend\" and .section == \"images\").items[] |
+    select(.item | startswith(\"gtao bent_normal=on\"))] | map(.output) == [\"visibility\", \"bent_normal\",
+    \"visibility_rgb\", \"specular\", \"irradiance\"] and all(.[1:][]; .output as \$o | .item |
+    endswith(\" on gallery ball 96x54 \" + \$o)) and map(.scale)[:4] == [1, 2, 1, 1] and .[4].scale > 0.5 and .[4].scale < 1.5"
   holds "$backend: its times" "[.sections[] | select(.backend == \"$backend\" and .section == \"times\").items[] |
     select(.item != \"A/A\")] | length == 9 and all(.status == \"passed\" and .ms > 0 and .rounds > 0 and .fixed_ms > 0 and
     .control > 0 and (.passes | length) > 0)"
@@ -77,21 +101,38 @@ holds "a clock that lies is not used" '[.sections[] | select(.backend == "gl-egl
 holds "one that tells the truth is" '[.sections[] | select(.backend == "vulkan")] |
   ((.[] | select(.section == "timer").status) == "passed") as $trusted |
   (.[] | select(.section == "times").items | all(.item == "A/A" or .clock == (if $trusted then "device" else "cpu" end)))'
-holds "the layer has nothing to say" '.sections[] | select(.section == "validation") | .status == "passed" and (.items | length) == 3'
+holds "the layer has nothing to say" '.sections[] | select(.section == "validation") | .status == "passed" and (.items | length) == 4'
 check "the table names each technique" test "$(grep -c ' x fixed pass' said)" -eq 18
 check "and the verdict" grep -q '^verdict: passed, 0 findings' said
 
 # Another radius than that of the expected image stands for a driver that draws something else.
 data="$pack/data/check.json"
 cp "$data" kept.json
-jq '(.images[] | select(.technique == "gtao").params.radius) = 0.45' kept.json >"$data"
+jq '(.images[] | select(.technique == "gtao" and .light == null).params.radius) = 0.45' kept.json >"$data"
 run 1 "an image that differs" --backend vulkan --section images
 holds "is named" '.verdict == "disagrees" and (.findings | length) == 1 and
   (.findings[0] | startswith("vulkan, images: gtao on cornell blocks 96x54: "))'
 check "in the table too" grep -q '^FINDING vulkan, images: gtao on' said
+changed() { # FILTER: what findings the data give with that change
+  jq "$1" kept.json >"$data"
+  run 1 "$1" --backend vulkan --section images
+}
+changed '(.images[] | select(.light).light[0][]) *= 1.1'
+holds "another light is another irradiance, and nothing else" '(.findings | length) == 1 and
+  (.findings[0] | test("^vulkan, images: gtao .* on gallery ball 96x54 irradiance: .*pixels differ by more than"))'
+changed '(.images[] | select(.light).params.specular_by) = "cone"'
+holds "nor does another specular change more" '(.findings | length) == 1 and
+  (.findings[0] | test("^vulkan, images: gtao .* on gallery ball 96x54 specular: "))'
+changed '.images[0].options.bent_normal = "on"'
+holds "an output without an image" '(.findings | length) == 1 and
+  (.findings[0] | endswith("data/image-0.exr: it has no image of the output bent_normal: pack it again"))'
+jq '.images[3].light = [[1, 1, 1]]' kept.json >"$data"
+expect 2 "is not nine coefficients" "$pack/gpu-check" --out results.json
+jq '.schema = "aobudget gpu-check data 1"' kept.json >"$data"
+expect 2 "its schema is not 'aobudget gpu-check data 2': pack it again" "$pack/gpu-check" --out results.json
 jq '(.images[] | select(.technique == "gtao").params.radius) = 1e9' kept.json >"$data"
 run 1 "values that the technique refuses" --backend vulkan --section images
-holds "are no crash" '.sections[] | select(.section == "images") | .status == "failed" and (.items | length) == 3'
+holds "are no crash" '.sections[] | select(.section == "images") | .status == "failed" and (.items | length) == 4'
 jq '.techniques.hbao = "0"' kept.json >"$data"
 expect 2 "made with other techniques than this program's" "$pack/gpu-check" --out results.json
 echo '{"schema": "another"}' >"$data"
