@@ -7,8 +7,8 @@
  *
  * A tap changes every output by about the same part of its range, so all are judged in parts of that: their scale. It is 1
  * of a share (visibility, that after bounces, specular), whose values lie in 0..1, and 2 of a bent normal, whose components
- * lie in -1..1. Of light it is what the surfaces of the view would receive if they were open, over pi, the mean over pixels
- * and channels: so much is a visibility of 1. Two outputs answer more than a visibility does and get more of a GPU: specular,
+ * lie in -1..1. The scale of light is what the surfaces of the view would receive if they were open, over pi, the mean over
+ * pixels and channels: a visibility of 1 is made into that. Two outputs answer more than a visibility does and get more of a GPU: specular,
  * as a lobe may be narrow, and light, as a surface that faces it receives several times the mean. */
 #ifndef AOB_GPU_CHECK_AGREEMENT_H
 #define AOB_GPU_CHECK_AGREEMENT_H

@@ -4,7 +4,7 @@
 #include "canvas.h"
 #include "section.h"
 
-/* All that it gives: each is copied from a texture of its own. */
+/* Reads all outputs that it gives, as each is copied from a texture of its own. */
 static bool read_all(struct aob_frame *frame, const struct aob_check_view *view, struct aob_error *error)
 {
     bool ok = true;
