@@ -22,7 +22,7 @@ name: outputs
 scenes: [{name: gallery, view: ball}]
 resolutions: [96x54]
 backends: [vulkan]
-options: {bent_normal: "on", visibility_rgb: "on", specular: "on", irradiance: "on"}
+options: {bent_normal: "on", visibility_rgb: "on", specular: "on", irradiance: "on", lit: "on"}
 techniques: [{name: gtao}]
 target: {radius: 0.5}
 measure: {time: false}
@@ -83,12 +83,12 @@ for backend in vulkan gl-egl; do
   holds "$backend: its device" ".sections[] | select(.backend == \"$backend\" and .section == \"device\").items[0] |
     (.item | contains(\"llvmpipe\")) and .driver and .class == \"cpu\" and .software"
   holds "$backend: its images" "[.sections[] | select(.backend == \"$backend\" and .section == \"images\").items[]] |
-    length == 8 and all(.status == \"passed\" and .pixels > 5000 and .visible_share == 0 and .max < 1e-5 and
+    length == 9 and all(.status == \"passed\" and .pixels > 5000 and .visible_share == 0 and .max < 1e-5 and
                         .expected_rmse > 0.01 and .rmse > 0.01)"
   holds "$backend: its further outputs" "[.sections[] | select(.backend == \"$backend\" and .section == \"images\").items[] |
     select(.item | startswith(\"gtao bent_normal=on\"))] | map(.output) == [\"visibility\", \"bent_normal\",
-    \"visibility_rgb\", \"specular\", \"irradiance\"] and all(.[1:][]; .output as \$o | .item |
-    endswith(\" on gallery ball 96x54 \" + \$o)) and map(.scale)[:4] == [1, 2, 1, 1] and .[4].scale > 0.5 and .[4].scale < 1.5"
+    \"visibility_rgb\", \"specular\", \"irradiance\", \"lit\"] and all(.[1:][]; .output as \$o | .item |
+    endswith(\" on gallery ball 96x54 \" + \$o)) and map(.scale)[:4] == [1, 2, 1, 1] and .[4].scale > 0.5 and .[4].scale < 1.5 and .[5].scale == .[4].scale"
   holds "$backend: its times" "[.sections[] | select(.backend == \"$backend\" and .section == \"times\").items[] |
     select(.item != \"A/A\")] | length == 9 and all(.status == \"passed\" and .ms > 0 and .rounds > 0 and .fixed_ms > 0 and
     .control > 0 and (.passes | length) > 0)"
@@ -118,11 +118,13 @@ changed() { # FILTER: what findings the data give with that change
   run 1 "$1" --backend vulkan --section images
 }
 changed '(.images[] | select(.light).light[0][]) *= 1.1'
-holds "another light is another irradiance, and nothing else" '(.findings | length) == 1 and
-  (.findings[0] | test("^vulkan, images: gtao .* on gallery ball 96x54 irradiance: .*pixels differ by more than"))'
+holds "another light is another irradiance and lit image, and nothing else" '(.findings | length) == 2 and
+  (.findings[0] | test("^vulkan, images: gtao .* on gallery ball 96x54 irradiance: .*pixels differ by more than")) and
+  (.findings[1] | test("^vulkan, images: gtao .* on gallery ball 96x54 lit: .*pixels differ by more than"))'
 changed '(.images[] | select(.light).params.specular_by) = "cone"'
-holds "nor does another specular change more" '(.findings | length) == 1 and
-  (.findings[0] | test("^vulkan, images: gtao .* on gallery ball 96x54 specular: "))'
+holds "nor does another specular change more" '(.findings | length) == 2 and
+  (.findings[0] | test("^vulkan, images: gtao .* on gallery ball 96x54 specular: ")) and
+  (.findings[1] | test("^vulkan, images: gtao .* on gallery ball 96x54 lit: "))'
 changed '.images[0].options.bent_normal = "on"'
 holds "an output without an image" '(.findings | length) == 1 and
   (.findings[0] | endswith("data/image-0.exr: it has no image of the output bent_normal: pack it again"))'
