@@ -37,8 +37,10 @@ static void make_key(struct aob_case *c, const char *scene)
     struct aob_text text = {0};
     aob_case_settings(c, &text);
     add_light(c, &text);
-    if (aob_case_options(c).lit)
-        aob_text_add(&text, " composite=%s", aob_composite_version);
+    if (aob_case_options(c).lit) {
+        aob_text_add(&text, " composite=");
+        aob_composite_identify(&text);
+    }
     aob_text_add(&text, "\n%s %u%s", c->technique->digest, c->technique->revision, scene);
     aob_hash_text(text.data, c->key);
     aob_text_finish(&text);

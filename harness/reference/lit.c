@@ -3,7 +3,10 @@
 #include "embree_mesh.h"
 #include "specular.h"
 
-const char aob_lit_version[] = "1";
+const char aob_lit_version[] = "2";
+
+/* The two parts have directions of their own, so that their errors are independent. */
+static const uint32_t other_seed = 0x9e3779b9u;
 
 static void add_pixel(const struct aob_material *material, const struct aob_specular *mirrored, size_t at,
                       struct aob_incident *sum)
@@ -44,7 +47,7 @@ bool aob_tracer_lit(const struct aob_tracer *tracer, const struct aob_camera *ca
                                            .width = desc->width,
                                            .height = desc->height,
                                            .spp = desc->spp,
-                                           .seed = desc->seed};
+                                           .seed = desc->seed ^ other_seed};
     struct aob_specular mirrored = {0};
     if (!aob_tracer_incident(tracer, camera, hits, desc, result, error))
         return false;

@@ -1,4 +1,5 @@
 #include "light.h"
+#include <math.h>
 
 static const double k0 = 0.28209479177387814;   /* 0.5 sqrt(1/pi) */
 static const double k1 = 0.48860251190291992;   /* sqrt(3/(4 pi)) */
@@ -167,4 +168,16 @@ double aob_light_least(const struct aob_light *light, int channel)
     }
     const double m[3] = {q.m[0][0], q.m[1][1], q.m[2][2]};
     return q.constant + least_on_sphere(m, along);
+}
+
+double aob_light_exposure(const struct aob_light *light)
+{
+    double largest = 0;
+    struct aob_light dark; /* the least of what is negated is the largest */
+    for (int i = 0; i < 9; i++)
+        for (int c = 0; c < 3; c++)
+            dark.sh[i][c] = -(i == 0 ? 1 : i < 4 ? 2.0 / 3 : 0.25) * light->sh[i][c];
+    for (int c = 0; c < 3; c++)
+        largest = fmax(largest, -aob_light_least(&dark, c));
+    return largest > 0 ? 1 / largest : 1;
 }

@@ -68,6 +68,10 @@ void aob_light_window(struct aob_light_projection *projection, double energy);
 /* The least radiance of a channel (0, 1, 2) over all directions. */
 double aob_light_least(const struct aob_light *light, int channel);
 
+/* What takes an open white matt surface that faces the light, in its brightest channel, to 1: 1 over the largest irradiance over
+ * pi of any normal. It is the same in any space; 1 of a light that is black. */
+double aob_light_exposure(const struct aob_light *light);
+
 struct aob_light_info {
     const char *name, *title; /* title: one sentence with the radiances in numbers */
     aob_light_radiance_fn *radiance;

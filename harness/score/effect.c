@@ -1,8 +1,5 @@
 #include "effect.h"
 #include <math.h>
-#include <stdlib.h>
-#include "base/memory.h"
-#include "base/statistics.h"
 #include "flip.h"
 #include "technique/graph.h"
 
@@ -82,21 +79,6 @@ static struct scores scores_of(const struct sums *sums, bool relative)
                            .model = sqrt(share(sums->model, band))};
 }
 
-/* Whole stops, so that images of nearly the same truth have the same; 1 where the truth is dark. */
-static double exposure_of(const struct aob_score_desc *desc, const struct aob_effect *effect)
-{
-    size_t pixels = (size_t)desc->width * (size_t)desc->height, count = 0;
-    double *largest = AOB_NEW_ARRAY(double, pixels);
-    for (size_t i = 0; i < pixels; i++)
-        if (!aob_score_is_sky(desc, i)) {
-            const float *rgb = effect->truth + 3 * i;
-            largest[count++] = (double)fmaxf(rgb[0], fmaxf(rgb[1], rgb[2]));
-        }
-    double end = count ? aob_quantile(largest, count, 0.995) : 0;
-    free(largest);
-    return end > 1e-6 && end < 1e6 ? exp2(-ceil(log2(end) - 1e-6)) : 1;
-}
-
 void aob_effect_score(const struct aob_score_desc *desc, const struct aob_effect *effect,
                       struct aob_metrics *metrics)
 {
@@ -118,8 +100,8 @@ void aob_effect_score(const struct aob_score_desc *desc, const struct aob_effect
     case AOB_OUT_LIT:
         metrics->lit_rmse = s.rmse, metrics->lit_band = s.band, metrics->lit_bias = s.bias;
         metrics->lit_se = s.se;
-        metrics->lit_exposure = exposure_of(desc, effect);
-        metrics->lit_flip = aob_flip_colour(desc, effect->image, effect->truth, metrics->lit_exposure);
+        metrics->lit_exposure = effect->exposure;
+        metrics->lit_flip = aob_flip_colour(desc, effect->image, effect->truth, effect->exposure);
         break;
     default:
         metrics->irradiance_rmse = s.rmse, metrics->irradiance_band = s.band;

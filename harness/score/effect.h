@@ -12,6 +12,8 @@ struct aob_effect {
     int components;         /* 3; of specular 1 */
     const float *image, *truth, *se;
     const float *plain; /* what the technique's own visibility stands for without the effect */
+    double
+        exposure; /* of the lit image: what both are multiplied by when they are looked at (aob_light_exposure) */
     const float *model; /* what its formula makes of the true visibility; NULL: there is no such formula */
 };
 

@@ -132,9 +132,7 @@ const struct aob_metric aob_metric_table[] = {
             "Mean difference that one notices between the two lit images at the exposure: 0 none, 1 most."),
     METRIC(lit_exposure, .output = AOB_OUT_LIT, .title = "exposure of the lit image",
            .better = AOB_BETTER_NONE,
-           .doc = "What both are multiplied by for that: the power of two that takes the truth's 99.5th "
-                  "percentile to "
-                  "above 1/2 and at most 1."),
+           .doc = "What both are multiplied by for that: a white matt surface that faces the light is 1."),
     {.name = NULL},
 };
 

@@ -4,9 +4,7 @@
 #include "base/half.h"
 #include "composite/shaders.h"
 
-const char aob_composite_version[] = "1";
-
-enum { RINGS = 32, ANGLES = 12, PARTS = 3, LEVELS = AOB_COMPOSITE_SHAPES, COLUMNS = AOB_COMPOSITE_COSINES };
+enum { RINGS = 48, ANGLES = 12, PARTS = 3, LEVELS = AOB_COMPOSITE_SHAPES, COLUMNS = AOB_COMPOSITE_COSINES };
 
 static const double pi = 3.14159265358979323846;
 
@@ -84,6 +82,13 @@ static void fill(const void *values, void *texels)
         }
 }
 
+void aob_composite_identify(struct aob_text *text)
+{
+    char hash[AOB_KEY_SIZE];
+    aob_hash_text(aob_shaders_composite[0].text, hash);
+    aob_text_add(text, "1 %s", hash);
+}
+
 static aob_tex given(const struct aob_pass_graph *graph, enum aob_output which)
 {
     return (aob_tex){aob_graph_gives(graph, which) ? (uint32_t)graph->outputs[which] + 1 : 0};
@@ -139,5 +144,10 @@ bool aob_composite_lay(struct aob_pass_graph *graph)
         .out = {{.name = "lit", .tex = image}}};
     bind(graph, &pass);
     graph->outputs[AOB_OUT_LIT] = (int)image.id - 1;
-    return aob_pass_add(interface, &pass);
+    if (!aob_pass_add(interface, &pass))
+        return false;
+    struct aob_graph_pass *laid = &graph->passes[graph->pass_count - 1];
+    for (int i = 0; i < laid->in_count; i++)
+        laid->in[i].one_level = true; /* an output is its finest level */
+    return true;
 }

@@ -4,17 +4,18 @@
  *
  *     lit = (1 - metalness) * base colour * E + SO * S + (1 - SO) * D * C
  *
- * E is irradiance over pi: the output `irradiance` where that is wanted and given; else visibility times what an open surface
- * gets, about the bent normal where that is wanted and given (Landis 2002), else about the normal. Where visibility after bounces is
- * wanted and given, E is that times what it is above visibility. SO is the output `specular`, else visibility. C is the mean
- * light of what is closed: what bounces add to E, over 1 - visibility; without them what is closed is black.
+ * E is irradiance over pi: the output `irradiance` where that is wanted and given; else visibility times what an open
+ * surface gets, about the bent normal where that is wanted and given (Landis 2002), else about the normal. Where visibility
+ * after bounces is wanted and given, E is multiplied by its quotient to visibility. SO is the output `specular`, else
+ * visibility. C is the mean light of what is closed: what bounces add to E, over 1 - visibility; without them what is closed
+ * is black.
  *
  * S is what an open surface mirrors of the nine coefficients of the light: the integral of L f cos with the GGX lobe of
- * reference/specular.h and Schlick's Fresnel factor F0 + (1 - F0)(1 - h.v)^5, F0 = .04 of what is no metal and the base colour of
- * a metal (glTF 2.0, appendix B). D is S of a light that is 1 from everywhere. It needs no fit: f cos has six moments of degree 0 to 2 about the normal, which depend on roughness
- * and on the cosine of the view direction alone, and lie in a table. So the lit image of an open surface is right, and its
- * error elsewhere is that of the occlusion. Diffuse and mirrored light are added up, as Karis has it (Real Shading in Unreal
- * Engine 4, 2013). Sky is 0.
+ * reference/specular.h and Schlick's Fresnel factor F0 + (1 - F0)(1 - h.v)^5, F0 = .04 of what is no metal and the base
+ * colour of a metal (glTF 2.0, appendix B). D is S of a light that is 1 from everywhere. It needs no fit: f cos has six
+ * moments of degree 0 to 2 about the normal, which depend on roughness and on the cosine of the view direction alone, and
+ * lie in a table. So the lit image of an open surface is right, and its error elsewhere is that of the occlusion. Diffuse
+ * and mirrored light are added up, as Karis has it (Real Shading in Unreal Engine 4, 2013). Sky is 0.
  *
  * Units: as the light's. Threads: const data. */
 #ifndef AOB_TECHNIQUE_COMPOSITE_H
@@ -39,6 +40,7 @@ struct aob_composite_lobe {
  * .003 of the light, the quotients times what they are quotients of. */
 void aob_composite_moments(double roughness, double cosine, struct aob_composite_lobe lobe[2]);
 
-/* It is raised when the composite's image should change; a part of the key of cases that want it. */
-extern const char aob_composite_version[];
+/* Adds what the lit image depends on besides the technique's outputs, for the key of cases that want it: a version, raised when
+ * this file's values should change, and the hash of the pass's text. */
+void aob_composite_identify(struct aob_text *text);
 #endif

@@ -28,7 +28,8 @@ static bool copy_name(struct aob_pass_graph *graph, const char *what, const char
 
 static bool graph_wants(const struct aob_graph *graph, enum aob_output which)
 {
-    return (unsigned)which < AOB_OUTPUT_COUNT && own(graph)->wanted >> which & 1;
+    /* Whether its outputs are composed is hidden from a module: it has to draw them alike. */
+    return (unsigned)which < AOB_OUT_LIT && own(graph)->wanted >> which & 1;
 }
 
 static bool judge_texture(const struct aob_pass_graph *graph, const struct aob_tex_desc *desc)

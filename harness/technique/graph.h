@@ -25,6 +25,7 @@ struct aob_graph_bind {
     enum aob_filter filter;
     int level;       /* written, or of an input the finest read */
     int level_count; /* of an input: levels that it shows */
+    bool one_level;  /* it shows no more than `level`, whatever is written: the composite's inputs */
 };
 struct aob_graph_define {
     char name[AOB_NAME_SIZE];

@@ -64,6 +64,8 @@ static bool judge_input(const struct aob_pass_graph *graph, int index, struct ao
     const char *pass = graph->passes[index].name;
     const struct aob_graph_texture *texture = &graph->textures[in->texture];
     in->level_count = count_levels(graph, in->texture, in->level, index);
+    if (in->one_level && in->level_count > 1)
+        in->level_count = 1;
     if (in->level_count > 0)
         return true;
     if (texture->levels > 1)

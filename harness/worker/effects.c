@@ -97,6 +97,7 @@ static void score_effect(const struct aob_block *block, size_t f, const struct a
     float *plain = lit ? NULL : make_plain(block, f, effect.output, image),
           *model = fits ? make_model(block, desc->truth) : NULL;
     effect.plain = plain;
+    effect.exposure = aob_light_exposure(&block->frames[f].screen->light);
     effect.model = model;
     aob_effect_score(desc, &effect, metrics);
     free(plain);

@@ -147,6 +147,28 @@ static void the_least_radiance_is_found(void **state)
     }
 }
 
+/* Against normals all over the sphere. */
+static void the_exposure_is_that_of_the_brightest_normal(void **state)
+{
+    static const char *const names[] = {"uniform", "sky", "window"};
+    (void)state;
+    for (size_t l = 0; l < AOB_COUNT(names); l++) {
+        struct aob_light_projection projection;
+        double largest = 0, rgb[3];
+        aob_light_make(aob_light_find(names[l]), &projection);
+        for (int i = 0; i < 100000; i++) {
+            double y = 1 - 2 * (i + 0.5) / 100000, r = sqrt(1 - y * y), a = 2.39996322972865332 * i;
+            aob_light_irradiance(&projection.light, aob_vec(r * cos(a), y, r * sin(a)), rgb);
+            largest = fmax(largest, fmax(rgb[0], fmax(rgb[1], rgb[2])));
+        }
+        double exposure = aob_light_exposure(&projection.light);
+        assert_near(exposure * largest, 1, 2e-5);
+        assert_true(exposure * largest <= 1 + 1e-9);
+    }
+    assert_near(aob_light_exposure(&aob_light_uniform), 1, 1e-12);
+    assert_near(aob_light_exposure(&(struct aob_light){{{0}}}), 1, 0);
+}
+
 static void of_coefficients(void *user, struct aob_vec3 direction, double rgb[3])
 {
     aob_light_radiance(user, direction, rgb);
@@ -258,6 +280,7 @@ int main(void)
         cmocka_unit_test(irradiance_is_the_integral_over_the_hemisphere),
         cmocka_unit_test(a_turned_light_is_the_same_light),
         cmocka_unit_test(the_least_radiance_is_found),
+        cmocka_unit_test(the_exposure_is_that_of_the_brightest_normal),
         cmocka_unit_test(nine_coefficients_come_back),
         cmocka_unit_test(named_lights_are_lights),
         cmocka_unit_test(the_window_is_where_its_title_says),

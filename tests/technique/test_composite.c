@@ -9,23 +9,22 @@
 enum { LIT = 1 << AOB_OUT_LIT, IRRADIANCE = 1 << AOB_OUT_IRRADIANCE, BENT = 1 << AOB_OUT_BENT_NORMAL };
 
 /* Over the half vectors, whose density is what peaks: d(light) = 4 (h.v) d(half). */
-static void sum_lobe(double alpha, double cosine, struct aob_composite_lobe sum[2])
+static void sum_lobe(double alpha, double cosine, int rings, int angles, struct aob_composite_lobe sum[2])
 {
-    enum { RINGS = 1500, ANGLES = 360 };
     double sine = sqrt(1 - cosine * cosine);
     struct aob_vec3 n = {0, 0, 1}, v = {sine, 0, cosine};
     sum[0] = sum[1] = (struct aob_composite_lobe){0};
-    for (int i = 0; i < RINGS; i++)
-        for (int k = 0; k < ANGLES; k++) {
+    for (int i = 0; i < rings; i++)
+        for (int k = 0; k < angles; k++) {
             /* tan = alpha tan(u): dense where the lobe is. */
-            double u = (i + 0.5) / RINGS * M_PI / 2, t = alpha * tan(u), theta = atan(t);
-            double stretch = alpha / (cos(u) * cos(u)) / (1 + t * t), phi = (k + 0.5) / ANGLES * 2 * M_PI;
+            double u = (i + 0.5) / rings * M_PI / 2, t = alpha * tan(u), theta = atan(t);
+            double stretch = alpha / (cos(u) * cos(u)) / (1 + t * t), phi = (k + 0.5) / angles * 2 * M_PI;
             struct aob_vec3 h = {sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta)};
             double hv = aob_vec_dot(h, v);
             struct aob_vec3 l = aob_vec_sub(aob_vec_scale(h, 2 * hv), v);
             if (!(hv > 0) || !(l.z > 0))
                 continue;
-            double area = stretch * (M_PI / 2 / RINGS) * (2 * M_PI / ANGLES) * sin(theta);
+            double area = stretch * (M_PI / 2 / rings) * (2 * M_PI / angles) * sin(theta);
             double share = ggx_lobe(n, v, l, alpha) * 4 * hv * area;
             for (int f = 0; f < 2; f++, share *= pow(1 - hv, 5)) {
                 sum[f].one += share;
@@ -62,7 +61,7 @@ static void test_moments(void **state)
         for (size_t c = 0; c < AOB_COUNT(cosines); c++) {
             struct aob_composite_lobe table[2], sum[2];
             aob_composite_moments(roughnesses[r], cosines[c], table);
-            sum_lobe(roughnesses[r] * roughnesses[r], cosines[c], sum);
+            sum_lobe(roughnesses[r] * roughnesses[r], cosines[c], 1500, 360, sum);
             for (int f = 0; f < 2; f++)
                 worst = fmax(worst, difference(&table[f], &sum[f], cosines[c]));
         }
@@ -102,7 +101,8 @@ static double between(int part, int level, int column, int c)
 static double table_error(int level, int column, double cosine)
 {
     struct aob_composite_lobe lobe[2], looked[2];
-    aob_composite_moments((level + 0.5) / (LEVELS - 1), cosine, lobe);
+    double roughness = (level + 0.5) / (LEVELS - 1);
+    sum_lobe(fmax(roughness * roughness, 1e-3), cosine, 400, 96, lobe);
     for (int f = 0; f < 2; f++)
         looked[f] = (struct aob_composite_lobe){
             between(f, level, column, 0),         between(f, level, column, 1),
@@ -204,6 +204,48 @@ static void test_unwanted(void **state)
     assert_false(aob_graph_gives(&graph, AOB_OUT_LIT));
 }
 
+/* Three levels of a visibility, of which the image is the finest. */
+static bool build_levels(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex open = aob_texture(g, .name = "open", .format = AOB_R16F, .levels = 3);
+    for (uint32_t l = 0; l < 3; l++) {
+        static const char *const names[] = {"first", "second", "third"};
+        aob_pass(g, .name = names[l], .shader = "one", .out = {{.name = "o", .tex = open, .level = l}});
+    }
+    return aob_output(g, AOB_OUT_VISIBILITY, open);
+}
+
+/* Passes that nothing wanted reads stay dead beside the composite. */
+static void test_levels(void **state)
+{
+    struct aob_pass_graph graph;
+    struct aob_error error;
+    (void)state;
+    assert_true(try_build_wanted(&graph, build_levels, LIT, &error));
+    assert_true(graph.passes[0].live && !graph.passes[1].live && !graph.passes[2].live);
+    assert_true(composite_of(&graph)->live);
+    assert_int_equal(composite_of(&graph)->in[1].level_count, 1);
+}
+
+static bool asked_for_lit;
+static bool build_asks(struct aob_graph *g, const void *values)
+{
+    asked_for_lit = aob_wants(g, AOB_OUT_LIT);
+    return build_chain(g, values);
+}
+
+/* A module that knew it could draw otherwise where it is looked at. */
+static void test_hidden(void **state)
+{
+    struct aob_pass_graph graph;
+    struct aob_error error;
+    (void)state;
+    asked_for_lit = true;
+    assert_true(try_build_wanted(&graph, build_asks, LIT, &error));
+    assert_false(asked_for_lit);
+}
+
 static bool build_gives_lit(struct aob_graph *g, const void *values)
 {
     (void)values;
@@ -261,6 +303,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_moments), cmocka_unit_test(test_mirror),   cmocka_unit_test(test_table),
         cmocka_unit_test(test_layout),  cmocka_unit_test(test_unwanted), cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_levels),  cmocka_unit_test(test_hidden),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
