@@ -47,10 +47,17 @@ static void add_rock(struct aob_mesh *mesh, const struct rock *rock, uint32_t se
     }
 }
 
+/* Where rocks lie: within `reach` of the middle, the denser there the higher the exponent, and not about a camera at z. */
+struct ground {
+    double reach, exponent, camera_z;
+    uint32_t sequence;
+};
+
 /* Whether the rock keeps clear of the others and of where the cameras stand. */
-static bool is_clear(const struct rock *rock, const struct rock *others, int count)
+static bool is_clear(const struct ground *ground, const struct rock *rock, const struct rock *others,
+                     int count)
 {
-    if (hypot(rock->x, rock->z - 9) < 1.2 + rock->radius)
+    if (hypot(rock->x, rock->z - ground->camera_z) < 1.2 + rock->radius)
         return false;
     for (int i = 0; i < count; i++)
         if (hypot(rock->x - others[i].x, rock->z - others[i].z) < 0.85 * (rock->radius + others[i].radius))
@@ -58,22 +65,33 @@ static bool is_clear(const struct rock *rock, const struct rock *others, int cou
     return true;
 }
 
-/* Most are small, and they lie denser towards the middle. */
-static void build_rocks(struct aob_mesh *mesh)
+/* Most are small. */
+static void build_ground(const struct ground *ground, struct aob_mesh *mesh)
 {
     struct rock rocks[ROCKS];
-    uint32_t sequence = 7;
+    uint32_t sequence = ground->sequence;
     aob_mesh_paint(mesh, (struct aob_material){.base_colour = {0.35f, 0.33f, 0.3f}, .roughness = 1});
     add_plain(mesh);
     for (int count = 0; count < ROCKS;) {
-        double small = aob_scene_draw(&sequence), away = 13 * pow(aob_scene_draw(&sequence), 0.7);
+        double small = aob_scene_draw(&sequence),
+               away = ground->reach * pow(aob_scene_draw(&sequence), ground->exponent);
         double turn = 2 * M_PI * aob_scene_draw(&sequence);
         rocks[count] = (struct rock){away * cos(turn), away * sin(turn), 0.12 + 0.9 * small * small * small};
-        if (is_clear(&rocks[count], rocks, count)) {
+        if (is_clear(ground, &rocks[count], rocks, count)) {
             add_rock(mesh, &rocks[count], 1000 + (uint32_t)count);
             count++;
         }
     }
+}
+
+static void build_rocks(struct aob_mesh *mesh)
+{
+    build_ground(&(struct ground){13, 0.7, 9, 7}, mesh);
+}
+
+static void build_scattered_rocks(struct aob_mesh *mesh)
+{
+    build_ground(&(struct ground){60, 0.5, 0, 11}, mesh);
 }
 
 static const struct aob_view rocks_views[] = {
@@ -92,6 +110,22 @@ const struct aob_scene_info aob_scene_rocks = {
     .views = rocks_views,
     .view_count = AOB_COUNT(rocks_views),
     .build = build_rocks,
+};
+
+static const struct aob_view scattered_rocks_views[] = {
+    AOB_VIEW("down", 0, 5, 0, 0, 0, -9, 50),
+    AOB_VIEW("low", 0, 1.6, 0, 0, 1.2, -10, 60),
+};
+const struct aob_scene_info aob_scene_scattered_rocks = {
+    .name = "scattered_rocks",
+    .title = "Plain of 300 x 300 m with 160 rocks of 88 faces, 0.12 to 1.02 m in radius, within 60 m of its "
+             "middle, 14,082 triangles, of base colour 0.35 0.33 0.3 and roughness 1: most of it is open",
+    .metres_per_unit = 1,
+    .metre = 1,
+    .light = "sky",
+    .views = scattered_rocks_views,
+    .view_count = AOB_COUNT(scattered_rocks_views),
+    .build = build_scattered_rocks,
 };
 
 /* --- A plain below much sky. --- */

@@ -136,6 +136,7 @@ static const struct expected {
     {"coloured_walls", {-2.5, 0, -2}, {2.5, 3, 2}, 0, 0},
     {"window_room", {-3.3, 0, -2.5}, {3, 2.8, 2.5}, 4, 0},
     {"rocks", {-150, -0.520640, -150}, {150, 1.002969, 150}, 4, 0},
+    {"scattered_rocks", {-150, -0.402305, -150}, {150, 1.038625, 150}, 4, 0},
     {"thicket", {-10, -0.062766, -10}, {10, 2.507403, 10}, 4, 0},
     {"open_sky", {-150, 0, -150}, {150, 0, 150}, 4, 0},
 };
@@ -239,10 +240,10 @@ static void skies_are_as_large_as_they_should_be(void **state)
         size_t view;
         double least, most;
     } skies[] = {
-        {"rocks", 0, 0.4, 0.5},        {"rocks", 1, 0, 0.1},          {"open_sky", 0, 0.9, 0.95},
-        {"thicket", 0, 0.1, 0.4},      {"matte_white_room", 0, 0, 0}, {"matte_white_room", 1, 0, 0},
-        {"coloured_walls", 0, 0, 0},   {"coloured_walls", 1, 0, 0},   {"window_room", 0, 0.01, 0.2},
-        {"window_room", 1, 0.01, 0.2}, {"gallery", 0, 0.01, 0.1},
+        {"rocks", 0, 0.4, 0.5},        {"rocks", 1, 0, 0.1},          {"scattered_rocks", 0, 0, 0.1},
+        {"open_sky", 0, 0.9, 0.95},    {"thicket", 0, 0.1, 0.4},      {"matte_white_room", 0, 0, 0},
+        {"matte_white_room", 1, 0, 0}, {"coloured_walls", 0, 0, 0},   {"coloured_walls", 1, 0, 0},
+        {"window_room", 0, 0.01, 0.2}, {"window_room", 1, 0.01, 0.2}, {"gallery", 0, 0.01, 0.1},
     };
     for (size_t i = 0; i < AOB_COUNT(skies); i++) {
         const struct aob_scene_info *scene = aob_scene_find(skies[i].scene);
@@ -266,7 +267,7 @@ static void lights_of_scenes_have_names(void **state)
         assert_true(!(*s)->light || aob_light_find((*s)->light));
         lit += (*s)->light != NULL;
     }
-    assert_int_equal(lit, 8);
+    assert_int_equal(lit, 9);
 }
 
 static void every_procedural_scene_has_a_row(void **state)
