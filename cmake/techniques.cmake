@@ -48,3 +48,4 @@ aobudget_shaders(fixed_pass shaders/fixed_pass)
 
 # The harness's own pass behind a technique's (harness/technique/composite.h).
 aobudget_shaders(composite shaders/composite)
+aobudget_shaders(clearance shaders/clearance)

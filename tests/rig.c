@@ -119,6 +119,7 @@ void aob_rig_draw(const struct aob_rig *rig, struct aob_gpu *gpu, const struct a
     struct aob_frame_axes axes = aob_camera_axes(&rig->camera);
     for (int which = 0; which < AOB_OUTPUT_COUNT; which++)
         desc.wanted |= images[which] && which != AOB_OUT_VISIBILITY ? 1u << which : 0;
+    desc.wanted |= options->thrift ? AOB_WANT_THRIFT : 0;
     bool ok = aob_geometry_upload(&geometry, gpu, &error) &&
               aob_screen_init(&screen, gpu, &rig->gbuffer, options, &error);
     screen.geometry = &geometry;

@@ -55,6 +55,8 @@ static uint32_t texture_uses(const struct aob_pass_graph *graph, int texture, en
     for (int i = 0; i < AOB_OUTPUT_COUNT; i++)
         if (graph->outputs[i] == texture)
             uses |= AOB_GPU_USE_READ_BACK;
+    if (graph->clear == texture)
+        uses |= AOB_GPU_USE_READ_BACK;
     return uses;
 }
 

@@ -355,6 +355,10 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
         add_material(desc, text);
     for (int i = 0; i < pass->in_count; i++)
         add_input(desc, i, text);
+    if (pass->reads & AOB_CLEARANCE)
+        aob_text_add(text, "%s",
+                     desc->graph->clear < 0 ? "bool aob_is_clear(ivec2 p) { return false; }\n"
+                                            : aob_text_frame_clearance);
     for (int o = 0; o < pass->out_count; o++)
         aob_text_add(text, "layout(location=%d) out %s %s;\n", o,
                      type_name(desc->graph->textures[pass->out[o].texture].format), pass->out[o].name);

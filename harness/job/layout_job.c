@@ -5,6 +5,29 @@
 #include "base/json.h"
 #include "base/memory.h"
 
+static const char thrift[] = "thrift";
+
+static json_t *wanted_to_json(unsigned wanted)
+{
+    json_t *names = aob_outputs_to_json(wanted);
+    if (wanted & AOB_WANT_THRIFT)
+        json_array_append_new(names, json_string(thrift));
+    return names;
+}
+
+static unsigned wanted_from_json(const json_t *names)
+{
+    unsigned wanted = aob_outputs_from_json(names);
+    json_t *name;
+    size_t at;
+    json_array_foreach(names, at, name)
+    {
+        if (json_is_string(name) && strcmp(json_string_value(name), thrift) == 0)
+            wanted |= AOB_WANT_THRIFT;
+    }
+    return wanted;
+}
+
 json_t *aob_layout_job_to_json(const struct aob_layout_job *job)
 {
     json_t *cases = json_array();
@@ -12,7 +35,7 @@ json_t *aob_layout_job_to_json(const struct aob_layout_job *job)
         json_array_append_new(cases,
                               json_pack("{s:o, s:o}", "params",
                                         aob_json_vector(job->params + i * job->param_count, job->param_count),
-                                        "wanted", aob_outputs_to_json(job->wanted[i])));
+                                        "wanted", wanted_to_json(job->wanted[i])));
     return json_pack("{s:s, s:o, s:o}", "job", "layout", "technique", aob_address_to_json(&job->technique),
                      "cases", cases);
 }
@@ -36,7 +59,7 @@ bool aob_layout_job_from_json(const json_t *object, struct aob_layout_job *job, 
             return aob_fail(error, "case %zu of a layout job has not %zu numbers and the outputs it wants", i,
                             job->param_count);
         }
-        job->wanted[i] = aob_outputs_from_json(wanted);
+        job->wanted[i] = wanted_from_json(wanted);
     }
     return true;
 }

@@ -12,8 +12,8 @@ struct aob_layout_job {
     struct aob_address technique;
     size_t case_count, param_count;
     double *params; /* case_count x param_count, in the order of the technique's table */
-    unsigned
-        *wanted; /* case_count: outputs besides visibility; bits 1 << enum aob_output. In JSON their names */
+    unsigned *
+        wanted; /* case_count: outputs besides visibility; bits 1 << enum aob_output, and AOB_WANT_THRIFT. In JSON names */
 };
 json_t *aob_layout_job_to_json(const struct aob_layout_job *job);
 

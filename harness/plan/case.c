@@ -14,10 +14,10 @@ static void add_values(const struct aob_param *params, size_t count, const doubl
     }
 }
 
-/* An output that is not wanted is not named, so that a key lasts when outputs are added to the program. */
-static void add_outputs(const double *options, struct aob_text *text)
+/* What is off is not named, so that a key lasts when switches are added to the program. */
+static void add_switches(const double *options, struct aob_text *text)
 {
-    for (size_t i = AOB_OPTION_FIRST_OUTPUT; i < AOB_OPTION_COUNT; i++)
+    for (size_t i = AOB_OPTION_FIRST_SWITCH; i < AOB_OPTION_COUNT; i++)
         if (options[i] != 0)
             add_values(&aob_option_params[i], 1, &options[i], 0, text);
 }
@@ -29,8 +29,8 @@ void aob_case_settings(const struct aob_case *c, struct aob_text *text)
     add_values(c->technique->params, c->technique->param_count, c->params, aob_options_wanted(&options),
                text);
     aob_text_add(text, " %s %dx%d", c->backend, c->width, c->height);
-    add_values(aob_option_params, AOB_OPTION_FIRST_OUTPUT, c->options, 0, text);
-    add_outputs(c->options, text);
+    add_values(aob_option_params, AOB_OPTION_FIRST_SWITCH, c->options, 0, text);
+    add_switches(c->options, text);
 }
 
 struct aob_options aob_case_options(const struct aob_case *c)

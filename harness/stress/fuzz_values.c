@@ -129,7 +129,7 @@ static void draw_options(struct aob_fuzz_frame *frame, struct aob_chance *chance
                aob_chance_once_in(chance, 2) ? 0 : draw_choice(chance, "normal_encoding"));
     set_option(frame, "normals", draw_choice(chance, "normals"));
     set_option(frame, "fetch", aob_chance_once_in(chance, 4) ? AOB_FETCH_STORAGE : AOB_FETCH_SAMPLED);
-    for (size_t i = AOB_OPTION_FIRST_OUTPUT; i < AOB_OPTION_COUNT; i++)
+    for (size_t i = AOB_OPTION_FIRST_SWITCH; i < AOB_OPTION_COUNT; i++)
         frame->options[i] = aob_chance_once_in(chance, 2);
 }
 

@@ -1,6 +1,7 @@
 #include "graph.h"
 #include <math.h>
 #include <string.h>
+#include "clearance.h"
 #include "composite.h"
 #include "graph_judge.h"
 
@@ -164,7 +165,7 @@ static bool copy_defines(struct aob_pass_graph *graph, const struct aob_pass *de
 
 static bool judge_reads(const struct aob_pass_graph *graph, const struct aob_pass *desc)
 {
-    const uint32_t known = AOB_DEPTH | AOB_NORMAL | AOB_MATERIAL | AOB_LIGHT;
+    const uint32_t known = AOB_DEPTH | AOB_NORMAL | AOB_MATERIAL | AOB_LIGHT | AOB_CLEARANCE;
     if (desc->reads & AOB_VELOCITY)
         return aob_fail(graph->error,
                         "pass '%s' reads the velocity: it is reserved, and this program has none to give yet",
@@ -173,6 +174,21 @@ static bool judge_reads(const struct aob_pass_graph *graph, const struct aob_pas
         return aob_fail(graph->error, "pass '%s': unknown bits in reads or border", desc->name);
     if (desc->depth.id > (uint32_t)graph->texture_count)
         return aob_fail(graph->error, "pass '%s': its depth is no texture of this graph", desc->name);
+    return true;
+}
+
+/* The harness's texture is one input more of a pass that asks for it. */
+static bool bind_clearance(struct aob_pass_graph *graph, struct aob_graph_pass *pass)
+{
+    if (!(pass->reads & AOB_CLEARANCE) || graph->clear < 0)
+        return true;
+    if (pass->in_count == AOB_MAX_IN)
+        return aob_fail(graph->error, "pass '%s': no input is left for the clearance", pass->name);
+    for (int i = 0; i < pass->in_count; i++)
+        if (strcmp(pass->in[i].name, "clearance") == 0)
+            return aob_fail(graph->error, "pass '%s': the bind 'clearance' is the harness's", pass->name);
+    struct aob_graph_bind *bind = &pass->in[pass->in_count++];
+    *bind = (struct aob_graph_bind){.name = "clearance", .texture = graph->clear};
     return true;
 }
 
@@ -197,6 +213,7 @@ static bool graph_pass(struct aob_graph *interface, const struct aob_pass *desc)
         return false;
     if (!copy_defines(graph, desc, pass) || !judge_reads(graph, desc) || !copy_draw(graph, desc, pass) ||
         !copy_binds(graph, desc, desc->in, AOB_MAX_IN, pass->in, &pass->in_count) ||
+        !bind_clearance(graph, pass) ||
         !copy_binds(graph, desc, desc->out, AOB_MAX_OUT, pass->out, &pass->out_count))
         return false;
     graph->pass_count++;
@@ -262,12 +279,15 @@ bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *t
                                      .wanted = wanted | AOB_OUTPUTS_REQUIRED,
                                      .error = &cause};
     memset(graph->outputs, 0xff, sizeof graph->outputs);
+    graph->clear = -1;
     bool ok = true;
     if (technique->frames > 1)
         ok = aob_fail(&cause, "frames is %u: it is reserved, and this program runs single frames yet",
                       technique->frames);
     else if (technique->check && !technique->check(values, &why))
         ok = aob_fail(&cause, "%s", why ? why : "these values do not go together");
+    if (ok && wanted & AOB_WANT_THRIFT)
+        ok = aob_clearance_lay(graph, values);
     ok = ok && technique->build(&graph->interface, values);
     if (!ok && !*cause.text)
         aob_fail(&cause, "build() failed without a reason");

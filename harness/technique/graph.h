@@ -57,10 +57,12 @@ struct aob_pass_graph {
     int texture_count;
     struct aob_graph_pass passes[AOB_MAX_PASS];
     int pass_count;
+    int clear;                     /* texture of clearance.h, -1 where there is none */
     int outputs[AOB_OUTPUT_COUNT]; /* texture index, -1 where the technique gives none */
     struct aob_error *error;       /* during build() only */
 };
 
+enum { AOB_WANT_THRIFT = 1 << 16 }; /* a bit of `wanted`: passes may leave out what nothing can occlude */
 enum { AOB_OUTPUTS_REQUIRED = 1 << AOB_OUT_VISIBILITY }; /* what every technique gives */
 
 /* Runs check() and build() of the technique (its code: only ever in a worker) and judges the result: names
@@ -74,6 +76,9 @@ bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *t
 
 /* Whether the technique gives an output that is wanted. */
 bool aob_graph_gives(const struct aob_pass_graph *graph, enum aob_output which);
+
+/* Whether thrift is wanted, and a live pass leaves out what nothing can occlude. */
+bool aob_graph_leaves_out(const struct aob_pass_graph *graph);
 
 /* The first component of its texture that an output has: 3 of a visibility that lies behind a bent normal, else 0. */
 int aob_graph_output_component(const struct aob_pass_graph *graph, enum aob_output which);

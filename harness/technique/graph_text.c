@@ -48,6 +48,11 @@ bool aob_graph_gives(const struct aob_pass_graph *graph, enum aob_output which)
     return graph->wanted >> which & 1 && graph->outputs[which] >= 0;
 }
 
+bool aob_graph_leaves_out(const struct aob_pass_graph *graph)
+{
+    return graph->clear >= 0 && graph->textures[graph->clear].used;
+}
+
 int aob_graph_output_component(const struct aob_pass_graph *graph, enum aob_output which)
 {
     return which == AOB_OUT_VISIBILITY && graph->outputs[which] == graph->outputs[AOB_OUT_BENT_NORMAL] ? 3

@@ -1,4 +1,5 @@
 #include "option.h"
+#include "graph.h"
 
 static const char *const fetch_names[] = {"sampled", "storage", NULL};
 
@@ -42,6 +43,8 @@ const struct aob_param aob_option_params[AOB_OPTION_COUNT] = {
               .doc = "Near plane of the device encodings; 0 is half the view's nearest depth."),
     AOB_PARAM(struct aob_options, far, .unit = AOB_UNIT_LENGTH, .min = 0, .max = 1e9,
               .doc = "Far plane of the device and 16-bit encodings; 0 is 1.01 of the view's farthest depth."),
+    AOB_PARAM(struct aob_options, thrift, .choices = switch_names,
+              .doc = "Whether sky and what nothing can occlude are left out, which some passes find."),
     AOB_PARAM(struct aob_options, bent_normal, .choices = switch_names,
               .doc =
                   "Whether the mean open direction is wanted too; off lays no pass and no texture for it."),
@@ -58,7 +61,7 @@ const struct aob_param aob_option_params[AOB_OPTION_COUNT] = {
 
 uint32_t aob_options_wanted(const struct aob_options *options)
 {
-    return (options->bent_normal ? 1u << AOB_OUT_BENT_NORMAL : 0) |
+    return (options->thrift ? AOB_WANT_THRIFT : 0) | (options->bent_normal ? 1u << AOB_OUT_BENT_NORMAL : 0) |
            (options->visibility_rgb ? 1u << AOB_OUT_VISIBILITY_RGB : 0) |
            (options->specular ? 1u << AOB_OUT_SPECULAR : 0) |
            (options->irradiance ? 1u << AOB_OUT_IRRADIANCE : 0) | (options->lit ? 1u << AOB_OUT_LIT : 0);

@@ -42,11 +42,16 @@ struct aob_options {
     int32_t threads;    /* of a software driver; 0: the driver's default */
     int32_t depth_encoding, normal_encoding, normals;
     float near, far; /* of the depth encoding, scene units; 0: from the view's own depths */
+    int32_t thrift;  /* what nothing can occlude is left out */
     int32_t bent_normal, visibility_rgb, specular, irradiance, lit; /* whether these outputs are wanted */
 };
-/* From the first output on an option says whether an output is wanted besides visibility; they are in the order of enum
- * aob_output. */
-enum { AOB_OPTION_FIRST_OUTPUT = 9, AOB_OPTION_COUNT = AOB_OPTION_FIRST_OUTPUT + AOB_OUTPUT_COUNT - 1 };
+/* From the first switch on options are off unless they are asked for. From the first output on an option says whether an output
+ * is wanted besides visibility; they are in the order of enum aob_output. */
+enum {
+    AOB_OPTION_FIRST_SWITCH = 9,
+    AOB_OPTION_FIRST_OUTPUT = 10,
+    AOB_OPTION_COUNT = AOB_OPTION_FIRST_OUTPUT + AOB_OUTPUT_COUNT - 1
+};
 
 extern const struct aob_param aob_option_params[AOB_OPTION_COUNT];
 

@@ -9,6 +9,7 @@
 #include "block.h"
 #include "case_image.h"
 #include "effects.h"
+#include "frame/left_out.h"
 #include "score/bent.h"
 #include "score/flip.h"
 #include "score/oracle_score.h"
@@ -269,6 +270,18 @@ static bool draw(struct aob_block *block, size_t f, struct aob_case_image *image
     return aob_frame_read(frame, AOB_OUT_BENT_NORMAL, 3, image->bent[0], error);
 }
 
+/* What of the surfaces the frame left out, where it was to leave out what it can. */
+static bool note_left_out(const struct aob_frame *frame, json_t *answer, struct aob_error *error)
+{
+    double share;
+    if (!(frame->graph.wanted & AOB_WANT_THRIFT))
+        return true;
+    if (!aob_frame_left_out(frame, &share, error))
+        return false;
+    json_object_set_new(answer, "left_out", aob_json_number(share));
+    return true;
+}
+
 bool aob_block_score(struct aob_block *block, size_t f, json_t *answer, struct aob_error *error)
 {
     const struct aob_block_case *c = &block->job.cases[block->case_of_frame[f]];
@@ -277,7 +290,8 @@ bool aob_block_score(struct aob_block *block, size_t f, json_t *answer, struct a
     int64_t start = aob_clock_wall_ns();
     bool drawn = draw(block, f, &image, error);
     aob_case_image_crop(block, block->drawing.gbuffer.depth, 1, image.depth);
-    bool ok = drawn && judge_and_score(block, f, &image, answer, error);
+    bool ok = drawn && note_left_out(&block->frames[f], answer, error) &&
+              judge_and_score(block, f, &image, answer, error);
     /* An image that is refused is stored too, because one may want to look at it. */
     if (drawn && c->image && !aob_case_image_write(block, c, &image, ok ? error : NULL))
         ok = false;

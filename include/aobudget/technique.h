@@ -19,7 +19,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define AOB_ABI 8u /* raised by every change to this file: modules of another number are refused */
+#define AOB_ABI 9u /* raised by every change to this file: modules of another number are refused */
 enum {
     AOB_MAX_PARAM = 32,
     AOB_MAX_IN = 8,
@@ -105,8 +105,9 @@ enum aob_read {
     /* Reserved: vec3 aob_before(ivec2 p), image position and depth of the surface one frame earlier; depth AOB_SKY_Z
      * where it was not seen. */
     AOB_VELOCITY = 1 << 2,
-    AOB_MATERIAL = 1 << 3, /* aob_albedo, aob_roughness, aob_metalness */
-    AOB_LIGHT = 1 << 4,    /* aob_light */
+    AOB_MATERIAL = 1 << 3,  /* aob_albedo, aob_roughness, aob_metalness */
+    AOB_LIGHT = 1 << 4,     /* aob_light */
+    AOB_CLEARANCE = 1 << 5, /* aob_is_clear; with AOB_DEPTH */
 };
 /* What the harness reads back, all of full size. */
 enum aob_output {
@@ -242,6 +243,8 @@ struct aob_graph {
  *   float aob_metalness(ivec2 p)             0 to 1
  *   vec3  aob_light(int i)                   the scene's light: coefficient i = 0..8 of spherical harmonics (l, m) = 00, 1-1, 10,
  *                                            11, 2-2, 2-1, 20, 21, 22, R G B, view space (AOB_LIGHT; common/harmonics.glsl)
+ *   bool  aob_is_clear(ivec2 p)              nothing can occlude it (clear_sine below), or it is sky: write what an open surface
+ *                                            has, and return. False throughout unless the run option `thrift` is on (AOB_CLEARANCE)
  *   vec2  aob_image(ivec2 p)                 where it lies among the pixels of the depth below (centres at +.5)
  * The depth that the pass reads: the G-buffer's, or `depth`. Where its divisor is the outputs', p means the same
  * pixel in both.
@@ -309,6 +312,13 @@ struct aob_sampling {
     enum aob_sequence sequence;
 };
 
+/* --- What may be left out ----------------------------------------------------------------------------------- */
+
+/* The run option `thrift` leaves out what nothing can occlude: see AOB_CLEARANCE. It is for techniques that no surface beyond
+ * `param.radius`, a uniform parameter, darkens, and that are 1 on open planes. Such a technique says how steeply a surface may rise
+ * above another's plane, everywhere about it and beginning at the next pixel, without darkening it by more than 1/255: the sine
+ * of that elevation. 0 where it cannot say so of these values: they are `unsupported` with the option. */
+
 /* --- Where its text wants what a hard case calls a fault --------------------------------------------------- */
 
 /* The command `stress` puts every technique to the same properties, whose names `aobudget stress --list` prints. Where the
@@ -339,6 +349,7 @@ struct aob_technique {
     const struct aob_shader *shaders; /* ended by a NULL name */
     struct aob_definition definition;
     struct aob_sampling sampling;
+    float (*clear_sine)(const void *values);                    /* as above; NULL: it leaves nothing out */
     const struct aob_by_definition *by_definition;              /* ended by a NULL property; NULL: none */
     bool (*check)(const void *values, const char **why);        /* rules across parameters; may be NULL */
     bool (*build)(struct aob_graph *graph, const void *values); /* lay the passes; pure, repeatable */

@@ -25,7 +25,7 @@ void main()
     vec3 position = aob_surface(p), normal = facing_normal(aob_surface_normal(p), position);
     ivec2 centre = ivec2(floor(aob_image(p)));
     visibility = 1.0;
-    if (aob_surface_is_sky(p))
+    if (aob_surface_is_sky(p) || aob_is_clear(p))
         return;
     float disc = aob_pixel_radius(-position.z, param.radius);
     float turn = 2.0 * AOB_PI * aob_random(p, 0);

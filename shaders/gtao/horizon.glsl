@@ -71,6 +71,10 @@ void main()
 {
     ivec2 p = aob_pixel;
     vec3 position = aob_surface(p), normal = facing_normal(aob_surface_normal(p), position), v = aob_view_vector(position), b1, b2;
+    if (aob_is_clear(p)) {
+        visibility = open_of(1.0, (WEIGHTING == 0 ? 2.0 / 3.0 : 0.5) * normal);
+        return;
+    }
     tangent_frame(v, b1, b2);
     vec2 start = aob_image(p);
     float turn = fract(noise_rotation(p) + noise_frame_rotation(param.noise_index));

@@ -92,7 +92,7 @@ void main()
     vec4 sum = vec4(0.0);
     vec3 open = normal * (WEIGHTING == 1 ? 0.5 : 2.0 / 3.0); /* the mean over the whole hemisphere */
     visibility = open_of(1.0, open);
-    if (aob_surface_is_sky(p) || pixels < param.min_step)
+    if (aob_surface_is_sky(p) || pixels < param.min_step || aob_is_clear(p))
         return;
     for (int i = 0; i < DIRECTIONS; i++) {
         float angle = 2.0 * AOB_PI * float(i) / float(DIRECTIONS);

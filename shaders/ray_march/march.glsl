@@ -34,6 +34,9 @@ void main()
     float sum = 0.0;
     vec3 open = normal * (WEIGHTING == 1 ? 0.5 : 2.0 / 3.0); /* the mean over the whole hemisphere */
     vec3 away = vec3(0.0);
+    visibility = open_of(1.0, open);
+    if (aob_is_clear(p))
+        return;
     tangent_frame(normal, b1, b2);
     for (int i = 0; i < DIRECTIONS && !aob_surface_is_sky(p); i++) {
         float angle = 2.0 * AOB_PI * (float(i) + noise_rotation(p)) / float(DIRECTIONS);

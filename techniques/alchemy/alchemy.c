@@ -71,8 +71,9 @@ static bool build(struct aob_graph *graph, const void *values)
     const struct values *v = values;
     aob_tex raw =
         aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
-    aob_pass(graph, .name = "obscurance", .shader = "obscurance", .reads = AOB_DEPTH | AOB_NORMAL,
-             .border = AOB_FAR, .out = {{.name = "visibility", .tex = raw}});
+    aob_pass(graph, .name = "obscurance", .shader = "obscurance",
+             .reads = AOB_DEPTH | AOB_NORMAL | AOB_CLEARANCE, .border = AOB_FAR,
+             .out = {{.name = "visibility", .tex = raw}});
     raw = aob_step_blur(graph, .tex = raw, .taps = v->blur, .divisor = v->divisor);
     raw = aob_step_upsample(graph, .tex = raw, .divisor = v->divisor);
     return aob_output(graph, AOB_OUT_VISIBILITY,
@@ -96,6 +97,16 @@ static const struct aob_by_definition by_definition[] = {
     {0},
 };
 
+/* Where all rises by the sine s the sum's terms are at most s r / |v|, whose mean over the disc is 2, and twice that where samples are
+ * rounded to near pixels: 8 intensity s, and as many times more as the contrast is above 1. What lies below the bias is nothing, so
+ * rounding is; without a bias it is not. */
+static float clear_sine(const void *values)
+{
+    const struct values *v = values;
+    float steep = 8 * v->intensity * (v->contrast > 1 ? v->contrast : 1);
+    return v->bias < 4e-6f ? 0 : steep > 0.04f ? 1 / (255 * steep) : 0.1f;
+}
+
 AOB_TECHNIQUE(
     alchemy, .title = "Alchemy ambient obscurance", .revision = 5, .shaders = aob_shaders_alchemy,
     .citation = "McGuire, Osman, Bukowski, Hennessy: The Alchemy Screen-Space Ambient Obscurance "
@@ -114,4 +125,5 @@ AOB_TECHNIQUE(
         "random points.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .map = map},
-    .by_definition = by_definition, .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .build = build);
+    .by_definition = by_definition, .sampling = {"samples", AOB_SEQUENCE_STRATIFIED},
+    .clear_sine = clear_sine, .build = build);

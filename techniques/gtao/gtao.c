@@ -116,8 +116,8 @@ static bool build(struct aob_graph *graph, const void *values)
     aob_tex depth = aob_step_downsample(graph, .divisor = v->depth_divisor);
     aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(kind),
                                .divisor = (uint32_t)v->divisor);
-    aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = depth,
-             .border = AOB_FAR, .defines = {{"BENT", kind == AOB_OUT_BENT_NORMAL}},
+    aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL | AOB_CLEARANCE,
+             .depth = depth, .border = AOB_FAR, .defines = {{"BENT", kind == AOB_OUT_BENT_NORMAL}},
              .out = {{.name = "visibility", .tex = open}});
     open = aob_step_blur(graph, .tex = open, .taps = v->blur, .divisor = v->divisor, .output = kind);
     open = aob_step_upsample(graph, .tex = open, .divisor = v->divisor, .output = kind);
@@ -125,6 +125,14 @@ static bool build(struct aob_graph *graph, const void *values)
         return false;
     return !gives_light(v) || (aob_step_bounces(graph, .tex = open) && lay_irradiance(graph, v, open) &&
                                lay_specular(graph, v, open));
+}
+
+/* What is closed up to an elevation e about a surface is sin^2 e of the cosine's hemisphere. Of the bare solid angle it is sin e, but
+ * what rises less than 2e-3 is taken for the plane itself. */
+static float clear_sine(const void *values)
+{
+    const struct values *v = values;
+    return v->weighting == AOB_WEIGHT_COSINE ? 0.05f : 2e-3f;
 }
 
 AOB_TECHNIQUE(
@@ -144,4 +152,4 @@ AOB_TECHNIQUE(
                 "Occlusion, ATVI-TR-19-01 (2016)",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff},
-    .sampling = {"slices", AOB_SEQUENCE_STRATIFIED}, .build = build);
+    .sampling = {"slices", AOB_SEQUENCE_STRATIFIED}, .clear_sine = clear_sine, .build = build);

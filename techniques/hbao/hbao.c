@@ -93,8 +93,8 @@ static bool build(struct aob_graph *graph, const void *values)
                                  .height = TILE, .fill = fill_jitter);
     aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(aob_open_kind(graph)),
                                .divisor = (uint32_t)v->divisor);
-    aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL, .depth = depth,
-             .border = AOB_FAR, .defines = {{"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)}},
+    aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL | AOB_CLEARANCE,
+             .depth = depth, .border = AOB_FAR, .defines = {{"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)}},
              .in = {{.name = "jitter", .tex = jitter}}, .out = {{.name = "visibility", .tex = open}});
     open = aob_step_blur(graph, .tex = open, .taps = v->blur, .divisor = v->divisor,
                          .output = aob_open_kind(graph));
@@ -108,6 +108,15 @@ static const struct aob_by_definition by_definition[] = {
                          "for all, so that directions and lengths are even in the image only."},
     {0},
 };
+
+/* A sample that rises less than .02 above the plane closes nothing. The tangent of a direction, and places between texels, close
+ * open planes as well. */
+static float clear_sine(const void *values)
+{
+    const struct values *v = values;
+    enum { PER_SAMPLE = 0, OFF = 2 };
+    return v->tangents == PER_SAMPLE && v->snapping != OFF ? 0.019f : 0;
+}
 
 AOB_TECHNIQUE(
     hbao, .title = "Horizon-based ambient occlusion", .revision = 6, .shaders = aob_shaders_hbao,
@@ -134,4 +143,5 @@ AOB_TECHNIQUE(
     .citation = "Bavoil, Sainz: Image-Space Horizon-Based Ambient Occlusion, ShaderX7 (2009), 6.2",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff, .map = map},
-    .by_definition = by_definition, .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .build = build);
+    .by_definition = by_definition, .sampling = {"directions", AOB_SEQUENCE_STRATIFIED},
+    .clear_sine = clear_sine, .build = build);

@@ -45,8 +45,8 @@ static bool build(struct aob_graph *graph, const void *values)
 {
     (void)values;
     aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(aob_open_kind(graph)));
-    aob_pass(graph, .name = "march", .shader = "march", .reads = AOB_DEPTH | AOB_NORMAL, .border = AOB_FAR,
-             .defines = {{"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)}},
+    aob_pass(graph, .name = "march", .shader = "march", .reads = AOB_DEPTH | AOB_NORMAL | AOB_CLEARANCE,
+             .border = AOB_FAR, .defines = {{"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)}},
              .out = {{.name = "visibility", .tex = open}});
     return aob_open_outputs(graph, aob_open_kind(graph), open);
 }
@@ -58,6 +58,13 @@ static const struct aob_by_definition by_definition[] = {
      "Marching): on a plane that faces the camera the rays of a direction step over the same pixels."},
     {0},
 };
+
+/* A surface that rises less than .02 above the plane is hit by no ray. */
+static float clear_sine(const void *values)
+{
+    (void)values;
+    return 0.019f;
+}
 
 AOB_TECHNIQUE(
     ray_march, .title = "Ray marching of the depth buffer", .revision = 4, .shaders = aob_shaders_ray_march,
@@ -77,4 +84,4 @@ AOB_TECHNIQUE(
                 "marching",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff}, .by_definition = by_definition,
-    .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .build = build);
+    .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .clear_sine = clear_sine, .build = build);

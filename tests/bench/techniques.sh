@@ -159,3 +159,34 @@ $(of $scene gtao on off off off .error.lit_band) $(of $scene gtao on on off on .
       "$(quotient "$(of $scene gtao on on off on .error.lit_band)" "$(of $scene gtao on off off off .error.lit_band)")" ratio "<=" 0.999
   done
 fi
+
+# What thrift leaves out, and the cost with it over that without.
+if wanted thrift; then
+  entry gtao 'slices: 3, steps: 8' '{param: radius, values: [0.5, 1]}' |
+    config thrift '{name: scattered_rocks, views: [down, low]}, {name: atrium, views: [nave, aisle]}, {name: thicket, view: edge}, {name: gallery, view: hall}' \
+      640x360 'error: false, seconds: 6' 'spp: 2' >"$folder/thrift.yaml"
+  sed -i 's/^measure/options: {thrift: [off, on]}\nmeasure/' "$folder/thrift.yaml"
+  build/release/aobudget run "$folder/thrift.yaml" --out "$folder/thrift" --quiet
+  # SCENE VIEW RADIUS THRIFT FIELD
+  of() { jq "select(.scene == \"$1\" and .view == \"$2\" and .params.radius == $3 and .options.thrift == \"$4\") | $5" "$folder/thrift/journal.jsonl"; }
+  while read -r scene view radius least; do
+    row "thrift: $scene $view R=$radius, left out" "$(of $scene $view $radius on .left_out)" share ${least:+">=" "$least"}
+    cost=$(awk -v a="$(of $scene $view $radius on .time.ratio_to_ref)" -v b="$(of $scene $view $radius off .time.ratio_to_ref)" 'BEGIN { printf "%.3f", a / b }')
+    if [ "$scene" = thicket ]; then
+      row "thrift: $scene $view R=$radius, with / without" "$cost" ratio "<=" 1.03
+    else
+      row "thrift: $scene $view R=$radius, with / without" "$cost" ratio
+    fi
+  done <<'ROWS'
+scattered_rocks down 0.5 0.6
+scattered_rocks down 1 0.6
+scattered_rocks low 0.5
+scattered_rocks low 1
+atrium nave 0.5 0.15
+atrium aisle 0.5 0.15
+atrium aisle 1
+gallery hall 0.5
+thicket edge 0.5
+thicket edge 1
+ROWS
+fi

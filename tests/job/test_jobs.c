@@ -282,7 +282,7 @@ static void a_layout_job(void **state)
 {
     (void)state;
     double params[] = {0.5, 3, 1, 9};
-    unsigned wanted[] = {0, 1u << AOB_OUT_BENT_NORMAL};
+    unsigned wanted[] = {0, 1u << AOB_OUT_BENT_NORMAL | AOB_WANT_THRIFT};
     struct aob_layout_job out = {.technique = {"gtao", "two.so", "89"},
                                  .case_count = 2,
                                  .param_count = 2,

@@ -107,7 +107,7 @@ static void lights_and_materials_are_drawn(void **state)
         struct aob_fuzz_frame frame;
         const struct aob_fuzz_name name = name_of(index % 9, index * 513);
         aob_fuzz_frame_init(&frame, &name);
-        for (size_t i = AOB_OPTION_FIRST_OUTPUT; i < AOB_OPTION_COUNT; i++)
+        for (size_t i = AOB_OPTION_FIRST_SWITCH; i < AOB_OPTION_COUNT; i++)
             wanted[i] += frame.options[i] == 1;
         for (int c = 0; c < 3; c++) {
             assert_true(aob_light_least(&frame.light, c) >= -1e-6 * frame.light.sh[0][c]);
@@ -121,7 +121,7 @@ static void lights_and_materials_are_drawn(void **state)
         }
         aob_fuzz_frame_finish(&frame);
     }
-    for (size_t i = AOB_OPTION_FIRST_OUTPUT; i < AOB_OPTION_COUNT; i++)
+    for (size_t i = AOB_OPTION_FIRST_SWITCH; i < AOB_OPTION_COUNT; i++)
         assert_in_range(wanted[i], 300, 700);
     assert_true(dark > 200 && strong > 100 && ends > pixels / 5 && ends < pixels / 2);
 }

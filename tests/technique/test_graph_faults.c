@@ -170,7 +170,7 @@ static bool build_half_bounces(struct aob_graph *g, const void *values)
 static bool build_unknown_read(struct aob_graph *g, const void *values)
 {
     (void)values;
-    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH | 1u << 5, .out = OUT(RAW(g)));
+    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH | 1u << 6, .out = OUT(RAW(g)));
 }
 
 static bool build_unwritten_bent_normal(struct aob_graph *g, const void *values)

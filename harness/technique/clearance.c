@@ -1,0 +1,51 @@
+#include "clearance.h"
+#include <math.h>
+#include "clearance/shaders.h"
+#include "param.h"
+
+static bool has_radius(const struct aob_technique *technique)
+{
+    const struct aob_param *param = aob_param_find(technique->params, technique->param_count, "radius");
+    return param && param->type == AOB_FLOAT && param->stage == AOB_UNIFORM;
+}
+
+/* In millionths, which a define holds; 0 where the technique leaves nothing out. */
+static int sine_of(const struct aob_technique *technique, const void *values)
+{
+    double sine = technique->clear_sine && has_radius(technique) ? (double)technique->clear_sine(values) : 0;
+    return sine > 0 ? (int)floor(1e6 * fmin(sine, 1)) : 0;
+}
+
+bool aob_clearance_lay(struct aob_pass_graph *graph, const void *values)
+{
+    int sine = sine_of(graph->technique, values);
+    struct aob_graph *g = &graph->interface;
+    const uint32_t both = AOB_DEPTH | AOB_NORMAL;
+    if (sine == 0)
+        return true;
+    graph->shaders = aob_shaders_clearance;
+    aob_tex plane = aob_texture(g, .name = "clearance_plane", .format = AOB_RGBA32F,
+                                .divisor = AOB_CLEARANCE_TILE),
+            ends = aob_texture(g, .name = "clearance_ends", .format = AOB_RGBA32F,
+                               .divisor = AOB_CLEARANCE_TILE),
+            group_plane = aob_texture(g, .name = "clearance_group_plane", .format = AOB_RGBA32F,
+                                      .divisor = AOB_CLEARANCE_GROUP),
+            group_ends = aob_texture(g, .name = "clearance_group_ends", .format = AOB_RGBA32F,
+                                     .divisor = AOB_CLEARANCE_GROUP),
+            clear = aob_texture(g, .name = "clearance", .format = AOB_R8, .divisor = AOB_CLEARANCE_TILE);
+    aob_pass(g, .name = "clearance_tiles", .shader = "tiles", .reads = both,
+             .out = {{.name = "plane", .tex = plane}, {.name = "ends", .tex = ends}});
+    aob_pass(g, .name = "clearance_groups", .shader = "groups", .reads = AOB_DEPTH,
+             .in = {{.name = "tile_plane", .tex = plane}, {.name = "tile_ends", .tex = ends}},
+             .out = {{.name = "plane", .tex = group_plane}, {.name = "ends", .tex = group_ends}});
+    aob_pass(g, .name = "clearance", .shader = "clear", .reads = AOB_DEPTH,
+             .defines = {{"SINE_MILLIONTHS", sine}},
+             .in = {{.name = "tile_plane", .tex = plane},
+                    {.name = "tile_ends", .tex = ends},
+                    {.name = "group_plane", .tex = group_plane},
+                    {.name = "group_ends", .tex = group_ends}},
+             .out = {{.name = "clear", .tex = clear}});
+    graph->clear = (int)clear.id - 1;
+    graph->shaders = graph->technique->shaders;
+    return !*graph->error->text;
+}

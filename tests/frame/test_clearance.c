@@ -1,0 +1,283 @@
+/* What thrift leaves out: nothing that shows, and enough to be worth it. */
+#include "check.h"
+#include <math.h>
+#include <stdlib.h>
+#include "base/memory.h"
+#include "frame/left_out.h"
+#include "reference/oracle.h"
+#include "rig.h"
+#include "technique/registry.h"
+
+enum { W = 160, H = 90, PIXELS = W * H };
+
+static const char *const techniques[] = {"gtao", "hbao", "ray_march", "alchemy"};
+
+/* The largest difference of a pixel that thrift makes. */
+static double difference(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique,
+                         const char *params)
+{
+    float *images[2];
+    char text[128];
+    double worst = 0;
+    for (int on = 0; on < 2; on++) {
+        images[on] = AOB_NEW_ARRAY(float, PIXELS);
+        snprintf(text, sizeof text, "%s thrift=%s", params, on ? "on" : "off");
+        aob_rig_run(rig, gpu, technique, text, AOB_FETCH_SAMPLED, images[on]);
+    }
+    for (int i = 0; i < PIXELS; i++)
+        worst = fmax(worst, fabs((double)images[1][i] - (double)images[0][i]));
+    free(images[0]);
+    free(images[1]);
+    return worst;
+}
+
+/* A frame that has run, and its screen. */
+struct drawn {
+    struct aob_screen screen;
+    struct aob_frame frame;
+};
+
+static void draw(const struct aob_rig *rig, struct aob_gpu *gpu, const char *params, struct drawn *drawn)
+{
+    const struct aob_technique *gtao = NULL;
+    unsigned char values[4 * AOB_MAX_PARAM];
+    struct aob_options options;
+    struct aob_error error = {{0}};
+    for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
+        gtao = strcmp((*t)->name, "gtao") == 0 ? *t : gtao;
+    aob_rig_params(gtao, params, values, &options);
+    const struct aob_frame_desc desc = {
+        .technique = gtao, .values = values, .wanted = aob_options_wanted(&options)};
+    bool ok = aob_screen_init(&drawn->screen, gpu, &rig->gbuffer, &options, &error) &&
+              aob_frame_init_desc(&drawn->frame, &drawn->screen, &desc, &error) &&
+              aob_frame_run(&drawn->frame, 1, NULL, &error);
+    assert_string_equal(error.text, "");
+    assert_true(ok);
+}
+
+static void drawn_finish(struct drawn *drawn)
+{
+    aob_frame_finish(&drawn->frame);
+    aob_screen_finish(&drawn->screen);
+    free(drawn);
+}
+
+static double share_of(const struct aob_rig *rig, struct aob_gpu *gpu, const char *params)
+{
+    struct drawn *drawn = AOB_NEW(struct drawn);
+    double share;
+    draw(rig, gpu, params, drawn);
+    assert_true(aob_frame_left_out(&drawn->frame, &share, NULL));
+    drawn_finish(drawn);
+    return share;
+}
+
+/* A room, rocks and bushes, full and half size, with normals that lean. */
+static void test_nothing_shows(void **state)
+{
+    static const char *const views[][2] = {
+        {"atrium", "aisle"}, {"thicket", "edge"}, {"scattered_rocks", "down"}};
+    struct aob_gpu *gpu = aob_rig_gpu("vulkan");
+    double worst = 0;
+    (void)state;
+    for (size_t v = 0; v < AOB_COUNT(views); v++) {
+        struct aob_rig rig;
+        aob_rig_scene(&rig, views[v][0], views[v][1], W, H, 0);
+        for (size_t t = 0; t < AOB_COUNT(techniques); t++)
+            worst = fmax(worst, difference(&rig, gpu, techniques[t], "radius=0.7"));
+        worst = fmax(worst, difference(&rig, gpu, "gtao", "radius=0.25 normal_encoding=rgb10"));
+        worst = fmax(worst, difference(&rig, gpu, "gtao", "radius=0.5 divisor=2"));
+        worst = fmax(worst, difference(&rig, gpu, "gtao", "radius=0.5 divisor=2 depth_divisor=2"));
+        aob_rig_finish(&rig);
+    }
+    print_message("           a pixel differs by %.5f at most\n", worst);
+    assert_true(worst <= 1 / 255.0);
+    aob_gpu_close(gpu);
+}
+
+/* A floor left of x = 0, and right of it one that rises by `slope`, or lies `step` higher. */
+static void ramp_rig(struct aob_rig *rig, double slope, double step, const struct aob_camera *camera)
+{
+    struct aob_mesh mesh = {0};
+    aob_mesh_add_quad(&mesh, aob_vec(-20, 0, -20), aob_vec(0, 0, 40), aob_vec(20, 0, 0));
+    aob_mesh_add_quad(&mesh, aob_vec(0, step, -20), aob_vec(0, 0, 40), aob_vec(20, 20 * slope, 0));
+    aob_rig_init(rig, &mesh, camera, W, H, 0);
+    aob_mesh_finish(&mesh);
+}
+
+/* What rises hardly, everywhere about, and small steps before a long lens: with weights and strengths that make most of it. */
+static void test_gentle_slopes(void **state)
+{
+    static const struct {
+        const char *technique, *params;
+    } rows[] = {{"gtao", "radius=1"},
+                {"gtao", "radius=1 weighting=uniform"},
+                {"hbao", "radius=1 intensity=10"},
+                {"ray_march", "radius=1 attenuation=0"},
+                {"alchemy", "radius=1 intensity=5 contrast=3"}};
+    const struct aob_camera wide = {.eye = {0, 2.5, 4}, .target = {0, 0, 0}, .fov_deg = 60},
+                            tele = {.eye = {0.3, 1.5, 0.1}, .target = {0, 0, 0}, .fov_deg = 10};
+    static const double slopes[] = {0.015, 0.045}, steps[] = {2e-4, 0.95e-3};
+    struct aob_gpu *gpu = aob_rig_gpu("vulkan");
+    double worst = 0;
+    (void)state;
+    for (size_t k = 0; k < AOB_COUNT(slopes) + AOB_COUNT(steps); k++) {
+        struct aob_rig rig;
+        if (k < AOB_COUNT(slopes))
+            ramp_rig(&rig, slopes[k], 0, &wide);
+        else
+            ramp_rig(&rig, 0, steps[k - AOB_COUNT(slopes)], &tele);
+        for (size_t i = 0; i < AOB_COUNT(rows); i++)
+            worst = fmax(worst, difference(&rig, gpu, rows[i].technique, rows[i].params));
+        aob_rig_finish(&rig);
+    }
+    print_message("           a pixel differs by %.5f at most\n", worst);
+    assert_true(worst <= 1 / 255.0);
+    aob_gpu_close(gpu);
+}
+
+/* Radii of about a pixel, where the depth is divided and where a ball is seen off the axis. */
+static void test_small_radii(void **state)
+{
+    static const char *const params[] = {
+        "radius=0.03967 weighting=uniform falloff=0.069 slices=4 steps=8 blur=0 depth_divisor=2",
+        "radius=0.03967 blur=0", "radius=0.02 blur=0", "radius=0.01 blur=0 divisor=2 depth_divisor=2"};
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_camera aside = {
+        .eye = {0.7, 0.7, 1.7}, .target = {-0.3, 0.6, -0.6}, .fov_deg = 50, .shift = {1.707, 0.581}};
+    struct aob_mesh mesh = {0};
+    struct aob_rig rig;
+    double worst = 0;
+    (void)state;
+    aob_rig_scene(&rig, "gallery", "hall", W, H, 0);
+    for (size_t i = 0; i < AOB_COUNT(params); i++)
+        worst = fmax(worst, difference(&rig, gpu, "gtao", params[i]));
+    aob_rig_finish(&rig);
+    aob_scene_find("thicket")->build(&mesh);
+    aob_rig_init(&rig, &mesh, &aside, W, H, 0);
+    aob_mesh_finish(&mesh);
+    worst = fmax(worst, difference(&rig, gpu, "gtao", "radius=0.004853"));
+    print_message("           a pixel differs by %.5f at most\n", worst);
+    assert_true(worst <= 1 / 255.0);
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+}
+
+/* What is no normal, or another surface's, clears nothing: a technique mends it, and may find an occluder then. */
+static void test_hostile_normals(void **state)
+{
+    static const float scales[] = {0, -1, 0.1f, NAN};
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    (void)state;
+    for (size_t k = 0; k < AOB_COUNT(scales); k++) {
+        struct aob_rig rig;
+        aob_rig_scene(&rig, "spheres", "top", W, H, 0);
+        for (int i = 0; i < 4 * PIXELS; i++)
+            rig.gbuffer.normal[i] *= i % 4 < 3 ? scales[k] : 1;
+        assert_true(share_of(&rig, gpu, "radius=0.5 thrift=on") == 0);
+        aob_rig_finish(&rig);
+    }
+    aob_gpu_close(gpu);
+}
+
+/* The other backends, and an orthographic view. */
+static void test_backends(void **state)
+{
+    static const char *const backends[] = {"vulkan", "gl-egl", "gl-osmesa"};
+    struct aob_rig rig;
+    struct aob_camera camera = aob_scene_view(aob_scene_find("corner"), "front")->camera;
+    struct aob_mesh mesh = {0};
+    (void)state;
+    camera.ortho_height = 4;
+    aob_scene_find("corner")->build(&mesh);
+    aob_rig_init(&rig, &mesh, &camera, W, H, 0);
+    aob_mesh_finish(&mesh);
+    for (size_t b = 0; b < AOB_COUNT(backends); b++) {
+        struct aob_gpu *gpu = aob_rig_gpu(backends[b]);
+        double share = share_of(&rig, gpu, "radius=0.5 thrift=on");
+        print_message("           %s, orthographic: %.3f left out\n", backends[b], share);
+        assert_true(difference(&rig, gpu, "gtao", "radius=0.5") <= 1 / 255.0);
+        assert_true(share > 0.4);
+        aob_gpu_close(gpu);
+    }
+    aob_rig_finish(&rig);
+}
+
+/* The bars: three fifths of a plain, 15 % of the hall; and without the option nothing. */
+static void test_shares(void **state)
+{
+    static const struct {
+        const char *scene, *view, *params;
+        double least, most;
+    } rows[] = {{"scattered_rocks", "down", "radius=0.5 thrift=on", 0.6, 1},
+                {"scattered_rocks", "down", "radius=1 thrift=on", 0.6, 1},
+                {"atrium", "nave", "radius=0.5 thrift=on", 0.15, 1},
+                {"atrium", "aisle", "radius=0.5 thrift=on", 0.15, 1},
+                {"atrium", "nave", "radius=0.5", 0, 0}};
+    struct aob_gpu *gpu = aob_rig_gpu("vulkan");
+    (void)state;
+    for (size_t i = 0; i < AOB_COUNT(rows); i++) {
+        struct aob_rig rig;
+        aob_rig_scene(&rig, rows[i].scene, rows[i].view, 640, 360, 0);
+        double share = share_of(&rig, gpu, rows[i].params);
+        print_message("           %s %s, %s: %.3f left out\n", rows[i].scene, rows[i].view, rows[i].params,
+                      share);
+        assert_true(share >= rows[i].least && share <= rows[i].most);
+        aob_rig_finish(&rig);
+    }
+    aob_gpu_close(gpu);
+}
+
+static double tile_at(const struct drawn *drawn, const unsigned char *texels, int x, int y)
+{
+    const struct aob_gpu_texture *clear = drawn->frame.textures[drawn->frame.graph.clear];
+    return texels[(size_t)(y / 8) * (size_t)clear->width + (size_t)(x / 8)] / 255.0;
+}
+
+/* In a corner all is known in closed form: what is clear is open, and what lies well outside the radius is clear. */
+static void test_corner(void **state)
+{
+    const double radius = 0.5;
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct drawn *drawn = AOB_NEW(struct drawn);
+    struct aob_rig rig;
+    double least = 1;
+    int far = 0, far_clear = 0;
+    (void)state;
+    aob_rig_scene(&rig, "corner", "front", 320, 180, 0);
+    draw(&rig, gpu, "radius=0.5 thrift=on", drawn);
+    const struct aob_gpu_texture *clear = drawn->frame.textures[drawn->frame.graph.clear];
+    unsigned char *texels = aob_alloc((size_t)clear->width * (size_t)clear->height, 1);
+    assert_true(aob_gpu_texture_read(gpu, clear, 0, texels, NULL));
+    for (int y = 0; y < 180; y++)
+        for (int x = 0; x < 320; x++) {
+            struct aob_vec3 p;
+            if (!aob_rig_position(&rig, x, y, &p))
+                continue;
+            double d = fmax(p.y, p.z); /* from the other plane */
+            bool is_clear = tile_at(drawn, texels, x, y) > 0.5;
+            if (is_clear)
+                least = fmin(least, d < radius ? aob_oracle_corner(d, radius) : 1);
+            far += d > 1.5 * radius;
+            far_clear += d > 1.5 * radius && is_clear;
+        }
+    print_message("           what is clear is open to %.5f; %d of %d far ones are clear\n", least, far_clear,
+                  far);
+    assert_true(least >= 1 - 1 / 255.0);
+    assert_true(far > 1000 && far_clear > 0.8 * far);
+    free(texels);
+    drawn_finish(drawn);
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_nothing_shows), cmocka_unit_test(test_gentle_slopes),
+        cmocka_unit_test(test_small_radii),   cmocka_unit_test(test_hostile_normals),
+        cmocka_unit_test(test_backends),      cmocka_unit_test(test_shares),
+        cmocka_unit_test(test_corner),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
