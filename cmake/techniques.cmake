@@ -46,6 +46,6 @@ list(APPEND BUILTIN_OBJECTS ${CMAKE_BINARY_DIR}/generated/builtin.c)
 # The fixed pass that every block is timed against: laid out like a technique, listed nowhere.
 aobudget_shaders(fixed_pass shaders/fixed_pass)
 
-# The harness's own pass behind a technique's (harness/technique/composite.h).
+# The harness's own passes, behind a technique's and before them (harness/technique/composite.h, clearance.h).
 aobudget_shaders(composite shaders/composite)
 aobudget_shaders(clearance shaders/clearance)

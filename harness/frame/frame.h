@@ -32,7 +32,7 @@ struct aob_frame_desc {
     const struct aob_technique *technique;
     const void *values; /* the technique's own struct */
     enum aob_fetch fetch;
-    uint32_t wanted; /* outputs besides visibility: bits 1 << enum aob_output (aob_options_wanted) */
+    uint32_t wanted; /* outputs besides visibility, and thrift: bits as of aob_options_wanted */
     bool readable;   /* as above */
     struct aob_programs
         *programs; /* frame/programs.h; borrowed from, must outlive the frame. NULL: it compiles its own */

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "base/table.h"
+#include "technique/clearance.h"
 #include "technique/composite.h"
 
 /* The camera, whatever the view is called. One that frames a mesh is known only once the mesh is loaded, and follows from
@@ -37,6 +38,10 @@ static void make_key(struct aob_case *c, const char *scene)
     struct aob_text text = {0};
     aob_case_settings(c, &text);
     add_light(c, &text);
+    if (aob_case_options(c).thrift) {
+        aob_text_add(&text, " clearance=");
+        aob_clearance_identify(&text);
+    }
     if (aob_case_options(c).lit) {
         aob_text_add(&text, " composite=");
         aob_composite_identify(&text);

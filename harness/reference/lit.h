@@ -13,8 +13,8 @@
  * composite does (technique/composite.h): energy is not shared between them.
  *
  * Takes the description of incident light; fills *result as aob_tracer_incident does, in the light's unit of radiance. The
- * standard error is the root of the sum of both parts' squares: they have directions of their own. Sky is 0. False after one line if the description is bad;
- * nothing is allocated then. */
+ * standard error is the root of the sum of both parts' squares: they have directions of their own. Sky is 0. False after one
+ * line if the description is bad; nothing is allocated then. */
 bool aob_tracer_lit(const struct aob_tracer *tracer, const struct aob_camera *camera,
                     const struct aob_hits *hits, const struct aob_incident_desc *desc,
                     struct aob_incident *result, struct aob_error *error);

@@ -16,6 +16,17 @@ static int sine_of(const struct aob_technique *technique, const void *values)
     return sine > 0 ? (int)floor(1e6 * fmin(sine, 1)) : 0;
 }
 
+void aob_clearance_identify(struct aob_text *text)
+{
+    struct aob_text all = {0};
+    char hash[AOB_KEY_SIZE];
+    for (const struct aob_shader *s = aob_shaders_clearance; s->name; s++)
+        aob_text_add(&all, "%s\n%s\n", s->name, s->text);
+    aob_hash_text(all.data, hash);
+    aob_text_add(text, "%s", hash);
+    aob_text_finish(&all);
+}
+
 bool aob_clearance_lay(struct aob_pass_graph *graph, const void *values)
 {
     int sine = sine_of(graph->technique, values);

@@ -16,4 +16,8 @@ enum { AOB_CLEARANCE_TILE = 8, AOB_CLEARANCE_GROUP = 32 };
  * where the technique has no clear_sine or no uniform parameter `radius`, or where clear_sine is 0 of these values. False after
  * a line in graph->error. */
 bool aob_clearance_lay(struct aob_pass_graph *graph, const void *values);
+
+/* Adds what decides which pixels are clear besides the technique, for the key of cases that want thrift: the hash of the passes'
+ * texts. */
+void aob_clearance_identify(struct aob_text *text);
 #endif

@@ -51,8 +51,9 @@ struct aob_graph_pass {
 struct aob_pass_graph {
     struct aob_graph interface; /* what build() sees; first member */
     const struct aob_technique *technique;
-    const struct aob_shader *shaders; /* that passes are laid with: the technique's, then the composite's */
-    uint32_t wanted;                  /* bits 1 << enum aob_output; what is required is among them */
+    const struct aob_shader
+        *shaders;    /* that passes are laid with: the clearance's, the technique's, the composite's */
+    uint32_t wanted; /* bits 1 << enum aob_output, what is required among them, and AOB_WANT_THRIFT */
     struct aob_graph_texture textures[AOB_MAX_TEXTURE];
     int texture_count;
     struct aob_graph_pass passes[AOB_MAX_PASS];
@@ -70,7 +71,7 @@ enum { AOB_OUTPUTS_REQUIRED = 1 << AOB_OUT_VISIBILITY }; /* what every technique
  * size, every required output given, every given one full size and written. What nothing wanted depends on is not
  * live. On false the line names technique and object. wanted: bits 1 << enum aob_output of what is wanted besides
  * AOB_OUTPUTS_REQUIRED; that a technique does not give all of them is no fault. Where AOB_OUT_LIT is wanted the composite's
- * pass (composite.h) follows the technique's. */
+ * pass (composite.h) follows the technique's; with AOB_WANT_THRIFT those of the clearance (clearance.h) come before. */
 bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *technique, const void *values,
                      uint32_t wanted, struct aob_error *error);
 

@@ -55,6 +55,6 @@ enum {
 
 extern const struct aob_param aob_option_params[AOB_OPTION_COUNT];
 
-/* The outputs that they want besides visibility: bits 1 << enum aob_output. */
+/* The outputs that they want besides visibility, bits 1 << enum aob_output, and AOB_WANT_THRIFT. */
 uint32_t aob_options_wanted(const struct aob_options *options);
 #endif

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
+#include "reference/incident_shot.h"
 #include "reference/lit.h"
 #include "reference/specular.h"
 #include "rig.h"
@@ -12,17 +13,6 @@
 enum { W = 48, H = 27, PIXELS = W * H };
 
 static const char *const backends[] = {"vulkan", "gl-egl", "gl-osmesa"};
-
-/* Positive everywhere, of another direction in each channel. */
-static const struct aob_light slanted = {{{2, 1.5, 3},
-                                          {0.5, -0.2, 0.1},
-                                          {-0.3, 0.4, 0.2},
-                                          {0.2, 0.3, -0.9},
-                                          {0.1, -0.1, 0.3},
-                                          {-0.2, 0.1, 0.2},
-                                          {0.2, 0.2, -0.3},
-                                          {0.1, -0.2, 0.1},
-                                          {-0.1, 0.1, 0.4}}};
 
 /* A floor in one material, seen from eye level to below. */
 static void open_floor(struct aob_rig *rig, struct aob_material material)
@@ -33,7 +23,7 @@ static void open_floor(struct aob_rig *rig, struct aob_material material)
     aob_mesh_add_quad(&mesh, aob_vec(-40, 0, -40), aob_vec(0, 0, 80), aob_vec(80, 0, 0));
     aob_rig_init(rig, &mesh, &camera, W, H, 0);
     aob_mesh_finish(&mesh);
-    rig->light = slanted;
+    rig->light = *slanted_light();
 }
 
 static void trace(const struct aob_rig *rig, double radius, int spp, struct aob_incident *lit)
@@ -216,7 +206,7 @@ static void test_sets(void **state)
     aob_rig_scene(&rig, "gallery", NULL, W, H, 0);
     rig.light = aob_light_uniform;
     find_mirror(&rig, gpu, mirror->even);
-    rig.light = slanted;
+    rig.light = *slanted_light();
     find_mirror(&rig, gpu, mirror->light);
     for (unsigned set = 0; set < 16; set++)
         check_sum(&rig, gpu, set << AOB_OUT_BENT_NORMAL, mirror);
@@ -286,7 +276,7 @@ static void test_given(void **state)
     aob_rig_scene(&rig, "gallery", "ball", W, H, 0);
     rig.light = aob_light_uniform;
     find_mirror(&rig, gpu, mirror->even);
-    rig.light = slanted;
+    rig.light = *slanted_light();
     find_mirror(&rig, gpu, mirror->light);
     trace(&rig, 0.5, 512, &truth);
     trace_outputs(&rig, 0.5, images);

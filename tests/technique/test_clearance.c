@@ -39,24 +39,6 @@ static float clear_sine(const void *values)
     return sine;
 }
 
-/* With a radius as `trial.h` has it, and a sine. */
-static bool try_thrift(struct aob_pass_graph *graph, bool (*build)(struct aob_graph *, const void *),
-                       uint32_t wanted, struct aob_error *error)
-{
-    static struct aob_technique technique;
-    technique = (struct aob_technique){.abi = AOB_ABI,
-                                       .size = sizeof technique,
-                                       .name = "trial",
-                                       .shaders = shaders,
-                                       .params = params,
-                                       .param_count = 2,
-                                       .values_size = sizeof(struct values),
-                                       .clear_sine = clear_sine,
-                                       .build = build};
-    *error = (struct aob_error){{0}};
-    return aob_graph_build(graph, &technique, &(struct values){3, 1}, wanted, error);
-}
-
 static const struct aob_graph_pass *pass_of(const struct aob_pass_graph *graph, const char *name)
 {
     for (int p = 0; p < graph->pass_count; p++)
@@ -71,7 +53,7 @@ static void test_wanted(void **state)
     struct aob_error error;
     (void)state;
     sine = 0.0123456f;
-    assert_true(try_thrift(&graph, build_thrifty, AOB_WANT_THRIFT, &error));
+    assert_true(try_build_wanted(&graph, build_thrifty, AOB_WANT_THRIFT, &error));
     const struct aob_graph_pass *last = pass_of(&graph, "last");
     assert_int_equal(graph.pass_count, 5);
     assert_true(graph.clear >= 0 && pass_of(&graph, "clearance_tiles")->live &&
@@ -90,7 +72,7 @@ static void test_unwanted(void **state)
     struct aob_pass_graph graph;
     struct aob_error error;
     (void)state;
-    assert_true(try_thrift(&graph, build_thrifty, 0, &error));
+    assert_true(try_build_wanted(&graph, build_thrifty, 0, &error));
     assert_int_equal(graph.pass_count, 2);
     assert_int_equal(graph.clear, -1);
     assert_false(aob_graph_leaves_out(&graph));
@@ -103,7 +85,7 @@ static void test_unread(void **state)
     struct aob_pass_graph graph;
     struct aob_error error;
     (void)state;
-    assert_true(try_thrift(&graph, build_spendthrift, AOB_WANT_THRIFT, &error));
+    assert_true(try_build_wanted(&graph, build_spendthrift, AOB_WANT_THRIFT, &error));
     assert_false(pass_of(&graph, "clearance_tiles")->live);
     assert_false(pass_of(&graph, "clearance")->live);
     assert_false(aob_graph_leaves_out(&graph));
@@ -114,8 +96,8 @@ static void test_crowded(void **state)
     struct aob_pass_graph graph;
     struct aob_error error;
     (void)state;
-    assert_true(try_thrift(&graph, build_crowded, 0, &error));
-    assert_false(try_thrift(&graph, build_crowded, AOB_WANT_THRIFT, &error));
+    assert_true(try_build_wanted(&graph, build_crowded, 0, &error));
+    assert_false(try_build_wanted(&graph, build_crowded, AOB_WANT_THRIFT, &error));
     assert_contains(error.text, "no input is left for the clearance");
 }
 
@@ -126,7 +108,7 @@ static void test_no_sine(void **state)
     struct aob_error error;
     (void)state;
     sine = 0;
-    assert_true(try_thrift(&graph, build_thrifty, AOB_WANT_THRIFT, &error));
+    assert_true(try_build_wanted(&graph, build_thrifty, AOB_WANT_THRIFT, &error));
     assert_int_equal(graph.clear, -1);
     sine = 0.01f;
 }
@@ -146,7 +128,7 @@ static void test_taken_name(void **state)
     struct aob_pass_graph graph;
     struct aob_error error;
     (void)state;
-    assert_false(try_thrift(&graph, build_taken, AOB_WANT_THRIFT, &error));
+    assert_false(try_build_wanted(&graph, build_taken, AOB_WANT_THRIFT, &error));
     assert_contains(error.text, "the bind 'clearance' is the harness's");
 }
 
@@ -174,6 +156,7 @@ static void test_no_radius(void **state)
 
 int main(void)
 {
+    trial_clear_sine = clear_sine;
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_wanted),     cmocka_unit_test(test_unwanted),  cmocka_unit_test(test_unread),
         cmocka_unit_test(test_crowded),    cmocka_unit_test(test_no_radius), cmocka_unit_test(test_no_sine),
