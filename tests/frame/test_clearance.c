@@ -234,6 +234,86 @@ static double tile_at(const struct drawn *drawn, const unsigned char *texels, in
     return texels[(size_t)(y / 8) * (size_t)clear->width + (size_t)(x / 8)] / 255.0;
 }
 
+/* Writes 0 where it is told that a surface is clear. */
+struct probe_values {
+    float radius;
+};
+static const struct aob_param probe_params[] = {
+    AOB_PARAM(struct probe_values, radius, .min = 0, .max = 9, .initial = 1, .doc = ".")};
+static const struct aob_shader probe_shaders[] = {
+    {"probe", "void main() { v = aob_is_clear(aob_pixel) && !aob_surface_is_sky(aob_pixel) ? 0.0 : 1.0; }\n"},
+    {NULL, NULL}};
+
+static bool build_probe(struct aob_graph *graph, const void *values)
+{
+    (void)values;
+    aob_tex v = aob_texture(graph, .name = "v", .format = AOB_R8);
+    return aob_pass(graph, .name = "probe", .shader = "probe", .reads = AOB_DEPTH | AOB_CLEARANCE,
+                    .out = {{.name = "v", .tex = v}}) &&
+           aob_output(graph, AOB_OUT_VISIBILITY, v);
+}
+
+static float probe_sine(const void *values)
+{
+    (void)values;
+    return 0.05f;
+}
+
+enum { WIDE = 161, HIGH = 91 };
+
+static void check_told(const struct aob_rig *rig, struct aob_gpu *gpu, float radius)
+{
+    static const struct aob_technique probe = {.name = "probe",
+                                               .params = probe_params,
+                                               .param_count = 1,
+                                               .values_size = sizeof(struct probe_values),
+                                               .shaders = probe_shaders,
+                                               .clear_sine = probe_sine,
+                                               .build = build_probe};
+    static float pixels[WIDE * HIGH];
+    const struct probe_values values = {radius};
+    const struct aob_frame_desc desc = {.technique = &probe, .values = &values, .wanted = AOB_WANT_THRIFT};
+    struct drawn *drawn = AOB_NEW(struct drawn);
+    int clear = 0, surfaces = 0;
+    double share;
+    assert_true(aob_screen_init(&drawn->screen, gpu, &rig->gbuffer, &(struct aob_options){0}, NULL));
+    assert_true(aob_frame_init_desc(&drawn->frame, &drawn->screen, &desc, NULL));
+    assert_true(aob_frame_run(&drawn->frame, 1, NULL, NULL));
+    assert_true(aob_frame_read(&drawn->frame, AOB_OUT_VISIBILITY, 1, pixels, NULL));
+    assert_true(aob_frame_left_out(&drawn->frame, &share, NULL));
+    for (int i = 0; i < WIDE * HIGH; i++) {
+        struct aob_vec3 p;
+        surfaces += aob_rig_position(rig, i % WIDE, i / WIDE, &p);
+        clear += pixels[i] == 0;
+    }
+    print_message("           radius %g: %.4f told, %d of %d pixels\n", (double)radius, share, clear,
+                  surfaces);
+    /* A pixel at the very limit may be rounded otherwise. */
+    assert_near(share, (double)clear / surfaces, 2.0 / surfaces);
+    assert_true(share > 0.05 && share < 1);
+    drawn_finish(drawn);
+}
+
+/* The share that is told is that of the pixels which a shader is told are clear: in a guard band, at an odd size, off the axis, and
+ * with a radius that is less than half a pixel far away. */
+static void test_told_share(void **state)
+{
+    const struct aob_camera camera = {
+        .eye = {0, 1.2, 3}, .target = {0.4, 0.2, -2}, .fov_deg = 95, .shift = {0.4, -0.2}};
+    static const float radii[] = {0.03f, 0.08f, 0.5f};
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_mesh mesh = {0};
+    struct aob_rig rig;
+    (void)state;
+    aob_scene_find("scattered_rocks")->build(&mesh);
+    aob_rig_init(&rig, &mesh, &camera, WIDE, HIGH, 13);
+    aob_mesh_finish(&mesh);
+    for (size_t r = 0; r < AOB_COUNT(radii); r++)
+        check_told(&rig, gpu, radii[r]);
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+}
+
 /* In a corner all is known in closed form: what is clear is open, and what lies well outside the radius is clear. */
 static void test_corner(void **state)
 {
@@ -277,7 +357,7 @@ int main(void)
         cmocka_unit_test(test_nothing_shows), cmocka_unit_test(test_gentle_slopes),
         cmocka_unit_test(test_small_radii),   cmocka_unit_test(test_hostile_normals),
         cmocka_unit_test(test_backends),      cmocka_unit_test(test_shares),
-        cmocka_unit_test(test_corner),
+        cmocka_unit_test(test_told_share),    cmocka_unit_test(test_corner),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
