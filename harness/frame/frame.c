@@ -1,13 +1,12 @@
 #include "frame.h"
 #include <stdlib.h>
 #include <string.h>
-#include "base/half.h"
 #include "base/memory.h"
 #include "planes.h"
 #include "prelude.h"
 #include "programs.h"
 
-enum { MAX_BINDS = AOB_MAX_IN + 6 };
+enum { MAX_BINDS = AOB_MAX_IN + 7 };
 
 static uint32_t use_of(enum aob_gpu_bind_kind kind)
 {
@@ -60,30 +59,47 @@ static uint32_t texture_uses(const struct aob_pass_graph *graph, int texture, en
     return uses;
 }
 
-static bool create_textures(struct aob_frame *frame, struct aob_error *error)
+/* A traced frame is one in the midst of others, and what the frame before left must be something: zeros. */
+static void *first_texels(const struct aob_frame *frame, const struct aob_graph_texture *texture, int w,
+                          int h)
+{
+    bool traced = frame->storage && texture->kept;
+    return traced ? aob_alloc((size_t)w * (size_t)h, aob_gpu_texel_size(texture->format))
+                  : table_texels(texture, frame->values);
+}
+
+static bool create_texture(struct aob_frame *frame, int index, struct aob_gpu_texture **into,
+                           struct aob_error *error)
 {
     const struct aob_projection *view = &frame->screen->gbuffer->projection;
+    const struct aob_graph_texture *texture = &frame->graph.textures[index];
+    int w, h;
+    aob_graph_texture_size(texture, view->width, view->height, &w, &h);
+    void *texels = first_texels(frame, texture, w, h);
+    const struct aob_gpu_texture_desc desc = {.format = texture->format,
+                                              .width = w,
+                                              .height = h,
+                                              .levels = texture->levels,
+                                              .uses = texture_uses(&frame->graph, index, frame->fetch) |
+                                                      (frame->readable ? AOB_GPU_USE_READ_BACK : 0),
+                                              .texels = texels};
+    frame->unfit = !aob_gpu_texture_fits(frame->screen->gpu, &desc, error);
+    *into = aob_gpu_texture_create(frame->screen->gpu, &desc, error);
+    free(texels);
+    if (!*into)
+        return aob_fail_in(error, "texture '%s'", texture->name);
+    frame->memory_bytes +=
+        aob_graph_texture_texels(texture, view->width, view->height) * aob_gpu_texel_size(texture->format);
+    return true;
+}
+
+static bool create_textures(struct aob_frame *frame, struct aob_error *error)
+{
     for (int i = 0; i < frame->graph.texture_count; i++) {
         const struct aob_graph_texture *texture = &frame->graph.textures[i];
-        int w, h;
-        if (!texture->used)
-            continue;
-        aob_graph_texture_size(texture, view->width, view->height, &w, &h);
-        void *texels = table_texels(texture, frame->values);
-        const struct aob_gpu_texture_desc desc = {.format = texture->format,
-                                                  .width = w,
-                                                  .height = h,
-                                                  .levels = texture->levels,
-                                                  .uses = texture_uses(&frame->graph, i, frame->fetch) |
-                                                          (frame->readable ? AOB_GPU_USE_READ_BACK : 0),
-                                                  .texels = texels};
-        frame->unfit = !aob_gpu_texture_fits(frame->screen->gpu, &desc, error);
-        frame->textures[i] = aob_gpu_texture_create(frame->screen->gpu, &desc, error);
-        free(texels);
-        if (!frame->textures[i])
-            return aob_fail_in(error, "texture '%s'", texture->name);
-        frame->memory_bytes += aob_graph_texture_texels(texture, view->width, view->height) *
-                               aob_gpu_texel_size(texture->format);
+        if ((texture->used && !create_texture(frame, i, &frame->textures[i], error)) ||
+            (texture->kept && !create_texture(frame, i, &frame->earlier[i], error)))
+            return false;
     }
     return true;
 }
@@ -95,28 +111,49 @@ static struct aob_gpu_bind make_bind(enum aob_gpu_bind_kind kind, int binding, e
         .kind = kind, .binding = (uint32_t)binding, .filter = filter, .texture = texture, .level_count = 1};
 }
 
-static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph_pass *pass,
-                           struct aob_gpu_bind binds[MAX_BINDS])
+/* What a pass finds as a texture of the graph, in its first form or turned. */
+static const struct aob_gpu_texture *texture_of(const struct aob_frame *frame,
+                                                const struct aob_graph_bind *bind, bool turned)
 {
+    return frame->graph.textures[bind->texture].kept && bind->previous != turned
+               ? frame->earlier[bind->texture]
+               : frame->textures[bind->texture];
+}
+
+/* The depth and normal, materials and velocity of the screen. */
+static size_t gather_screen(const struct aob_frame *frame, const struct aob_graph_pass *pass,
+                            struct aob_gpu_bind binds[MAX_BINDS])
+{
+    const struct aob_screen *screen = frame->screen;
     enum aob_gpu_bind_kind kind = kind_of(frame->fetch, AOB_NEAREST, 1);
     size_t count = 0;
-    if (pass->reads & AOB_DEPTH || (pass->reads && !frame->screen->normal))
-        binds[count++] = make_bind(kind, AOB_BINDING_DEPTH, AOB_NEAREST, frame->screen->depth);
-    if (pass->depth >= 0) {
-        binds[count] = make_bind(kind_of(frame->fetch, AOB_NEAREST, pass->depth_levels),
-                                 AOB_BINDING_OWN_DEPTH, AOB_NEAREST, frame->textures[pass->depth]);
-        binds[count++].level_count = pass->depth_levels;
-    }
-    if ((pass->reads & AOB_NORMAL) && frame->screen->normal)
-        binds[count++] = make_bind(kind, AOB_BINDING_NORMAL, AOB_NEAREST, frame->screen->normal);
+    if (pass->reads & AOB_DEPTH || (pass->reads && !screen->normal))
+        binds[count++] = make_bind(kind, AOB_BINDING_DEPTH, AOB_NEAREST, screen->depth);
+    if ((pass->reads & AOB_NORMAL) && screen->normal)
+        binds[count++] = make_bind(kind, AOB_BINDING_NORMAL, AOB_NEAREST, screen->normal);
+    if (pass->reads & AOB_VELOCITY)
+        binds[count++] = make_bind(kind, AOB_BINDING_VELOCITY, AOB_NEAREST, screen->velocity);
     if (pass->reads & AOB_MATERIAL) {
-        binds[count++] = make_bind(kind, AOB_BINDING_ALBEDO, AOB_NEAREST, frame->screen->albedo);
-        binds[count++] = make_bind(kind, AOB_BINDING_SHINE, AOB_NEAREST, frame->screen->shine);
+        binds[count++] = make_bind(kind, AOB_BINDING_ALBEDO, AOB_NEAREST, screen->albedo);
+        binds[count++] = make_bind(kind, AOB_BINDING_SHINE, AOB_NEAREST, screen->shine);
+    }
+    return count;
+}
+
+static size_t gather_binds(const struct aob_frame *frame, const struct aob_graph_pass *pass, bool turned,
+                           struct aob_gpu_bind binds[MAX_BINDS])
+{
+    size_t count = gather_screen(frame, pass, binds);
+    if (pass->depth >= 0) {
+        const struct aob_graph_bind depth = {.texture = pass->depth};
+        binds[count] = make_bind(kind_of(frame->fetch, AOB_NEAREST, pass->depth_levels),
+                                 AOB_BINDING_OWN_DEPTH, AOB_NEAREST, texture_of(frame, &depth, turned));
+        binds[count++].level_count = pass->depth_levels;
     }
     for (int i = 0; i < pass->in_count; i++) {
         const struct aob_graph_bind *in = &pass->in[i];
         binds[count] = make_bind(input_kind(in, frame->fetch), AOB_BINDING_FIRST_INPUT + i, in->filter,
-                                 frame->textures[in->texture]);
+                                 texture_of(frame, in, turned));
         binds[count].first_level = in->level;
         binds[count].vertex = pass->draw == AOB_TRIANGLES; /* as aob_prelude_write_vertex declares it */
         binds[count++].level_count = in->level_count;
@@ -137,6 +174,7 @@ static struct aob_prelude_desc prelude_of(const struct aob_frame *frame, int ind
                                      .encoding = &frame->screen->encoding,
                                      .fetch = frame->fetch,
                                      .light = &frame->screen->light,
+                                     .then = &frame->screen->then,
                                      .planes = frame->planes};
 }
 
@@ -156,43 +194,61 @@ static bool create_program(struct aob_frame *frame, int index, struct aob_error 
     aob_text_finish(&fragment);
     aob_text_finish(&vertex);
     if (!frame->programs[index] && pass->draw == AOB_TRIANGLES)
-        return aob_fail_in(error, "pass '%s', shaders '%s' (vertex) and '%s' (fragment)", pass->name,
-                           pass->vertex, pass->shader);
-    return frame->programs[index] || aob_fail_in(error, "pass '%s', shader '%s'", pass->name, pass->shader);
+        return aob_fail_in(error, "shaders '%s' (vertex) and '%s' (fragment)", pass->vertex, pass->shader);
+    return frame->programs[index] || aob_fail_in(error, "shader '%s'", pass->shader);
 }
 
-static bool create_pass(struct aob_frame *frame, int index, struct aob_error *error)
+/* In its first form, or turned; the program is made with the first. */
+static bool create_form(struct aob_frame *frame, int index, bool turned, struct aob_error *error)
 {
     const struct aob_graph_pass *pass = &frame->graph.passes[index];
     const struct aob_prelude_desc prelude = prelude_of(frame, index);
     const struct aob_projection *view = &frame->screen->gbuffer->projection;
     bool triangles = pass->draw == AOB_TRIANGLES;
+    struct aob_gpu_pass **into = turned ? &frame->turned[index] : &frame->passes[index];
     struct aob_gpu_bind binds[MAX_BINDS];
     struct aob_gpu_target targets[AOB_MAX_OUT];
     unsigned char block[AOB_UNIFORM_MAX];
     for (int o = 0; o < pass->out_count; o++)
-        targets[o] = (struct aob_gpu_target){frame->textures[pass->out[o].texture], pass->out[o].level};
+        targets[o] = (struct aob_gpu_target){texture_of(frame, &pass->out[o], turned), pass->out[o].level};
     struct aob_gpu_pass_desc desc = {
         .binds = binds,
-        .bind_count = gather_binds(frame, pass, binds),
+        .bind_count = gather_binds(frame, pass, turned, binds),
         .targets = targets,
         .target_count = (size_t)pass->out_count,
         .vertex_count = triangles ? pass->per_triangle * (uint32_t)frame->screen->geometry->count : 0,
         .blend = triangles ? AOB_GPU_ADD : AOB_GPU_REPLACE,
         .uniforms = block,
-        .uniform_size = aob_prelude_uniforms(&prelude, view, 0, block),
+        .uniform_size = aob_prelude_uniforms(&prelude, view, frame->number, block),
         .storage = frame->storage,
         .in_parts = frame->storage};
     aob_graph_divided(view->width, view->height, aob_graph_target_divisor(&frame->graph, pass), &desc.width,
                       &desc.height);
     frame->unfit = !aob_gpu_pass_fits(frame->screen->gpu, &desc, error);
-    if (frame->unfit)
-        return aob_fail_in(error, "pass '%s'", pass->name);
-    if (!create_program(frame, index, error))
+    if (frame->unfit || !(frame->programs[index] || create_program(frame, index, error)))
         return false;
     desc.program = frame->programs[index];
-    frame->passes[index] = aob_gpu_pass_create(frame->screen->gpu, &desc, error);
-    return frame->passes[index] || aob_fail_in(error, "pass '%s'", pass->name);
+    *into = aob_gpu_pass_create(frame->screen->gpu, &desc, error);
+    return *into;
+}
+
+/* Whether a pass reads or writes one of the textures that are kept. */
+static bool turns(const struct aob_pass_graph *graph, const struct aob_graph_pass *pass)
+{
+    bool kept = pass->depth >= 0 && graph->textures[pass->depth].kept;
+    for (int i = 0; i < pass->in_count; i++)
+        kept = kept || graph->textures[pass->in[i].texture].kept;
+    for (int o = 0; o < pass->out_count; o++)
+        kept = kept || graph->textures[pass->out[o].texture].kept;
+    return kept;
+}
+
+static bool create_pass(struct aob_frame *frame, int index, struct aob_error *error)
+{
+    const struct aob_graph_pass *pass = &frame->graph.passes[index];
+    return (create_form(frame, index, false, error) &&
+            (!turns(&frame->graph, pass) || create_form(frame, index, true, error))) ||
+           aob_fail_in(error, "pass '%s'", pass->name);
 }
 
 bool aob_frame_init_desc(struct aob_frame *frame, struct aob_screen *screen,
@@ -209,6 +265,7 @@ bool aob_frame_init_desc(struct aob_frame *frame, struct aob_screen *screen,
     memcpy(frame->values, desc->values, technique->values_size);
     if (!aob_graph_build(&frame->graph, technique, desc->values, desc->wanted, error))
         return false;
+    frame->number = desc->storage && aob_graph_keeps_history(&frame->graph);
     bool ok = aob_geometry_serves(screen->geometry, &frame->graph, &screen->gbuffer->projection, error);
     frame->unfit = !ok;
     if (ok) {
@@ -242,11 +299,14 @@ void aob_frame_finish(struct aob_frame *frame)
     struct aob_gpu *gpu = frame->screen->gpu;
     for (int i = 0; i < AOB_MAX_PASS; i++) {
         aob_gpu_pass_destroy(gpu, frame->passes[i]);
+        aob_gpu_pass_destroy(gpu, frame->turned[i]);
         if (!frame->lender)
             aob_gpu_program_destroy(gpu, frame->programs[i]);
     }
-    for (int i = 0; i < AOB_MAX_TEXTURE; i++)
+    for (int i = 0; i < AOB_MAX_TEXTURE; i++) {
         aob_gpu_texture_destroy(gpu, frame->textures[i]);
+        aob_gpu_texture_destroy(gpu, frame->earlier[i]);
+    }
     frame->screen = NULL;
 }
 
@@ -271,11 +331,22 @@ static bool lays_the_same(const struct aob_frame *frame, const void *values, str
     return ok;
 }
 
+static bool set_uniforms(struct aob_frame *frame, int index, struct aob_error *error)
+{
+    const struct aob_prelude_desc prelude = prelude_of(frame, index);
+    struct aob_gpu *gpu = frame->screen->gpu;
+    unsigned char block[AOB_UNIFORM_MAX];
+    if (!frame->passes[index])
+        return true;
+    size_t size = aob_prelude_uniforms(&prelude, &frame->screen->gbuffer->projection, frame->number, block);
+    return aob_gpu_pass_set_uniforms(gpu, frame->passes[index], block, size, error) &&
+           (!frame->turned[index] ||
+            aob_gpu_pass_set_uniforms(gpu, frame->turned[index], block, size, error));
+}
+
 bool aob_frame_set(struct aob_frame *frame, int number, const void *values, struct aob_error *error)
 {
     const struct aob_technique *technique = frame->graph.technique;
-    const struct aob_projection *view = &frame->screen->gbuffer->projection;
-    unsigned char block[AOB_UNIFORM_MAX];
     for (uint32_t i = 0; i < technique->param_count; i++) {
         const struct aob_param *param = &technique->params[i];
         if (param->stage != AOB_UNIFORM &&
@@ -286,73 +357,9 @@ bool aob_frame_set(struct aob_frame *frame, int number, const void *values, stru
     if (!lays_the_same(frame, values, error))
         return false;
     memcpy(frame->values, values, technique->values_size);
-    for (int i = 0; i < frame->graph.pass_count; i++) {
-        const struct aob_prelude_desc prelude = prelude_of(frame, i);
-        size_t size = frame->passes[i] ? aob_prelude_uniforms(&prelude, view, number, block) : 0;
-        if (size && !aob_gpu_pass_set_uniforms(frame->screen->gpu, frame->passes[i], block, size, error))
+    frame->number = number;
+    for (int i = 0; i < frame->graph.pass_count; i++)
+        if (!set_uniforms(frame, i, error))
             return aob_fail_in(error, "%s: pass '%s'", technique->name, frame->graph.passes[i].name);
-    }
     return true;
-}
-
-bool aob_frame_run(struct aob_frame *frame, int repeats, struct aob_frame_time *time, struct aob_error *error)
-{
-    struct aob_gpu_pass *passes[AOB_MAX_PASS];
-    struct aob_gpu_time times[AOB_MAX_PASS], whole;
-    size_t count = 0;
-    for (int i = 0; i < frame->graph.pass_count; i++)
-        if (frame->passes[i])
-            passes[count++] = frame->passes[i];
-    const struct aob_gpu_run_desc desc = {passes, count, repeats};
-    if (!aob_gpu_run(frame->screen->gpu, &desc, times, &whole, error))
-        return aob_fail_in(error, "%s", frame->graph.technique->name);
-    if (!time)
-        return true;
-    *time = (struct aob_frame_time){.whole = whole};
-    count = 0;
-    for (int i = 0; i < frame->graph.pass_count; i++)
-        if (frame->passes[i])
-            time->passes[i] = times[count++];
-    return true;
-}
-
-static float component(const unsigned char *texel, enum aob_format format, int c)
-{
-    uint16_t half;
-    float whole;
-    switch (format) {
-    case AOB_R8:
-    case AOB_RG8:
-    case AOB_RGBA8:
-        return (float)texel[c] / 255.0f;
-    case AOB_R16:
-        memcpy(&half, texel + 2 * c, sizeof half);
-        return (float)half / 65535.0f;
-    case AOB_R16F:
-    case AOB_RG16F:
-    case AOB_RGBA16F:
-        memcpy(&half, texel + 2 * c, sizeof half);
-        return aob_half_to_float(half);
-    default:
-        memcpy(&whole, texel + 4 * c, sizeof whole);
-        return whole;
-    }
-}
-
-bool aob_frame_read(struct aob_frame *frame, enum aob_output which, int components, float *pixels,
-                    struct aob_error *error)
-{
-    const struct aob_gpu_texture *texture = frame->textures[frame->graph.outputs[which]];
-    const struct aob_projection *view = &frame->screen->gbuffer->projection;
-    size_t size = aob_gpu_texel_size(texture->format), stride = (size_t)texture->width;
-    size_t guard = (size_t)frame->screen->gbuffer->guard, w = (size_t)view->width, h = (size_t)view->height;
-    int first = aob_graph_output_component(&frame->graph, which);
-    unsigned char *texels = aob_alloc(stride * (size_t)texture->height, size);
-    bool ok = aob_gpu_texture_read(frame->screen->gpu, texture, 0, texels, error);
-    for (size_t y = guard; ok && y < h - guard; y++)
-        for (size_t x = guard; x < w - guard; x++)
-            for (int c = 0; c < components; c++)
-                *pixels++ = component(texels + (y * stride + x) * size, texture->format, first + c);
-    free(texels);
-    return ok;
 }

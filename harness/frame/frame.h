@@ -15,12 +15,19 @@ struct aob_frame {
     enum aob_fetch fetch;
     unsigned char values[4 * AOB_MAX_PARAM];           /* the technique's own struct */
     struct aob_gpu_texture *textures[AOB_MAX_TEXTURE]; /* NULL where unused */
+    struct aob_gpu_texture
+        *earlier[AOB_MAX_TEXTURE]; /* the other one of what is kept from frame to frame, else NULL */
     struct aob_gpu_program *programs[AOB_MAX_PASS];
     struct aob_programs *lender;               /* whose they are; NULL: the frame's own */
     struct aob_gpu_pass *passes[AOB_MAX_PASS]; /* NULL where pruned */
-    size_t memory_bytes;                       /* of the technique's own textures */
-    bool readable;                             /* all textures can be read back, not outputs only */
-    struct aob_planes *planes;                 /* of a traced frame, or NULL, like the next two */
+    /* The same with the two textures of what is kept exchanged, for every other frame: what one frame writes is what the next one
+     * reads as previous. NULL where a pass has none of them. */
+    struct aob_gpu_pass *turned[AOB_MAX_PASS];
+    bool turn;                 /* the next run draws these */
+    int number;                /* of the frame that runs draw */
+    size_t memory_bytes;       /* of the technique's own textures */
+    bool readable;             /* all textures can be read back, not outputs only */
+    struct aob_planes *planes; /* of a traced frame, or NULL, like the next two */
     const struct aob_gpu_rewrite *rewrites;
     const struct aob_gpu_buffer *storage;
     bool
@@ -52,9 +59,9 @@ bool aob_frame_init(struct aob_frame *frame, struct aob_screen *screen, const st
                     const void *values, enum aob_fetch fetch, struct aob_error *error);
 void aob_frame_finish(struct aob_frame *frame);
 
-/* What the next runs see: the frame's number (`aob_frame` in GLSL, 0 after aob_frame_init) and the values of the uniform
- * parameters. No program or texture is made again; tables keep what they were filled with. The commands of today draw frame 0
- * only: this is for techniques that keep a history. False, and nothing changed, if a parameter that is no uniform has
+/* What the next runs see: the frame's number (`aob_frame` in GLSL, 0 after aob_frame_init), the values of the uniform
+ * parameters, and what its screen shows (aob_screen_show). Frame 0 forgets what earlier frames left. No program or texture is made
+ * again; tables keep what they were filled with. False, and nothing changed, if a parameter that is no uniform has
  * another value than the frame was built with, or if check() refuses the values or build() lays other passes for them;
  * false too if the device fails. */
 bool aob_frame_set(struct aob_frame *frame, int number, const void *values, struct aob_error *error);
@@ -65,7 +72,8 @@ struct aob_frame_time {
     struct aob_gpu_time passes[AOB_MAX_PASS]; /* graph.pass_count of them; zeros for one that was pruned */
 };
 
-/* All live passes in order, the whole frame `repeats` (>= 1) times. `time` may be NULL. */
+/* All live passes in order, the whole frame `repeats` (>= 1) times; `time` may be NULL. Of a technique that keeps a history each
+ * repeat is a frame of its own, of one number, which reads what the one before left. */
 bool aob_frame_run(struct aob_frame *frame, int repeats, struct aob_frame_time *time,
                    struct aob_error *error);
 
@@ -73,4 +81,7 @@ bool aob_frame_run(struct aob_frame *frame, int repeats, struct aob_frame_time *
  * those of the texel from aob_graph_output_component on, row 0 at the top. The texture has as many. */
 bool aob_frame_read(struct aob_frame *frame, enum aob_output which, int components, float *pixels,
                     struct aob_error *error);
+
+/* The texture of the graph that the last run wrote. */
+const struct aob_gpu_texture *aob_frame_texture(const struct aob_frame *frame, int index);
 #endif

@@ -3,7 +3,7 @@
 
 /* Indices into frame.textures; -1: not there. */
 struct textures {
-    int graph[AOB_MAX_TEXTURE], depth, normal, albedo, shine;
+    int graph[AOB_MAX_TEXTURE], earlier[AOB_MAX_TEXTURE], depth, normal, velocity, albedo, shine;
 };
 
 static int add_texture(struct aob_planes *planes, const char *name, enum aob_format format, int width,
@@ -28,6 +28,8 @@ static void add_screen(struct aob_planes *planes, const struct aob_pass_graph *g
                                          view->width, view->height, 1);
     planes->frame.textures[textures->normal].role = AOB_TRACE_ROLE_NORMAL;
     planes->frame.textures[textures->depth].role = AOB_TRACE_ROLE_DEPTH;
+    if (aob_graph_reads(graph) & AOB_VELOCITY)
+        textures->velocity = add_texture(planes, "velocity", AOB_RGBA16F, view->width, view->height, 1);
     if (aob_graph_reads(graph) & AOB_MATERIAL) {
         textures->albedo = add_texture(planes, "albedo", AOB_RGBA8, view->width, view->height, 1);
         textures->shine = add_texture(planes, "shine", AOB_RG8, view->width, view->height, 1);
@@ -47,6 +49,10 @@ static void add_textures(struct aob_planes *planes, const struct aob_pass_graph 
         aob_graph_texture_size(texture, view->width, view->height, &w, &h);
         textures->graph[i] =
             texture->used ? add_texture(planes, texture->name, texture->format, w, h, texture->levels) : -1;
+        char name[AOB_NAME_SIZE + 16];
+        snprintf(name, sizeof name, "%s before", texture->name);
+        textures->earlier[i] =
+            texture->kept ? add_texture(planes, name, texture->format, w, h, texture->levels) : -1;
     }
     add_screen(planes, graph, screen, textures);
 }
@@ -84,13 +90,17 @@ static void describe_reads(struct aob_planes *planes, const struct aob_pass_grap
         add_reads(planes, index, AOB_BINDING_OWN_DEPTH, textures->graph[pass->depth], 0, pass->depth_levels);
     if (pass->reads & AOB_NORMAL && !derived)
         add_reads(planes, index, AOB_BINDING_NORMAL, textures->normal, 0, 1);
+    if (pass->reads & AOB_VELOCITY)
+        add_reads(planes, index, AOB_BINDING_VELOCITY, textures->velocity, 0, 1);
     if (pass->reads & AOB_MATERIAL) {
         add_reads(planes, index, AOB_BINDING_ALBEDO, textures->albedo, 0, 1);
         add_reads(planes, index, AOB_BINDING_SHINE, textures->shine, 0, 1);
     }
-    for (int i = 0; i < pass->in_count; i++)
-        add_reads(planes, index, AOB_BINDING_FIRST_INPUT + i, textures->graph[pass->in[i].texture],
-                  pass->in[i].level, pass->in[i].level_count);
+    for (int i = 0; i < pass->in_count; i++) {
+        const struct aob_graph_bind *in = &pass->in[i];
+        const int *from = in->previous ? textures->earlier : textures->graph;
+        add_reads(planes, index, AOB_BINDING_FIRST_INPUT + i, from[in->texture], in->level, in->level_count);
+    }
 }
 
 static void describe_pass(struct aob_planes *planes, const struct aob_pass_graph *graph,
@@ -129,7 +139,7 @@ static bool number_planes(struct aob_trace_pass *pass, struct aob_error *error)
 bool aob_planes_init(struct aob_planes *planes, const struct aob_pass_graph *graph,
                      const struct aob_screen *screen, struct aob_error *error)
 {
-    struct textures textures = {.albedo = -1, .shine = -1};
+    struct textures textures = {.velocity = -1, .albedo = -1, .shine = -1};
     *planes = (struct aob_planes){0};
     add_textures(planes, graph, screen, &textures);
     for (int i = 0; i < graph->pass_count; i++) {

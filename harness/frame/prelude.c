@@ -81,6 +81,8 @@ static void add_uniforms(const struct aob_prelude_desc *desc, struct aob_text *t
                  "    vec4 aob_lens;\n    ivec4 aob_sizes;\n    ivec4 aob_misc;\n    vec4 aob_range;\n");
     if (desc->pass->reads & AOB_LIGHT)
         aob_text_add(text, "    vec4 aob_sh[9];\n");
+    if (desc->pass->reads & AOB_VELOCITY)
+        aob_text_add(text, "    vec4 aob_then[3];\n");
     for (uint32_t i = 0; i < technique->param_count; i++)
         if (technique->params[i].stage == AOB_UNIFORM)
             aob_text_add(text, "    %s %s;\n", technique->params[i].type == AOB_INT ? "int" : "float",
@@ -164,12 +166,20 @@ static void add_edge(const struct aob_graph_texture *texture, int divisor, struc
         aob_text_add(text, "aob_divided(%d) - 1", divisor);
 }
 
+/* Frame 0 has no frame before it, whatever its textures hold. */
+static void add_first_frame(const struct aob_graph_bind *bind, const char *type, struct aob_text *text)
+{
+    if (bind->previous)
+        aob_text_add(text, "    if (aob_frame == 0)\n        return %s(0.0);\n", type);
+}
+
 static void add_one_level(const struct aob_graph_bind *bind, const struct aob_graph_texture *texture,
                           struct aob_text *text)
 {
     const char *type = type_name(texture->format), *name = bind->name;
-    aob_text_add(text, "%s aob_fetch_%s(ivec2 p) {\n    return aob_texel_%s(clamp(p, ivec2(0), ", type, name,
-                 name);
+    aob_text_add(text, "%s aob_fetch_%s(ivec2 p) {\n", type, name);
+    add_first_frame(bind, type, text);
+    aob_text_add(text, "    return aob_texel_%s(clamp(p, ivec2(0), ", name);
     add_edge(texture, texture->divisor << bind->level, text);
     aob_text_add(text, "));\n}\n%s aob_fetch_%s(ivec2 p, int level) { return aob_fetch_%s(p); }\n", type,
                  name, name);
@@ -179,13 +189,14 @@ static void add_levels(const struct aob_graph_bind *bind, const struct aob_graph
                        struct aob_text *text)
 {
     const char *type = type_name(texture->format), *name = bind->name;
+    aob_text_add(text, "%s aob_fetch_%s(ivec2 p, int level) {\n", type, name);
+    add_first_frame(bind, type, text);
     aob_text_add(text,
-                 "%s aob_fetch_%s(ivec2 p, int level) {\n"
                  "    int l = clamp(level, 0, %d);\n"
                  "    ivec2 edge = aob_divided(%d << l) - 1;\n"
                  "    return aob_texel_%s(clamp(p, ivec2(0), edge), l);\n}\n"
                  "%s aob_fetch_%s(ivec2 p) { return aob_fetch_%s(p, 0); }\n",
-                 type, name, bind->level_count - 1, texture->divisor << bind->level, name, type, name, name);
+                 bind->level_count - 1, texture->divisor << bind->level, name, type, name, name);
 }
 
 /* The sampler's own read of place `uv` of level `level`. */
@@ -206,20 +217,23 @@ static void add_sample(const struct aob_prelude_desc *desc, const struct aob_gra
 {
     const char *type = type_name(texture->format), *name = bind->name, *part = swizzle(texture->format);
     if (texture->align > 0) {
+        aob_text_add(text, "%s aob_sample_%s(vec2 uv, int level) {\n", type, name);
+        add_first_frame(bind, type, text);
         aob_text_add(
             text,
-            "%s aob_sample_%s(vec2 uv, int level) {\n"
             "    int l = clamp(level, 0, %d);\n"
             "    vec2 size = vec2(aob_divided(%d << l)), whole = vec2(textureSize(aob_image_%s, l));\n"
             "    vec2 at = clamp(uv * size, vec2(0.5), size - 0.5) / whole;\n    ",
-            type, name, bind->level_count - 1, texture->divisor << bind->level, name);
+            bind->level_count - 1, texture->divisor << bind->level, name);
         add_filtered(desc, name, "at", "l", part, text);
         aob_text_add(text, "\n}\n%s aob_sample_%s(vec2 uv) { return aob_sample_%s(uv, 0); }\n", type, name,
                      name);
     } else {
-        aob_text_add(text, "%s aob_sample_%s(vec2 uv) { ", type, name);
+        aob_text_add(text, "%s aob_sample_%s(vec2 uv) {\n", type, name);
+        add_first_frame(bind, type, text);
+        aob_text_add(text, "    ");
         add_filtered(desc, name, "uv", "0", part, text);
-        aob_text_add(text, " }\n%s aob_sample_%s(vec2 uv, int level) { return aob_sample_%s(uv); }\n", type,
+        aob_text_add(text, "\n}\n%s aob_sample_%s(vec2 uv, int level) { return aob_sample_%s(uv); }\n", type,
                      name, name);
     }
 }
@@ -353,6 +367,10 @@ void aob_prelude_write(const struct aob_prelude_desc *desc, struct aob_text *tex
         add_normal(desc, text);
     if (pass->reads & AOB_MATERIAL)
         add_material(desc, text);
+    if (pass->reads & AOB_VELOCITY) {
+        add_image(desc, "velocity", AOB_RGBA16F, AOB_BINDING_VELOCITY, 1, AOB_NEAREST, text);
+        aob_text_add(text, "%s", aob_text_frame_velocity);
+    }
     for (int i = 0; i < pass->in_count; i++)
         add_input(desc, i, text);
     if (pass->reads & AOB_CLEARANCE)

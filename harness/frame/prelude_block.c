@@ -23,6 +23,11 @@ size_t aob_prelude_uniforms(const struct aob_prelude_desc *desc, const struct ao
             float number = (float)desc->light->sh[i][c];
             memcpy(block + used + 4 * c, &number, sizeof number);
         }
+    for (int i = 0; desc->pass->reads & AOB_VELOCITY && i < 3; i++, used += 16)
+        for (int c = 0; c < 4; c++) {
+            float number = (float)desc->then->m[i][c];
+            memcpy(block + used + 4 * c, &number, sizeof number);
+        }
     for (uint32_t i = 0; i < technique->param_count; i++)
         if (technique->params[i].stage == AOB_UNIFORM) {
             memcpy(block + used, (const char *)desc->values + technique->params[i].offset, 4);

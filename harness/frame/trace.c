@@ -136,7 +136,8 @@ static bool compare_target(struct aob_trace *trace, const struct aob_frame *plai
                            const struct aob_graph_bind *out, size_t *differ, struct aob_error *error)
 {
     struct aob_gpu *gpu = trace->frame.screen->gpu;
-    const struct aob_gpu_texture *a = trace->frame.textures[out->texture], *b = plain->textures[out->texture];
+    const struct aob_gpu_texture *a = trace->frame.textures[out->texture],
+                                 *b = aob_frame_texture(plain, out->texture);
     if (!(b->uses & AOB_GPU_USE_READ_BACK))
         return true;
     size_t size = aob_gpu_level_bytes(a, out->level);

@@ -102,6 +102,15 @@ bool aob_gpu_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *tex
     return gpu->fns->texture_read(gpu, texture, level, texels, error);
 }
 
+bool aob_gpu_texture_write(struct aob_gpu *gpu, struct aob_gpu_texture *texture, const void *texels,
+                           struct aob_error *error)
+{
+    if (!texture->filled || texture->levels != 1)
+        return aob_fail(error, "%s: write to a texture that was made without texels, or of %d levels",
+                        gpu->info.backend, texture->levels);
+    return gpu->fns->texture_write(gpu, texture, texels, error);
+}
+
 static int target_width(const struct aob_gpu_target *target)
 {
     return aob_gpu_level_side(target->texture->width, target->level);

@@ -160,7 +160,7 @@ struct aob_gpu_part { /* of a pass: what the next runs draw, and clear if they c
         vertex_count; /* three a triangle; VERTEX_ID counts from the pass's first; 0: all */
 };
 
-enum { AOB_GPU_MAX_LIST = AOB_MAX_PASS };
+enum { AOB_GPU_MAX_LIST = 2 * AOB_MAX_PASS }; /* two frames of a technique that keeps a history */
 struct aob_gpu_run_desc {
     struct aob_gpu_pass *const *passes; /* run in this order; a pass may stand in it more than once */
     size_t count;                       /* 1..AOB_GPU_MAX_LIST */
@@ -183,6 +183,8 @@ struct aob_gpu_fns {
     void (*texture_destroy)(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
     bool (*texture_read)(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                          struct aob_error *error);
+    bool (*texture_write)(struct aob_gpu *gpu, struct aob_gpu_texture *texture, const void *texels,
+                          struct aob_error *error);
     bool (*buffer_create)(struct aob_gpu *gpu, size_t size, struct aob_gpu_buffer **buffer,
                           struct aob_error *error);
     void (*buffer_destroy)(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer);
@@ -217,6 +219,7 @@ struct aob_gpu_texture { /* first member of each backend's own, as are the next 
     int width, height; /* of level 0 */
     int levels;
     uint32_t uses;
+    bool filled; /* it was made with texels */
 };
 struct aob_gpu_buffer {
     size_t size;
@@ -270,6 +273,11 @@ void aob_gpu_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *textur
 /* Writes the level's texels, aob_gpu_level_bytes of them, packed as those that a texture is made with. */
 bool aob_gpu_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                           struct aob_error *error);
+
+/* Gives a texture that was made with texels, of one level, others in their place: as many, packed alike. Between runs only, so it
+ * is in no run's time; passes that bind the texture read the new ones. */
+bool aob_gpu_texture_write(struct aob_gpu *gpu, struct aob_gpu_texture *texture, const void *texels,
+                           struct aob_error *error);
 
 /* Why passes of the device cannot write down what they do in a storage buffer: it "draws nothing"; NULL: they can. */
 const char *aob_gpu_storage_lacks(const struct aob_gpu *gpu);

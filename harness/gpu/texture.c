@@ -33,7 +33,8 @@ struct aob_gpu_texture aob_gpu_texture_base(const struct aob_gpu_texture_desc *d
                                     .width = desc->width,
                                     .height = desc->height,
                                     .levels = desc->levels ? desc->levels : 1,
-                                    .uses = desc->uses};
+                                    .uses = desc->uses,
+                                    .filled = desc->texels != NULL};
 }
 
 int aob_gpu_level_side(int side, int level)

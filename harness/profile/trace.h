@@ -16,8 +16,11 @@ enum {
     AOB_TRACE_BAND_ROWS =
         64, /* a band begins at a multiple of it, so tiles of up to 64 rows lie whole in one */
     AOB_TRACE_MAX_TEXTURE =
-        AOB_MAX_TEXTURE + 6,   /* the graph's, and depth, normal, materials and triangles of the screen */
-    AOB_TRACE_MAX_PLANE = 112, /* levels of AOB_MAX_IN inputs and of an own depth, depth, normal, materials */
+        2 * AOB_MAX_TEXTURE +
+        7, /* the graph's, the same of the frame before, and depth, normal, velocity, materials and
+                                    triangles of the screen */
+    AOB_TRACE_MAX_PLANE =
+        113, /* levels of AOB_MAX_IN inputs and of an own depth, depth, normal, velocity, materials */
 };
 #define AOB_TRACE_NONE UINT32_MAX /* the slot was not used; it is no word of texels, whatever its bits say */
 
@@ -43,8 +46,8 @@ enum aob_trace_role {                       /* whose a texture is */
 
 struct aob_trace_texture { /* one of the frame, whatever passes read or write it */
     char name
-        [48]; /* the graph's name for it; the screen's are "depth", "normal" and "triangles", which a graph may
-                      have as well */
+        [64]; /* the graph's name for it, "NAME before" of what the frame before left; the screen's are "depth", "normal"
+                      and "triangles", which a graph may have as well */
     enum aob_format format;
     int width, height, levels; /* in texels, of level 0, as it lies in memory */
     enum aob_trace_role role;

@@ -91,6 +91,20 @@ struct aob_camera aob_camera_previous(const struct aob_camera *camera)
     return previous;
 }
 
+struct aob_affine aob_camera_then(const struct aob_camera *camera)
+{
+    const struct aob_camera before = aob_camera_previous(camera);
+    const struct aob_frame_axes now = aob_camera_axes(camera), then = aob_camera_axes(&before);
+    const struct aob_vec3 from[3] = {now.right, now.up, now.back}, into[3] = {then.right, then.up, then.back};
+    struct aob_affine map;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++)
+            map.m[i][j] = aob_vec_dot(into[i], from[j]);
+        map.m[i][3] = aob_vec_dot(into[i], aob_vec_sub(camera->eye, before.eye));
+    }
+    return map;
+}
+
 bool aob_camera_project(const struct aob_camera *camera, const struct aob_projection *projection,
                         struct aob_vec3 from_eye, double q[2])
 {

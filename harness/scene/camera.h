@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/vec.h"
+#include "affine.h"
 
 struct aob_camera {
     struct aob_vec3 eye, target; /* scene units */
@@ -51,6 +52,9 @@ void aob_camera_ray(const struct aob_camera *camera, const struct aob_projection
 
 /* The camera of the previous frame, which stands still. For a camera that does not move it is the same one. */
 struct aob_camera aob_camera_previous(const struct aob_camera *camera);
+
+/* From this frame's view space to that of the frame before, for what stands still. */
+struct aob_affine aob_camera_then(const struct aob_camera *camera);
 
 /* The image position of `from_eye`, which is a world position less the eye or, in perspective, a direction to the
  * infinitely far. False if it lies behind a perspective camera. */

@@ -6,6 +6,7 @@
 #include "graph_judge.h"
 
 enum { MAX_TABLE = 8192 };
+static const uint32_t PREVIOUS = 1u << 31; /* in the id of a texture that the frame before left */
 
 static struct aob_pass_graph *own(const struct aob_graph *graph)
 {
@@ -86,13 +87,19 @@ static bool copy_binds(struct aob_pass_graph *graph, const struct aob_pass *pass
         struct aob_graph_bind *copy = &into[*count];
         if (!copy_name(graph, "bind", bind->name, copy->name))
             return false;
-        if (bind->tex.id == 0 || bind->tex.id > (uint32_t)graph->texture_count)
+        copy->previous = bind->tex.id & PREVIOUS;
+        uint32_t id = bind->tex.id & ~PREVIOUS;
+        if (id == 0 || id > (uint32_t)graph->texture_count)
             return aob_fail(graph->error, "pass '%s': bind '%s' has no texture of this graph", pass->name,
                             bind->name);
+        if (copy->previous && binds == pass->out)
+            return aob_fail(graph->error,
+                            "pass '%s': output '%s' is a previous texture, which can only be read",
+                            pass->name, bind->name);
         if (bind->filter != AOB_NEAREST && bind->filter != AOB_BILINEAR)
             return aob_fail(graph->error, "pass '%s': bind '%s' has an unknown filter", pass->name,
                             bind->name);
-        copy->texture = (int)bind->tex.id - 1;
+        copy->texture = (int)id - 1;
         copy->filter = bind->filter;
         if (bind->level >= (uint32_t)graph->textures[copy->texture].levels)
             return aob_fail(graph->error, "pass '%s': bind '%s' has level %u, its texture '%s' has %d",
@@ -165,10 +172,9 @@ static bool copy_defines(struct aob_pass_graph *graph, const struct aob_pass *de
 
 static bool judge_reads(const struct aob_pass_graph *graph, const struct aob_pass *desc)
 {
-    const uint32_t known = AOB_DEPTH | AOB_NORMAL | AOB_MATERIAL | AOB_LIGHT | AOB_CLEARANCE;
-    if (desc->reads & AOB_VELOCITY)
-        return aob_fail(graph->error,
-                        "pass '%s' reads the velocity: it is reserved, and this program has none to give yet",
+    const uint32_t known = AOB_DEPTH | AOB_NORMAL | AOB_VELOCITY | AOB_MATERIAL | AOB_LIGHT | AOB_CLEARANCE;
+    if ((desc->reads & AOB_VELOCITY) && !(desc->reads & AOB_DEPTH))
+        return aob_fail(graph->error, "pass '%s' reads the velocity, which takes the depth as well",
                         desc->name);
     if ((desc->reads & ~known) || (unsigned)desc->border > AOB_FAR)
         return aob_fail(graph->error, "pass '%s': unknown bits in reads or border", desc->name);
@@ -258,10 +264,15 @@ static bool graph_output(struct aob_graph *interface, enum aob_output which, aob
 
 static aob_tex graph_previous(struct aob_graph *interface, aob_tex tex)
 {
-    (void)tex;
-    if (!has_failed(interface))
-        aob_fail(own(interface)->error,
-                 "previous textures are reserved: this program runs single frames yet");
+    struct aob_pass_graph *graph = own(interface);
+    if (has_failed(interface))
+        return (aob_tex){0};
+    bool known = tex.id > 0 && tex.id <= (uint32_t)graph->texture_count;
+    if (known && !graph->textures[tex.id - 1].fill)
+        return (aob_tex){tex.id | PREVIOUS};
+    aob_fail(graph->error,
+             known ? "a table has no previous texture: '%s'" : "previous of what is no texture of this graph",
+             known ? graph->textures[tex.id - 1].name : "");
     return (aob_tex){0};
 }
 
@@ -281,10 +292,7 @@ bool aob_graph_build(struct aob_pass_graph *graph, const struct aob_technique *t
     memset(graph->outputs, 0xff, sizeof graph->outputs);
     graph->clear = -1;
     bool ok = true;
-    if (technique->frames > 1)
-        ok = aob_fail(&cause, "frames is %u: it is reserved, and this program runs single frames yet",
-                      technique->frames);
-    else if (technique->check && !technique->check(values, &why))
+    if (technique->check && !technique->check(values, &why))
         ok = aob_fail(&cause, "%s", why ? why : "these values do not go together");
     if (ok && wanted & AOB_WANT_THRIFT)
         ok = aob_clearance_lay(graph, values);

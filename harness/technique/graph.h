@@ -18,6 +18,7 @@ struct aob_graph_texture {
     int width, height; /* of a table; 0: divided from the screen */
     void (*fill)(const void *values, void *texels);
     bool used; /* by a live pass */
+    bool kept; /* a live pass reads what the frame before left in it, so there are two of it */
 };
 struct aob_graph_bind {
     char name[AOB_NAME_SIZE];
@@ -25,6 +26,7 @@ struct aob_graph_bind {
     enum aob_filter filter;
     int level;       /* written, or of an input the finest read */
     int level_count; /* of an input: levels that it shows */
+    bool previous;   /* of an input: it shows what the frame before left */
     bool one_level;  /* it shows no more than `level`, whatever is written: the composite's inputs */
 };
 struct aob_graph_define {
@@ -67,7 +69,7 @@ enum { AOB_WANT_THRIFT = 1 << 16 }; /* a bit of `wanted`: passes may leave out w
 enum { AOB_OUTPUTS_REQUIRED = 1 << AOB_OUT_VISIBILITY }; /* what every technique gives */
 
 /* Runs check() and build() of the technique (its code: only ever in a worker) and judges the result: names
- * known and unique, every level of a texture written before it is read and by one pass only, outputs of a pass of one
+ * known and unique, every level of a texture written before it is read and by one pass only (a previous texture: by any pass), outputs of a pass of one
  * size, every required output given, every given one full size and written. What nothing wanted depends on is not
  * live. On false the line names technique and object. wanted: bits 1 << enum aob_output of what is wanted besides
  * AOB_OUTPUTS_REQUIRED; that a technique does not give all of them is no fault. Where AOB_OUT_LIT is wanted the composite's
@@ -93,6 +95,9 @@ int aob_graph_bind_divisor(const struct aob_pass_graph *graph, const struct aob_
 
 /* What the live passes read together: enum aob_read bits. */
 uint32_t aob_graph_reads(const struct aob_pass_graph *graph);
+
+/* Whether a live pass reads what the frame before left: frames are then drawn in turn, and the first is the frame 0. */
+bool aob_graph_keeps_history(const struct aob_pass_graph *graph);
 
 /* Whether a live pass draws the scene's triangles. */
 bool aob_graph_needs_triangles(const struct aob_pass_graph *graph);

@@ -63,11 +63,14 @@ static bool judge_input(const struct aob_pass_graph *graph, int index, struct ao
 {
     const char *pass = graph->passes[index].name;
     const struct aob_graph_texture *texture = &graph->textures[in->texture];
-    in->level_count = count_levels(graph, in->texture, in->level, index);
+    in->level_count = count_levels(graph, in->texture, in->level, in->previous ? graph->pass_count : index);
     if (in->one_level && in->level_count > 1)
         in->level_count = 1;
     if (in->level_count > 0)
         return true;
+    if (in->previous)
+        return aob_fail(graph->error, "pass '%s' reads the previous texture '%s', which no pass writes", pass,
+                        texture->name);
     if (texture->levels > 1)
         return aob_fail(graph->error,
                         "pass '%s' reads level %d of texture '%s', which no earlier pass writes", pass,
@@ -90,6 +93,14 @@ static bool judge_pass(struct aob_pass_graph *graph, int index)
     return judge_depth(graph, index);
 }
 
+static void mark_live(struct aob_pass_graph *graph, int texture, int level, int count);
+
+static void mark_input(struct aob_pass_graph *graph, const struct aob_graph_bind *in)
+{
+    graph->textures[in->texture].kept = graph->textures[in->texture].kept || in->previous;
+    mark_live(graph, in->texture, in->level, in->level_count);
+}
+
 static void mark_live(struct aob_pass_graph *graph, int texture, int level, int count)
 {
     graph->textures[texture].used = true;
@@ -102,7 +113,7 @@ static void mark_live(struct aob_pass_graph *graph, int texture, int level, int 
         for (int o = 0; o < pass->out_count; o++)
             graph->textures[pass->out[o].texture].used = true;
         for (int i = 0; i < pass->in_count; i++)
-            mark_live(graph, pass->in[i].texture, pass->in[i].level, pass->in[i].level_count);
+            mark_input(graph, &pass->in[i]);
         if (pass->depth >= 0)
             mark_live(graph, pass->depth, 0, pass->depth_levels);
     }

@@ -83,6 +83,14 @@ uint32_t aob_graph_reads(const struct aob_pass_graph *graph)
     return reads;
 }
 
+bool aob_graph_keeps_history(const struct aob_pass_graph *graph)
+{
+    for (int i = 0; i < graph->texture_count; i++)
+        if (graph->textures[i].kept)
+            return true;
+    return false;
+}
+
 bool aob_graph_needs_triangles(const struct aob_pass_graph *graph)
 {
     for (int p = 0; p < graph->pass_count; p++)
@@ -105,9 +113,10 @@ static void add_binds(const struct aob_pass_graph *graph, const struct aob_graph
 {
     for (int i = 0; i < count; i++) {
         const struct aob_graph_texture *texture = &graph->textures[binds[i].texture];
-        aob_text_add(text, " %s=%s:%s/%d*%d,%dx%d~%d@%d+%d", binds[i].name, texture->name,
+        aob_text_add(text, " %s=%s:%s/%d*%d,%dx%d~%d@%d+%d%s", binds[i].name, texture->name,
                      aob_format_name(texture->format), texture->divisor, texture->levels, texture->width,
-                     texture->height, binds[i].filter, binds[i].level, binds[i].level_count);
+                     texture->height, binds[i].filter, binds[i].level, binds[i].level_count,
+                     binds[i].previous ? " before" : "");
     }
 }
 
@@ -141,22 +150,30 @@ void aob_graph_digest(const struct aob_pass_graph *graph, const void *values, ch
     aob_text_finish(&text);
 }
 
-/* From each earlier pass that writes one of `count` levels of the texture from `level` on; a table comes from itself. */
-static void add_edges(const struct aob_pass_graph *graph, int pass, int texture, int level, int count,
-                      struct aob_text *text)
+/* What a pass reads of a texture. */
+struct read {
+    int texture, level, count;
+    bool previous;
+};
+
+/* From each pass that writes one of these levels; from earlier ones unless it is the frame before that they are of. A table comes
+ * from itself. */
+static void add_edges(const struct aob_pass_graph *graph, int pass, struct read read, struct aob_text *text)
 {
-    const char *from = graph->textures[texture].name, *to = graph->passes[pass].name;
-    for (int q = 0; q < pass; q++)
+    const struct aob_graph_texture *texture = &graph->textures[read.texture];
+    const char *from = texture->name, *to = graph->passes[pass].name;
+    for (int q = 0; q < (read.previous ? graph->pass_count : pass); q++)
         for (int o = 0; o < graph->passes[q].out_count; o++) {
             const struct aob_graph_bind *out = &graph->passes[q].out[o];
-            if (out->texture != texture || out->level < level || out->level >= level + count)
+            if (out->texture != read.texture || out->level < read.level ||
+                out->level >= read.level + read.count)
                 continue;
             aob_text_add(text, "  %s -> %s [label=\"%s", graph->passes[q].name, to, from);
-            if (graph->textures[texture].levels > 1)
+            if (texture->levels > 1)
                 aob_text_add(text, " %d", out->level);
-            aob_text_add(text, "\"];\n");
+            aob_text_add(text, read.previous ? "\", style=dotted];\n" : "\"];\n");
         }
-    if (graph->textures[texture].fill)
+    if (texture->fill)
         aob_text_add(text, "  %s [shape=cylinder];\n  %s -> %s;\n", from, from, to);
 }
 
@@ -181,9 +198,11 @@ void aob_graph_dot(const struct aob_pass_graph *graph, struct aob_text *text)
         if (pass->draw == AOB_TRIANGLES)
             aob_text_add(text, "  triangles -> %s;\n", pass->name);
         if (pass->depth >= 0)
-            add_edges(graph, p, pass->depth, 0, pass->depth_levels, text);
-        for (int i = 0; i < pass->in_count; i++)
-            add_edges(graph, p, pass->in[i].texture, pass->in[i].level, pass->in[i].level_count, text);
+            add_edges(graph, p, (struct read){pass->depth, 0, pass->depth_levels, false}, text);
+        for (int i = 0; i < pass->in_count; i++) {
+            const struct aob_graph_bind *in = &pass->in[i];
+            add_edges(graph, p, (struct read){in->texture, in->level, in->level_count, in->previous}, text);
+        }
         add_outputs(graph, pass, text);
     }
     aob_text_add(text, "}\n");

@@ -19,7 +19,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define AOB_ABI 9u /* raised by every change to this file: modules of another number are refused */
+#define AOB_ABI 10u /* raised by every change to this file: modules of another number are refused */
 enum {
     AOB_MAX_PARAM = 32,
     AOB_MAX_IN = 8,
@@ -30,9 +30,6 @@ enum {
     AOB_MAX_LEVEL = 12,
     AOB_MAX_VERTICES = 36
 };
-
-/* Reserved: names below that are marked so say what they will be. This program refuses them with a line, since it has
- * nothing yet to compare them with. */
 
 /* --- Parameters: one table serves config, command line, sweep, GLSL, `list` and report ------------------- */
 
@@ -102,9 +99,8 @@ typedef struct {
 enum aob_read {
     AOB_DEPTH = 1 << 0,  /* aob_view_z, aob_position, aob_is_sky */
     AOB_NORMAL = 1 << 1, /* aob_normal */
-    /* Reserved: vec3 aob_before(ivec2 p), image position and depth of the surface one frame earlier; depth AOB_SKY_Z
-     * where it was not seen. */
-    AOB_VELOCITY = 1 << 2,
+    AOB_VELOCITY =
+        1 << 2, /* aob_before, aob_place_before, aob_direction_before, aob_place_now; with AOB_DEPTH */
     AOB_MATERIAL = 1 << 3,  /* aob_albedo, aob_roughness, aob_metalness */
     AOB_LIGHT = 1 << 4,     /* aob_light */
     AOB_CLEARANCE = 1 << 5, /* aob_is_clear; with AOB_DEPTH */
@@ -205,9 +201,9 @@ struct aob_graph_ops {
     aob_tex (*texture)(struct aob_graph *graph, const struct aob_tex_desc *desc);
     bool (*pass)(struct aob_graph *graph, const struct aob_pass *pass); /* runs after the earlier ones */
     bool (*output)(struct aob_graph *graph, enum aob_output which, aob_tex tex); /* full size */
-    aob_tex (*previous)(struct aob_graph *graph,
-                        aob_tex tex); /* reserved: the texture as the last frame left it, 0
-                                                                  in frame 0; an input only */
+    /* A target of this graph as the frame before left it, 0 throughout in frame 0; for `in` only. A pass may read it before or
+     * after the pass that writes the target anew. It costs a second texture. */
+    aob_tex (*previous)(struct aob_graph *graph, aob_tex tex);
 };
 struct aob_graph {
     const struct aob_graph_ops *ops;
@@ -225,7 +221,7 @@ struct aob_graph {
  *
  *   ivec2 aob_pixel             the pixel of the outputs that this invocation writes
  *   ivec2 aob_target_size       pixels of the pass's outputs
- *   int   aob_frame             frame number, 0 for a single shot
+ *   int   aob_frame             frame number, 0 for a single shot and for the first of a sequence
  *   AOB_DIVISOR                 divisor of the outputs, their level counted; AOB_DEPTH_DIVISOR of the depth below
  *   AOB_DIVISOR_<IN>            divisor of an input that is no table, in the level that it is read from
  *   AOB_TYPE_<IN>               float, vec2 or vec4: what an input's texels are, so that one text can filter
@@ -245,6 +241,13 @@ struct aob_graph {
  *                                            11, 2-2, 2-1, 20, 21, 22, R G B, view space (AOB_LIGHT; common/harmonics.glsl)
  *   bool  aob_is_clear(ivec2 p)              nothing can occlude it (clear_sine below), or it is sky: write what an open surface
  *                                            has, and return. False throughout unless the run option `thrift` is on (AOB_CLEARANCE)
+ *   vec3  aob_before(ivec2 p)                where it was in the frame before: x and y the place among the pixels of the whole
+ *                                            G-buffer (centres at +.5), z its depth then; z is AOB_SKY_Z of the sky, and of what was
+ *                                            behind the camera. Held in half floats: x, y and the change of depth to one part in
+ *                                            2048 of themselves (AOB_VELOCITY, as the next three)
+ *   vec3  aob_place_before(vec3 v)           the place in the frame before, view space of then, of what stands still and is at v now
+ *   vec3  aob_direction_before(vec3 d)       the same of a direction
+ *   vec3  aob_place_now(vec3 v)              the other way
  *   vec2  aob_image(ivec2 p)                 where it lies among the pixels of the depth below (centres at +.5)
  * The depth that the pass reads: the G-buffer's, or `depth`. Where its divisor is the outputs', p means the same
  * pixel in both.
@@ -342,7 +345,6 @@ struct aob_technique {
     const char
         *notes; /* where it departs from its text (slips of a listing, what the text leaves open); or NULL */
     uint32_t revision; /* raise when results should change; part of every case's key */
-    uint32_t frames;   /* reserved above 1: frames until its image is steady; 0 means 1 */
     const struct aob_param *params;
     uint32_t param_count;
     size_t values_size;               /* sizeof the values struct that params index */

@@ -108,9 +108,52 @@ static void test_outputs_beside_visibility(void **state)
     struct aob_technique technique = {.name = "trial", .shaders = shaders, .build = build_always_bent_normal};
     assert_true(aob_graph_build(&graph, &technique, &(struct values){0}, 0, &error));
     assert_false(aob_graph_gives(&graph, AOB_OUT_BENT_NORMAL) || graph.passes[1].live);
-    technique.frames = 2;
-    assert_false(aob_graph_build(&graph, &technique, &(struct values){0}, 0, &error));
-    assert_contains(error.text, "frames is 2: it is reserved");
+}
+
+/* A sum over the frames: what the first pass reads is written by the second. */
+static bool build_history(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex raw = RAW(g), sum = aob_texture(g, .name = "sum", .format = AOB_R32F),
+            unread = aob_texture(g, .name = "unread");
+    return aob_pass(g, .name = "first", .shader = "one",
+                    .in = {{.name = "before", .tex = aob_previous(g, sum)}}, .out = OUT(raw)) &&
+           aob_pass(g, .name = "second", .shader = "two", .in = {{.name = "i", .tex = raw}},
+                    .out = OUT(sum)) &&
+           aob_pass(g, .name = "idle", .shader = "two", .in = {{.name = "i", .tex = aob_previous(g, unread)}},
+                    .out = OUT(unread)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, raw);
+}
+
+static bool build_without_history(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex raw = RAW(g), sum = aob_texture(g, .name = "sum", .format = AOB_R32F);
+    return aob_pass(g, .name = "second", .shader = "two", .out = OUT(sum)) &&
+           aob_pass(g, .name = "first", .shader = "one", .in = {{.name = "before", .tex = sum}},
+                    .out = OUT(raw)) &&
+           aob_output(g, AOB_OUT_VISIBILITY, raw);
+}
+
+static void test_history_keeps_its_writer_alive(void **state)
+{
+    (void)state;
+    struct aob_pass_graph graph, other;
+    struct aob_error error;
+    struct aob_text dot = {0};
+    char key[AOB_KEY_SIZE], other_key[AOB_KEY_SIZE];
+    assert_true(try_build(&graph, build_history, &error));
+    assert_true(aob_graph_keeps_history(&graph));
+    assert_true(graph.passes[0].live && graph.passes[1].live && !graph.passes[2].live);
+    assert_true(!graph.textures[0].kept && graph.textures[1].kept && !graph.textures[2].kept);
+    aob_graph_dot(&graph, &dot);
+    assert_contains(dot.data, "second -> first [label=\"sum\", style=dotted];");
+    aob_text_finish(&dot);
+    assert_true(try_build(&other, build_without_history, &error));
+    assert_false(aob_graph_keeps_history(&other));
+    aob_graph_digest(&graph, &(struct values){3, 1}, key);
+    aob_graph_digest(&other, &(struct values){3, 1}, other_key);
+    assert_string_not_equal(key, other_key);
 }
 
 static void test_defines_are_kept(void **state)
@@ -161,6 +204,7 @@ int main(void)
         cmocka_unit_test(test_triangles),
         cmocka_unit_test(test_tables_and_depths),
         cmocka_unit_test(test_outputs_beside_visibility),
+        cmocka_unit_test(test_history_keeps_its_writer_alive),
         cmocka_unit_test(test_defines_are_kept),
         cmocka_unit_test(test_digest_follows_constants_only),
         cmocka_unit_test(test_dot_picture),

@@ -193,14 +193,48 @@ static bool build_two_faults(struct aob_graph *g, const void *values)
 static bool build_velocity(struct aob_graph *g, const void *values)
 {
     (void)values;
-    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_DEPTH | AOB_VELOCITY,
-                    .out = OUT(RAW(g)));
+    return aob_pass(g, .name = "first", .shader = "one", .reads = AOB_VELOCITY, .out = OUT(RAW(g)));
 }
 
-static bool build_previous(struct aob_graph *g, const void *values)
+static bool build_previous_of_nothing(struct aob_graph *g, const void *values)
 {
     (void)values;
-    return aob_previous(g, RAW(g)).id;
+    return aob_previous(g, (aob_tex){7}).id;
+}
+
+static bool build_previous_table(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_previous(g, aob_texture(g, .name = "table", .width = 2, .height = 2, .fill = fill)).id;
+}
+
+static bool build_written_previous(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return aob_pass(g, .name = "first", .shader = "one", .out = OUT(aob_previous(g, RAW(g))));
+}
+
+static bool build_unwritten_previous(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex raw = RAW(g), more = aob_texture(g, .name = "more");
+    aob_pass(g, .name = "first", .shader = "one", .in = {{.name = "i", .tex = aob_previous(g, more)}},
+             .out = OUT(raw));
+    return aob_output(g, AOB_OUT_VISIBILITY, raw);
+}
+
+static bool build_previous_output(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    aob_tex raw = RAW(g);
+    aob_pass(g, .name = "first", .shader = "one", .out = OUT(raw));
+    return aob_output(g, AOB_OUT_VISIBILITY, aob_previous(g, raw));
+}
+
+static bool build_previous_depth(struct aob_graph *g, const void *values)
+{
+    (void)values;
+    return depth_pass(g, aob_previous(g, aob_texture(g, .name = "low", .format = AOB_R32F)), AOB_DEPTH);
 }
 
 static bool build_lower_define(struct aob_graph *g, const void *values)
@@ -266,9 +300,14 @@ static const struct {
     {build_half_bounces, "visibility_rgb: texture 'more' is r16f: must be rgba8, rgba16f or rgba32f"},
     {build_unknown_read, "unknown bits in reads"},
     {build_unwritten_bent_normal, "no pass writes texture 'more' of the output bent_normal"},
-    {build_velocity, "reads the velocity: it is reserved"},
+    {build_velocity, "reads the velocity, which takes the depth as well"},
     {build_two_faults, "two textures are named 'twin'"},
-    {build_previous, "previous textures are reserved"},
+    {build_previous_of_nothing, "previous of what is no texture of this graph"},
+    {build_previous_table, "a table has no previous texture: 'table'"},
+    {build_written_previous, "output 'o' is a previous texture, which can only be read"},
+    {build_unwritten_previous, "reads the previous texture 'more', which no pass writes"},
+    {build_previous_output, "an output is unknown or has no texture of this graph"},
+    {build_previous_depth, "its depth is no texture of this graph"},
     {build_lower_define, "define 'wide'"},
     {build_prelude_define, "define 'AOB_DIVISOR'"}};
 

@@ -146,6 +146,8 @@ bool aob_gl_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_des
 void aob_gl_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
 bool aob_gl_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                          struct aob_error *error);
+bool aob_gl_texture_write(struct aob_gpu *gpu, struct aob_gpu_texture *texture, const void *texels,
+                          struct aob_error *error);
 bool aob_gl_buffer_create(struct aob_gpu *gpu, size_t size, struct aob_gpu_buffer **buffer,
                           struct aob_error *error);
 void aob_gl_buffer_destroy(struct aob_gpu *gpu, struct aob_gpu_buffer *buffer);
@@ -172,10 +174,10 @@ void aob_gl_pass_draw(const struct gl *gl, const struct aob_gpu_pass *pass);
 #define AOB_GL_SLOTS                                                                                         \
     .environment = aob_gpu_driver_environment, .close = aob_gl_close, .format_lacks = aob_gl_lacks,          \
     .texture_create = aob_gl_texture_create, .texture_destroy = aob_gl_texture_destroy,                      \
-    .texture_read = aob_gl_texture_read, .buffer_create = aob_gl_buffer_create,                              \
-    .buffer_destroy = aob_gl_buffer_destroy, .buffer_write = aob_gl_buffer_write,                            \
-    .buffer_read = aob_gl_buffer_read, .program_create = aob_gl_program_create,                              \
-    .program_destroy = aob_gl_program_destroy, .pass_create = aob_gl_pass_create,                            \
-    .pass_destroy = aob_gl_pass_destroy, .pass_set_uniforms = aob_gl_pass_set_uniforms,                      \
-    .pass_set_part = aob_gl_pass_set_part, .run = aob_gl_run
+    .texture_read = aob_gl_texture_read, .texture_write = aob_gl_texture_write,                              \
+    .buffer_create = aob_gl_buffer_create, .buffer_destroy = aob_gl_buffer_destroy,                          \
+    .buffer_write = aob_gl_buffer_write, .buffer_read = aob_gl_buffer_read,                                  \
+    .program_create = aob_gl_program_create, .program_destroy = aob_gl_program_destroy,                      \
+    .pass_create = aob_gl_pass_create, .pass_destroy = aob_gl_pass_destroy,                                  \
+    .pass_set_uniforms = aob_gl_pass_set_uniforms, .pass_set_part = aob_gl_pass_set_part, .run = aob_gl_run
 #endif

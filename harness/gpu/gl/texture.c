@@ -12,6 +12,20 @@ const char *aob_gl_lacks(const struct aob_gpu *gpu, enum aob_format format, uint
     return NULL;
 }
 
+static void upload(const struct gl_api *api, const struct gl_texture *texture, const void *texels)
+{
+    const struct gl_format *kind = aob_gl_format(texture->base.format);
+    api->TextureSubImage2D(texture->name, 0, 0, 0, texture->base.width, texture->base.height, kind->layout,
+                           kind->type, texels);
+}
+
+bool aob_gl_texture_write(struct aob_gpu *gpu, struct aob_gpu_texture *texture, const void *texels,
+                          struct aob_error *error)
+{
+    upload(aob_gl_use(gpu), (const struct gl_texture *)texture, texels);
+    return aob_gl_ok(gpu, "write the texture", error);
+}
+
 bool aob_gl_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
                            struct aob_gpu_texture **texture, struct aob_error *error)
 {
@@ -23,7 +37,7 @@ bool aob_gl_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_des
     api->CreateTextures(GL_TEXTURE_2D, 1, &made->name);
     api->TextureStorage2D(made->name, made->base.levels, kind->internal, width, height);
     if (desc->texels)
-        api->TextureSubImage2D(made->name, 0, 0, 0, width, height, kind->layout, kind->type, desc->texels);
+        upload(api, made, desc->texels);
     if (aob_gl_ok(gpu, "create the texture", error)) {
         *texture = &made->base;
         return true;

@@ -99,6 +99,15 @@ static bool null_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture 
     return true;
 }
 
+static bool null_texture_write(struct aob_gpu *gpu, struct aob_gpu_texture *texture, const void *texels,
+                               struct aob_error *error)
+{
+    (void)gpu;
+    (void)error;
+    memcpy(null_texture(texture)->texels, texels, aob_gpu_level_bytes(texture, 0));
+    return true;
+}
+
 static bool null_buffer_create(struct aob_gpu *gpu, size_t size, struct aob_gpu_buffer **buffer,
                                struct aob_error *error)
 {
@@ -243,6 +252,7 @@ const struct aob_gpu_fns aob_gpu_null = {
     .texture_create = null_texture_create,
     .texture_destroy = null_texture_destroy,
     .texture_read = null_texture_read,
+    .texture_write = null_texture_write,
     .buffer_create = null_buffer_create,
     .buffer_destroy = null_buffer_destroy,
     .buffer_write = null_buffer_write,

@@ -17,6 +17,7 @@ const struct aob_gpu_fns aob_gpu_vulkan = {
     .texture_create = aob_vk_texture_create,
     .texture_destroy = aob_vk_texture_destroy,
     .texture_read = aob_vk_texture_read,
+    .texture_write = aob_vk_texture_write,
     .buffer_create = aob_vk_storage_create,
     .buffer_destroy = aob_vk_storage_destroy,
     .buffer_write = aob_vk_storage_write,

@@ -62,6 +62,12 @@ static bool upload(struct vk *vk, const struct vk_texture *texture, const void *
     return good;
 }
 
+bool aob_vk_texture_write(struct aob_gpu *gpu, struct aob_gpu_texture *texture, const void *texels,
+                          struct aob_error *error)
+{
+    return upload((struct vk *)gpu, (const struct vk_texture *)texture, texels, error);
+}
+
 bool aob_vk_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_desc *desc,
                            struct aob_gpu_texture **texture, struct aob_error *error)
 {

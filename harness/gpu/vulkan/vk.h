@@ -212,6 +212,8 @@ bool aob_vk_texture_create(struct aob_gpu *gpu, const struct aob_gpu_texture_des
 void aob_vk_texture_destroy(struct aob_gpu *gpu, struct aob_gpu_texture *texture);
 bool aob_vk_texture_read(struct aob_gpu *gpu, const struct aob_gpu_texture *texture, int level, void *texels,
                          struct aob_error *error);
+bool aob_vk_texture_write(struct aob_gpu *gpu, struct aob_gpu_texture *texture, const void *texels,
+                          struct aob_error *error);
 bool aob_vk_program_create(struct aob_gpu *gpu, const struct aob_gpu_program_desc *desc,
                            struct aob_gpu_program **program, struct aob_error *error);
 void aob_vk_program_destroy(struct aob_gpu *gpu, struct aob_gpu_program *program);
