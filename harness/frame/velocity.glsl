@@ -1,8 +1,8 @@
 /* What the velocity texture holds is in frame/velocity_texels.h. */
-vec3 aob_before(ivec2 p) {
-    ivec2 f = clamp(p * AOB_DIVISOR, ivec2(0), param.aob_sizes.xy - 1);
-    vec4 moved = aob_texel_velocity(f);
-    return vec3(vec2(f) + 0.5 - moved.xy, moved.w > 0.5 ? aob_gbuffer_z(f) + moved.z : AOB_SKY_Z);
+vec3 aob_before(ivec2 f) {
+    ivec2 q = clamp(f, ivec2(0), param.aob_sizes.xy - 1);
+    vec4 moved = aob_texel_velocity(q);
+    return vec3(vec2(q) + 0.5 - moved.xy, moved.w > 0.5 ? aob_gbuffer_z(q) + moved.z : AOB_SKY_Z);
 }
 vec3 aob_direction_before(vec3 d) {
     return vec3(dot(param.aob_then[0].xyz, d), dot(param.aob_then[1].xyz, d), dot(param.aob_then[2].xyz, d));

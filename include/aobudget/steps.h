@@ -33,6 +33,12 @@
         T, field, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_HOST, .min = 1, .max = 4,          \
         .rule = AOB_POWER_OF_TWO, .initial = 1,                                                              \
         .doc = "Divides the size of the depth that is sampled: 1 full, 2 half, 4 quarter; more is cheaper.")
+#define AOB_PARAM_HISTORY(T, field)                                                                          \
+    AOB_PARAM(                                                                                               \
+        T, field, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT, .min = 0, .max = 4096,   \
+        .initial = 0,                                                                                        \
+        .doc =                                                                                               \
+            "Frames that the mean over time counts at most, then old ones fade; more is smoother; 0 is off.")
 #define AOB_PARAM_CROSS5(T, field)                                                                           \
     AOB_PARAM(T, field, .stage = AOB_HOST, .choices = (const char *const[]){"off", "on", NULL},              \
               .doc = "A composite's cross of five pixels, weighed by surface: on smooths by a pixel.")
@@ -45,6 +51,7 @@ struct aob_step {
     int32_t divisor;        /* of tex; of `downsample`, to be reached */
     int32_t taps;           /* of the filters; 0: the step is left out */
     int32_t passes;         /* blur, gaussian: how often; 0 means once */
+    int32_t frames;         /* temporal: how many count; 0 and 1: the step is left out */
     enum aob_output output; /* AOB_OUT_VISIBILITY or AOB_OUT_BENT_NORMAL: what tex is, and what comes out */
 };
 static inline const char *aob_step_name(const struct aob_step *step, const char *bent_name)
@@ -139,6 +146,53 @@ static inline aob_tex aob_lay_upsample(struct aob_graph *graph, const struct aob
              .reads = AOB_DEPTH | AOB_NORMAL, .in = {{.name = "low", .tex = step->tex}},
              .out = {{.name = "full", .tex = full}});
     return full;
+}
+
+/* aob_step_temporal(graph, .tex = full, .frames = 16): the mean over time of an image of full size, in 32 bits. Four passes of the
+ * texts changes, change_groups, changed and temporal; constant parameter `history`, the frames, and uniform parameter `radius`,
+ * beyond which nothing darkens. Frames that are to differ draw by aob_frame. `tex` itself where no more than one frame counts. */
+#define aob_step_temporal(graph, ...) aob_lay_temporal(graph, &(struct aob_step){__VA_ARGS__})
+static inline aob_tex aob_lay_changes(struct aob_graph *graph, aob_tex surface)
+{
+    enum { LOW, HIGH, CHANGE_LOW, CHANGE_HIGH, GROUP_LOW, GROUP_HIGH, COUNT };
+    static const char *const names[COUNT] = {"tile_low",    "tile_high", "change_low",
+                                             "change_high", "group_low", "group_high"};
+    aob_tex box[COUNT], changed = aob_texture(graph, .name = "changed", .format = AOB_R8, .divisor = 8);
+    for (int i = 0; i < COUNT; i++)
+        box[i] = aob_texture(graph, .name = names[i], .format = AOB_RGBA32F, .divisor = i < GROUP_LOW ? 8 : 64);
+    aob_pass(graph, .name = "changes", .shader = "changes", .reads = AOB_DEPTH | AOB_VELOCITY, .border = AOB_CLAMP,
+             .in = {{.name = "surface_before", .tex = aob_previous(graph, surface)}},
+             .out = {{.name = "tile_low", .tex = box[LOW]},
+                     {.name = "tile_high", .tex = box[HIGH]},
+                     {.name = "change_low", .tex = box[CHANGE_LOW]},
+                     {.name = "change_high", .tex = box[CHANGE_HIGH]}});
+    aob_pass(graph, .name = "change_groups", .shader = "change_groups",
+             .in = {{.name = "tile_low", .tex = box[CHANGE_LOW]}, {.name = "tile_high", .tex = box[CHANGE_HIGH]}},
+             .out = {{.name = "change_low", .tex = box[GROUP_LOW]}, {.name = "change_high", .tex = box[GROUP_HIGH]}});
+    aob_pass(graph, .name = "changed", .shader = "changed",
+             .in = {{.name = "tile_low", .tex = box[LOW]},
+                    {.name = "tile_high", .tex = box[HIGH]},
+                    {.name = "change_low", .tex = box[CHANGE_LOW]},
+                    {.name = "change_high", .tex = box[CHANGE_HIGH]},
+                    {.name = "group_low", .tex = box[GROUP_LOW]},
+                    {.name = "group_high", .tex = box[GROUP_HIGH]}},
+             .out = {{.name = "changed", .tex = changed}});
+    return changed;
+}
+static inline aob_tex aob_lay_temporal(struct aob_graph *graph, const struct aob_step *step)
+{
+    if (step->frames <= 1)
+        return step->tex;
+    aob_tex open = aob_texture(graph, .name = "open_mean",
+                               .format = step->output == AOB_OUT_BENT_NORMAL ? AOB_RGBA32F : AOB_R32F),
+            surface = aob_texture(graph, .name = "open_surface", .format = AOB_RGBA32F);
+    aob_pass(graph, .name = "temporal", .shader = "temporal", .reads = AOB_DEPTH | AOB_NORMAL | AOB_VELOCITY,
+             .in = {{.name = "now", .tex = step->tex},
+                    {.name = "open_before", .tex = aob_previous(graph, open)},
+                    {.name = "surface_before", .tex = aob_previous(graph, surface)},
+                    {.name = "changed", .tex = aob_lay_changes(graph, surface)}},
+             .out = {{.name = "open", .tex = open}, {.name = "surface", .tex = surface}});
+    return open;
 }
 
 /* aob_step_bounces(graph, .tex = open): visibility after bounces between surfaces of the pixel's own albedo, for each

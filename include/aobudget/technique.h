@@ -241,14 +241,14 @@ struct aob_graph {
  *                                            11, 2-2, 2-1, 20, 21, 22, R G B, view space (AOB_LIGHT; common/harmonics.glsl)
  *   bool  aob_is_clear(ivec2 p)              nothing can occlude it (clear_sine below), or it is sky: write what an open surface
  *                                            has, and return. False throughout unless the run option `thrift` is on (AOB_CLEARANCE)
- *   vec3  aob_before(ivec2 p)                where it was in the frame before: x and y the place among the pixels of the whole
- *                                            G-buffer (centres at +.5), z its depth then; z is AOB_SKY_Z of the sky, and of what was
- *                                            behind the camera. Held in half floats: x, y and the change of depth to one part in
- *                                            2048 of themselves (AOB_VELOCITY, as the next three)
+ *   vec2  aob_image(ivec2 p)                 where it lies among the pixels of the depth below (centres at +.5)
+ * What was in the frame before (AOB_VELOCITY). The first counts the pixels of the whole G-buffer, p * AOB_DIVISOR of the outputs'.
+ *   vec3  aob_before(ivec2 f)                where the surface of pixel f was: x and y the place in the image (centres at +.5), z its
+ *                                            depth then; z is AOB_SKY_Z of the sky, and of what was behind the camera. Held in half
+ *                                            floats: x, y and the change of depth to one part in 2048 of themselves
  *   vec3  aob_place_before(vec3 v)           the place in the frame before, view space of then, of what stands still and is at v now
  *   vec3  aob_direction_before(vec3 d)       the same of a direction
  *   vec3  aob_place_now(vec3 v)              the other way
- *   vec2  aob_image(ivec2 p)                 where it lies among the pixels of the depth below (centres at +.5)
  * The depth that the pass reads: the G-buffer's, or `depth`. Where its divisor is the outputs', p means the same
  * pixel in both.
  *   ivec2 aob_size              its pixels, guard band included

@@ -77,8 +77,9 @@ void main()
     }
     tangent_frame(v, b1, b2);
     vec2 start = aob_image(p);
-    float turn = fract(noise_rotation(p) + noise_frame_rotation(param.noise_index));
-    float offset = noise_offset(p) + noise_frame_offset(param.noise_index);
+    int frame = param.noise_index + (HISTORY > 1 ? aob_frame : 0);
+    float turn = fract(noise_rotation(p) + noise_frame_rotation(frame));
+    float offset = noise_offset(p) + noise_frame_offset(frame);
     float open = 0.0, total = 0.0;
     vec3 closed = vec3(0.0);
     for (int slice = 0; slice < SLICES; slice++) {

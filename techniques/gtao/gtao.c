@@ -8,7 +8,8 @@
 
 struct values {
     float radius, falloff;
-    int32_t slices, steps, weighting, noise_index, divisor, depth_divisor, blur, irradiance_by, specular_by;
+    int32_t slices, steps, weighting, noise_index, divisor, depth_divisor, blur, history, irradiance_by,
+        specular_by;
 };
 
 enum { COSINE };
@@ -37,10 +38,11 @@ static const struct aob_param params[] = {
             "How directions are weighted: with the cosine as in the text, or by the bare solid angle, which "
             "gives no bounces, specular or irradiance."),
     AOB_PARAM(struct values, noise_index, .min = 0, .max = 1e6, .initial = 0,
-              .doc = "Frame of the temporal noise: turns slices and moves steps; repeats after 24."),
+              .doc = "Frame of the temporal noise: turns slices and moves steps; 24 are the text's."),
     AOB_PARAM_DIVISOR(struct values, divisor),
     AOB_PARAM_DEPTH_DIVISOR(struct values, depth_divisor),
     AOB_PARAM_BLUR(struct values, blur, 5),
+    AOB_PARAM_HISTORY(struct values, history),
     AOB_PARAM(
         struct values, irradiance_by, .output = AOB_OUT_IRRADIANCE, .stage = AOB_HOST, .choices = irradiances,
         .doc = "How irradiance is made, where it is wanted; zonal is the text's, and the rest compare."),
@@ -121,6 +123,7 @@ static bool build(struct aob_graph *graph, const void *values)
              .out = {{.name = "visibility", .tex = open}});
     open = aob_step_blur(graph, .tex = open, .taps = v->blur, .divisor = v->divisor, .output = kind);
     open = aob_step_upsample(graph, .tex = open, .divisor = v->divisor, .output = kind);
+    open = aob_step_temporal(graph, .tex = open, .frames = v->history, .output = kind);
     if (!aob_open_outputs(graph, kind, open))
         return false;
     return !gives_light(v) || (aob_step_bounces(graph, .tex = open) && lay_irradiance(graph, v, open) &&

@@ -1,0 +1,73 @@
+/* Of each tile of 8 x 8 pixels: a box about its surfaces, and one about what has changed there since the frame before, but for the
+ * camera: places where something that moves is, where it was and what it hides, and where something is gone and what that shows.
+ * What hides behind a thing that moves occludes nothing in an image. Where nothing has changed the box is empty, its low end above
+ * its high one. */
+
+/* How much two places may differ that are one: half floats of the velocity, and floats of the projection. */
+bool apart(vec2 a, vec2 b, vec2 velocity) { return any(greaterThan(abs(a - b), 2e-3 + abs(velocity) / 512.0)); }
+bool apart(float a, float b, float change) { return abs(a - b) > 1e-4 * abs(a) + abs(change) / 512.0; }
+
+/* Whether the surface of pixel f moves by itself; `was` is where it came from, in view space of now. */
+bool moves(ivec2 f, vec3 here, out vec3 was)
+{
+    vec3 then = aob_before(f), still = aob_place_before(here);
+    was = aob_place_now(aob_position_at(then.xy, then.z));
+    if (aob_no_depth(then.z) || (AOB_PERSPECTIVE == 1 && still.z > -1e-6))
+        return false;
+    return apart(then.xy, aob_project(still), vec2(f) + 0.5 - then.xy) || apart(then.z, -still.z, then.z + here.z);
+}
+
+/* Whether one sees through a place that held a surface: all four pixels about it show what lies behind. */
+bool sees_through(vec3 place)
+{
+    vec2 q = aob_project(place) - 0.5;
+    vec2 part = fract(q);
+    bool through = all(greaterThanEqual(q, vec2(-0.5))) && all(lessThanEqual(q, vec2(aob_size) - 0.5));
+    for (int k = 0; k < 4; k++) {
+        ivec2 corner = ivec2(k & 1, k >> 1);
+        vec2 share = mix(1.0 - part, part, vec2(corner));
+        bool counts = min(share.x, share.y) > 0.01;
+        through = through && (!counts || aob_view_z(ivec2(floor(q)) + corner) > -1.002 * place.z);
+    }
+    return through;
+}
+
+void grow(inout vec3 low, inout vec3 high, vec3 place)
+{
+    low = min(low, place);
+    high = max(high, place);
+}
+
+void grow_to_surface(inout vec3 low, inout vec3 high, ivec2 f)
+{
+    if (!aob_is_sky(f))
+        grow(low, high, aob_position(f));
+}
+
+void main()
+{
+    vec3 low = vec3(1e30), high = vec3(-1e30), first = low, last = high;
+    for (int i = 0; i < 64; i++) {
+        ivec2 f = aob_pixel * 8 + ivec2(i & 7, i >> 3);
+        if (any(greaterThanEqual(f, aob_size)))
+            continue;
+        float old = length(aob_fetch_surface_before(f).xyz);
+        vec3 here = aob_position(f), was = aob_place_now(aob_position_at(vec2(f) + 0.5, old)), from;
+        bool held = !aob_no_depth(old) && (AOB_PERSPECTIVE == 0 || was.z < -1e-6);
+        bool moved = !aob_is_sky(f) && moves(f, here, from);
+        bool gone = held && sees_through(was);
+        grow_to_surface(first, last, f);
+        if (moved) {
+            grow(low, high, here);
+            grow(low, high, from);
+        }
+        if (gone)
+            grow_to_surface(low, high, ivec2(floor(aob_project(was))));
+        if (held && (moved || gone))
+            grow(low, high, was);
+    }
+    tile_low = vec4(first, 1.0);
+    tile_high = vec4(last, 1.0);
+    change_low = vec4(low, 1.0);
+    change_high = vec4(high, 1.0);
+}
