@@ -13,7 +13,7 @@ static void judge(bool ok, const struct aob_error *error)
 }
 
 void aob_reel_init(struct aob_reel *reel, const struct aob_rig *rig, struct aob_gpu *gpu,
-                       const char *technique, const char *params)
+                   const char *technique, const char *params)
 {
     const struct aob_technique *found = NULL;
     struct aob_options options;

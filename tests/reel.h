@@ -14,7 +14,7 @@ struct aob_reel {
 /* `rig` is the first frame's view, and the others' until another is shown; params as of aob_rig_run. Ends the program on a failure, as the next
  * ones do. */
 void aob_reel_init(struct aob_reel *reel, const struct aob_rig *rig, struct aob_gpu *gpu,
-                       const char *technique, const char *params);
+                   const char *technique, const char *params);
 
 /* From now on frames are of this view. `velocity`: three floats a pixel, as struct aob_gbuffer has them; NULL: it stands still. */
 void aob_reel_show(struct aob_reel *reel, const struct aob_rig *rig);

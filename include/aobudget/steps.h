@@ -34,11 +34,10 @@
         .rule = AOB_POWER_OF_TWO, .initial = 1,                                                              \
         .doc = "Divides the size of the depth that is sampled: 1 full, 2 half, 4 quarter; more is cheaper.")
 #define AOB_PARAM_HISTORY(T, field)                                                                          \
-    AOB_PARAM(                                                                                               \
-        T, field, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT, .min = 0, .max = 4096,   \
-        .initial = 0,                                                                                        \
-        .doc =                                                                                               \
-            "Frames that the mean over time counts at most, then old ones fade; more is smoother; 0 is off.")
+    AOB_PARAM(T, field, .unit = AOB_UNIT_COUNT, .scale = AOB_LOG2, .stage = AOB_CONSTANT, .min = 0,          \
+              .max = 4096, .initial = 0,                                                                     \
+              .doc = "Frames that the mean over time counts at most, then old ones fade; more is smoother; " \
+                     "0 is off.")
 #define AOB_PARAM_CROSS5(T, field)                                                                           \
     AOB_PARAM(T, field, .stage = AOB_HOST, .choices = (const char *const[]){"off", "on", NULL},              \
               .doc = "A composite's cross of five pixels, weighed by surface: on smooths by a pixel.")
@@ -159,16 +158,19 @@ static inline aob_tex aob_lay_changes(struct aob_graph *graph, aob_tex surface)
                                              "change_high", "group_low", "group_high"};
     aob_tex box[COUNT], changed = aob_texture(graph, .name = "changed", .format = AOB_R8, .divisor = 8);
     for (int i = 0; i < COUNT; i++)
-        box[i] = aob_texture(graph, .name = names[i], .format = AOB_RGBA32F, .divisor = i < GROUP_LOW ? 8 : 64);
-    aob_pass(graph, .name = "changes", .shader = "changes", .reads = AOB_DEPTH | AOB_VELOCITY, .border = AOB_CLAMP,
-             .in = {{.name = "surface_before", .tex = aob_previous(graph, surface)}},
+        box[i] =
+            aob_texture(graph, .name = names[i], .format = AOB_RGBA32F, .divisor = i < GROUP_LOW ? 8 : 64);
+    aob_pass(graph, .name = "changes", .shader = "changes", .reads = AOB_DEPTH | AOB_VELOCITY,
+             .border = AOB_CLAMP, .in = {{.name = "surface_before", .tex = aob_previous(graph, surface)}},
              .out = {{.name = "tile_low", .tex = box[LOW]},
                      {.name = "tile_high", .tex = box[HIGH]},
                      {.name = "change_low", .tex = box[CHANGE_LOW]},
                      {.name = "change_high", .tex = box[CHANGE_HIGH]}});
-    aob_pass(graph, .name = "change_groups", .shader = "change_groups",
-             .in = {{.name = "tile_low", .tex = box[CHANGE_LOW]}, {.name = "tile_high", .tex = box[CHANGE_HIGH]}},
-             .out = {{.name = "change_low", .tex = box[GROUP_LOW]}, {.name = "change_high", .tex = box[GROUP_HIGH]}});
+    aob_pass(
+        graph, .name = "change_groups", .shader = "change_groups",
+        .in = {{.name = "tile_low", .tex = box[CHANGE_LOW]}, {.name = "tile_high", .tex = box[CHANGE_HIGH]}},
+        .out = {{.name = "change_low", .tex = box[GROUP_LOW]},
+                {.name = "change_high", .tex = box[GROUP_HIGH]}});
     aob_pass(graph, .name = "changed", .shader = "changed",
              .in = {{.name = "tile_low", .tex = box[LOW]},
                     {.name = "tile_high", .tex = box[HIGH]},

@@ -32,6 +32,28 @@ bool sees_through(vec3 place)
     return through;
 }
 
+/* The surface that the frame before showed in pixel f, in view space of now; false where there was none. */
+bool surface_before(ivec2 f, out vec3 was)
+{
+    float old = length(aob_fetch_surface_before(f).xyz);
+    was = aob_place_now(aob_position_at(vec2(f) + 0.5, old));
+    return !aob_no_depth(old) && (AOB_PERSPECTIVE == 0 || was.z < -1e-6);
+}
+
+bool is_gone(ivec2 f)
+{
+    vec3 was;
+    return surface_before(f, was) && sees_through(was);
+}
+
+/* Under a camera that moves, a blade of grass may fall between the pixels for a frame: then only what was two pixels wide is gone. */
+bool has_gone(ivec2 f, vec3 was)
+{
+    vec2 way = abs(aob_project(was) - vec2(f) - 0.5);
+    return is_gone(f) && (max(way.x, way.y) < 0.01 ||
+                          (is_gone(f + ivec2(1, 0)) && is_gone(f + ivec2(0, 1)) && is_gone(f + 1)));
+}
+
 void grow(inout vec3 low, inout vec3 high, vec3 place)
 {
     low = min(low, place);
@@ -51,11 +73,8 @@ void main()
         ivec2 f = aob_pixel * 8 + ivec2(i & 7, i >> 3);
         if (any(greaterThanEqual(f, aob_size)))
             continue;
-        float old = length(aob_fetch_surface_before(f).xyz);
-        vec3 here = aob_position(f), was = aob_place_now(aob_position_at(vec2(f) + 0.5, old)), from;
-        bool held = !aob_no_depth(old) && (AOB_PERSPECTIVE == 0 || was.z < -1e-6);
-        bool moved = !aob_is_sky(f) && moves(f, here, from);
-        bool gone = held && sees_through(was);
+        vec3 here = aob_position(f), was, from;
+        bool held = surface_before(f, was), moved = !aob_is_sky(f) && moves(f, here, from), gone = held && has_gone(f, was);
         grow_to_surface(first, last, f);
         if (moved) {
             grow(low, high, here);

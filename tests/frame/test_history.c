@@ -13,27 +13,32 @@ static const struct aob_shader shaders[] = {
     {"count", "void main() { a = aob_fetch_before(aob_pixel) + 1.0; }\n"},
     {"sum", "void main() { b = aob_fetch_sums(aob_pixel) + aob_fetch_counts(aob_pixel); }\n"},
     {"both", "void main() { o = aob_fetch_a(aob_pixel) + aob_fetch_b(aob_pixel) / 1024.0; }\n"},
-    {"shift", "void main() { o = aob_pixel.x == 0 ? float(aob_frame) : aob_sample_row((vec2(aob_pixel) - vec2(0.5, -0.5))\n"
+    {"shift", "void main() { o = aob_pixel.x == 0 ? float(aob_frame) : aob_sample_row((vec2(aob_pixel) - "
+              "vec2(0.5, -0.5))\n"
               "    / vec2(aob_target_size)); }\n"},
     {"level", "void main() { fine = float(aob_frame + 1); }\n"},
     {"coarse", "void main() { coarse = 2.0 * aob_fetch_fine(aob_pixel * 2); }\n"},
-    {"levels", "void main() { o = aob_fetch_old(aob_pixel / 2, 1) + aob_fetch_old(aob_pixel, 0) / 1024.0; }\n"},
+    {"levels",
+     "void main() { o = aob_fetch_old(aob_pixel / 2, 1) + aob_fetch_old(aob_pixel, 0) / 1024.0; }\n"},
     {"before", "void main() { vec3 then = aob_before(aob_pixel); o = vec4(then, aob_view_z(aob_pixel)); }\n"},
     {"places", "void main() { vec3 v = aob_position(aob_pixel), n = aob_place_now(aob_place_before(v)) - v;\n"
-               "    vec3 then = aob_place_before(v), d = aob_direction_before(v) - then + aob_place_before(vec3(0.0));\n"
+               "    vec3 then = aob_place_before(v), d = aob_direction_before(v) - then + "
+               "aob_place_before(vec3(0.0));\n"
                "    o = vec4(aob_project(then), -then.z, length(n) + length(d)); }\n"},
     {NULL, NULL}};
 
 static bool build_sums(struct aob_graph *g, const void *values)
 {
     (void)values;
-    aob_tex a = aob_texture(g, .name = "a", .format = AOB_R32F), b = aob_texture(g, .name = "b", .format = AOB_R32F),
+    aob_tex a = aob_texture(g, .name = "a", .format = AOB_R32F),
+            b = aob_texture(g, .name = "b", .format = AOB_R32F),
             o = aob_texture(g, .name = "o", .format = AOB_R32F);
     aob_pass(g, .name = "count", .shader = "count", .in = {{.name = "before", .tex = aob_previous(g, a)}},
              .out = {{.name = "a", .tex = a}});
-    aob_pass(g, .name = "sum", .shader = "sum",
-             .in = {{.name = "sums", .tex = aob_previous(g, b)}, {.name = "counts", .tex = aob_previous(g, a)}},
-             .out = {{.name = "b", .tex = b}});
+    aob_pass(
+        g, .name = "sum", .shader = "sum",
+        .in = {{.name = "sums", .tex = aob_previous(g, b)}, {.name = "counts", .tex = aob_previous(g, a)}},
+        .out = {{.name = "b", .tex = b}});
     aob_pass(g, .name = "both", .shader = "both", .in = {{.name = "a", .tex = a}, {.name = "b", .tex = b}},
              .out = {{.name = "o", .tex = o}});
     return aob_output(g, AOB_OUT_VISIBILITY, o);
@@ -277,11 +282,11 @@ static void test_a_screen_shows_another_view(void **state)
     read_motion(stage, shown);
     aob_frame_finish(&stage->frame);
     assert_true(aob_screen_init(&fresh, stage->gpu, &other.gbuffer, &(struct aob_options){0}, NULL));
-    assert_true(aob_frame_init_desc(
-        &stage->frame, &fresh,
-        &(struct aob_frame_desc){
-            .technique = &technique, .values = &values, .wanted = 1u << AOB_OUT_BENT_NORMAL},
-        NULL));
+    assert_true(aob_frame_init_desc(&stage->frame, &fresh,
+                                    &(struct aob_frame_desc){.technique = &technique,
+                                                             .values = &values,
+                                                             .wanted = 1u << AOB_OUT_BENT_NORMAL},
+                                    NULL));
     read_motion(stage, made);
     assert_memory_equal(shown, made, sizeof shown);
     for (int i = 0; i < PIXELS; i++) /* without velocities all stands still */
