@@ -97,6 +97,15 @@ struct stage {
     float pixels[4 * PIXELS];
 };
 
+static void frame_init(struct stage *stage, struct aob_screen *screen, enum aob_fetch fetch)
+{
+    struct aob_error error = {{0}};
+    const struct aob_frame_desc desc = {
+        .technique = &technique, .values = &values, .fetch = fetch, .wanted = 1u << AOB_OUT_BENT_NORMAL};
+    if (!aob_frame_init_desc(&stage->frame, screen, &desc, &error))
+        fail_msg("%s: %s", backend, error.text);
+}
+
 static struct stage *stage_create(enum aob_fetch fetch, bool (*build)(struct aob_graph *, const void *))
 {
     struct stage *stage = AOB_NEW(struct stage);
@@ -105,14 +114,9 @@ static struct stage *stage_create(enum aob_fetch fetch, bool (*build)(struct aob
     technique.build = build;
     stage->gpu = aob_rig_gpu(backend);
     aob_rig_scene(&stage->rig, "spheres", NULL, W, H, 0);
-    if (!aob_screen_init(&stage->screen, stage->gpu, &stage->rig.gbuffer, &options, &error) ||
-        !aob_frame_init_desc(&stage->frame, &stage->screen,
-                             &(struct aob_frame_desc){.technique = &technique,
-                                                      .values = &values,
-                                                      .fetch = fetch,
-                                                      .wanted = 1u << AOB_OUT_BENT_NORMAL},
-                             &error))
+    if (!aob_screen_init(&stage->screen, stage->gpu, &stage->rig.gbuffer, &options, &error))
         fail_msg("%s: %s", backend, error.text);
+    frame_init(stage, &stage->screen, fetch);
     return stage;
 }
 
@@ -205,61 +209,68 @@ static void place_then(const struct aob_rig *rig, const struct aob_camera *befor
     q[2] = -aob_vec_dot(from, axes.back);
 }
 
+/* Velocities as a G-buffer holds them. */
+static float *velocities(const struct aob_rig *rig, const struct aob_camera *before)
+{
+    float *velocity = AOB_NEW_ARRAY(float, 3 * PIXELS);
+    for (int i = 0; i < PIXELS; i++) {
+        double q[3] = {0, 0, (double)AOB_GBUFFER_SKY};
+        if (rig->gbuffer.depth[i] < 0.5f * AOB_GBUFFER_SKY)
+            place_then(rig, before, i, q);
+        velocity[3 * i] = (float)(i % W + 0.5 - q[0]);
+        velocity[3 * i + 1] = (float)(i / W + 0.5 - q[1]);
+        velocity[3 * i + 2] = (float)q[2];
+    }
+    return velocity;
+}
+
+/* Half floats of differences are what aob_before has, and floats of places what aob_place_before has. */
+static void check_motion(const struct aob_rig *rig, const struct aob_camera *before, float found[4][PIXELS],
+                         float still[4][PIXELS])
+{
+    int surfaces = 0;
+    for (int i = 0; i < PIXELS; i++) {
+        double q[3];
+        if (rig->gbuffer.depth[i] >= 0.5f * AOB_GBUFFER_SKY) {
+            assert_true(found[2][i] == AOB_GBUFFER_SKY);
+            continue;
+        }
+        surfaces++;
+        place_then(rig, before, i, q);
+        const double now[3] = {i % W + 0.5, i / W + 0.5, (double)rig->gbuffer.depth[i]};
+        for (int c = 0; c < 3; c++) {
+            assert_near(found[c][i], q[c], fabs(now[c] - q[c]) / 2048 + 1e-4 * (c < 2) + 1e-6 * q[c]);
+            assert_near(still[c][i], q[c], c < 2 ? 1e-3 : 1e-5 * q[2]);
+        }
+        assert_true(still[3][i] < 1e-5f);
+    }
+    assert_true(surfaces > PIXELS / 2);
+}
+
 /* The view turns and moves; what aob_before says of what stands still is what aob_place_before says, and a hand's own
  * reprojection. */
 static void test_motion_is_that_of_the_camera(void **state)
 {
     (void)state;
     static float found[4][PIXELS], still[4][PIXELS];
-    struct aob_camera camera = aob_scene_view(aob_scene_find("spheres"), NULL)->camera, before = camera;
-    before.eye = aob_vec_add(camera.eye, aob_vec(0.07, -0.03, 0.05));
-    before.target = aob_vec_add(camera.target, aob_vec(-0.04, 0.06, 0));
+    struct aob_camera camera = aob_scene_view(aob_scene_find("spheres"), NULL)->camera;
     camera.moves = true;
-    camera.previous_eye = before.eye;
-    camera.previous_target = before.target;
+    camera.previous_eye = aob_vec_add(camera.eye, aob_vec(0.07, -0.03, 0.05));
+    camera.previous_target = aob_vec_add(camera.target, aob_vec(-0.04, 0.06, 0));
+    const struct aob_camera before = aob_camera_previous(&camera);
     for (int fetch = AOB_FETCH_SAMPLED; fetch <= AOB_FETCH_STORAGE; fetch++) {
         chosen = "before";
         struct stage *stage = stage_create((enum aob_fetch)fetch, build_motion);
         struct aob_gbuffer moved = stage->rig.gbuffer;
-        moved.velocity = AOB_NEW_ARRAY(float, 3 * PIXELS);
-        for (int i = 0; i < PIXELS; i++) {
-            double q[3] = {0, 0, AOB_GBUFFER_SKY};
-            bool sky = stage->rig.gbuffer.depth[i] >= 0.5f * AOB_GBUFFER_SKY;
-            if (!sky)
-                place_then(&stage->rig, &before, i, q);
-            moved.velocity[3 * i] = (float)(i % W + 0.5 - q[0]);
-            moved.velocity[3 * i + 1] = (float)(i / W + 0.5 - q[1]);
-            moved.velocity[3 * i + 2] = (float)q[2];
-        }
+        moved.velocity = velocities(&stage->rig, &before);
         const struct aob_screen_pose pose = {&moved, &aob_light_uniform, aob_camera_then(&camera)};
         assert_true(aob_screen_show(&stage->screen, &pose, NULL));
         read_motion(stage, found);
         aob_frame_finish(&stage->frame);
         chosen = "places";
-        assert_true(aob_frame_init_desc(&stage->frame, &stage->screen,
-                                        &(struct aob_frame_desc){.technique = &technique,
-                                                                 .values = &values,
-                                                                 .fetch = (enum aob_fetch)fetch,
-                                                                 .wanted = 1u << AOB_OUT_BENT_NORMAL},
-                                        NULL));
+        frame_init(stage, &stage->screen, (enum aob_fetch)fetch);
         read_motion(stage, still);
-        int surfaces = 0;
-        for (int i = 0; i < PIXELS; i++) {
-            double q[3];
-            if (stage->rig.gbuffer.depth[i] >= 0.5f * AOB_GBUFFER_SKY) {
-                assert_true(found[2][i] == AOB_GBUFFER_SKY);
-                continue;
-            }
-            surfaces++;
-            place_then(&stage->rig, &before, i, q);
-            const double now[3] = {i % W + 0.5, i / W + 0.5, (double)stage->rig.gbuffer.depth[i]};
-            for (int c = 0; c < 3; c++) { /* half floats of the difference; floats of places */
-                assert_near(found[c][i], q[c], fabs(now[c] - q[c]) / 2048 + 1e-4 * (c < 2) + 1e-6 * q[c]);
-                assert_near(still[c][i], q[c], c < 2 ? 1e-3 : 1e-5 * q[2]);
-            }
-            assert_true(still[3][i] < 1e-5f);
-        }
-        assert_true(surfaces > PIXELS / 2);
+        check_motion(&stage->rig, &before, found, still);
         free(moved.velocity);
         stage_destroy(stage);
     }
@@ -282,11 +293,7 @@ static void test_a_screen_shows_another_view(void **state)
     read_motion(stage, shown);
     aob_frame_finish(&stage->frame);
     assert_true(aob_screen_init(&fresh, stage->gpu, &other.gbuffer, &(struct aob_options){0}, NULL));
-    assert_true(aob_frame_init_desc(&stage->frame, &fresh,
-                                    &(struct aob_frame_desc){.technique = &technique,
-                                                             .values = &values,
-                                                             .wanted = 1u << AOB_OUT_BENT_NORMAL},
-                                    NULL));
+    frame_init(stage, &fresh, AOB_FETCH_SAMPLED);
     read_motion(stage, made);
     assert_memory_equal(shown, made, sizeof shown);
     for (int i = 0; i < PIXELS; i++) /* without velocities all stands still */

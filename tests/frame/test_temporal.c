@@ -33,10 +33,11 @@ static bool build(struct aob_graph *graph, const void *values)
 
 /* Frame n is a ramp over the columns, times a number of its own; the pixel (5, 5) of frame 0 is no number. */
 static struct aob_shader shaders[] = {
-    {"raw", "void main() {\n"
-            "    float v = float(aob_pixel.x) / 128.0 * (aob_frame == 0 ? 0.25 : aob_frame == 1 ? 1.0 : 0.5);\n"
-            "    if (aob_frame == 0 && aob_pixel == ivec2(5)) v = uintBitsToFloat(0x7fc00000u);\n"
-            "#if BENT == 1\n    raw = vec4(0.0, v, 0.5, v);\n#else\n    raw = v;\n#endif\n}\n"},
+    {"raw",
+     "void main() {\n"
+     "    float v = float(aob_pixel.x) / 128.0 * (aob_frame == 0 ? 0.25 : aob_frame == 1 ? 1.0 : 0.5);\n"
+     "    if (aob_frame == 0 && aob_pixel == ivec2(5)) v = uintBitsToFloat(0x7fc00000u);\n"
+     "#if BENT == 1\n    raw = vec4(0.0, v, 0.5, v);\n#else\n    raw = v;\n#endif\n}\n"},
     {"changes", NULL},
     {"change_groups", NULL},
     {"changed", NULL},
@@ -193,7 +194,8 @@ static void test_another_surface_does_not_count(void **state)
             stage->second.normal[4 * i] = sinf(0.873f);
             stage->second.normal[4 * i + 2] = cosf(0.873f);
         } else if (y >= 32 && x < 48)
-            stage->second.velocity[3 * i] = stage->second.velocity[3 * i + 1] = stage->second.velocity[3 * i + 2] = 1e9f;
+            stage->second.velocity[3 * i] = stage->second.velocity[3 * i + 1] =
+                stage->second.velocity[3 * i + 2] = 1e9f;
         else if (y >= 32)
             stage->second.depth[i] = stage->second.velocity[3 * i + 2] = AOB_GBUFFER_SKY;
     }
@@ -215,7 +217,8 @@ static void test_a_change_reaches_as_far_as_the_radius(void **state)
     double pixel = 3 * stage->rig.gbuffer.projection.sx;
     const struct values wide = {.radius = (float)(10 * pixel), .history = 8};
     for (int y = 24; y < 32; y++)
-        for (int x = 32; x < 40; x++) { /* one tile, which slid a tenth nearer over the plane, from ten pixels left of it */
+        for (int x = 32; x < 40;
+             x++) { /* one tile, which slid a tenth nearer over the plane, from ten pixels left of it */
             float *velocity = &stage->second.velocity[3 * (y * W + x)];
             stage->second.depth[y * W + x] = 2.999f;
             velocity[0] = 0.25f;

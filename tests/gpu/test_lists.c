@@ -136,7 +136,7 @@ static void a_run_without_passes_is_refused(void **state)
     for (size_t i = 0; i < AOB_COUNT(wrong); i++) {
         struct aob_error error = {""};
         assert_false(aob_gpu_run(gpu, &wrong[i], NULL, NULL, &error));
-        assert_contains(error.text, "there must be 1..32 passes, at least once");
+        assert_contains(error.text, "there must be 1..64 passes, at least once");
     }
 }
 
