@@ -1,5 +1,6 @@
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "base/machine.h"
 #include "block.h"
 #include "timing/fixed_pass.h"
@@ -110,12 +111,28 @@ static void reply_rounds(struct aob_worker *worker, struct aob_block *block,
     }
 }
 
+/* What a frame costs that has others before it: the first of a history, which a still view shows, finds nothing to read. */
+static bool begin_history(struct aob_block *block, struct aob_error *error)
+{
+    for (size_t f = 0; f < block->frame_count; f++) {
+        struct aob_frame *frame = &block->frames[f];
+        unsigned char values[sizeof frame->values];
+        if (frame->number || !aob_graph_keeps_history(&frame->graph))
+            continue;
+        memcpy(values, frame->values, sizeof values);
+        if (!aob_frame_set(frame, 1, values, error))
+            return false;
+    }
+    return true;
+}
+
 bool aob_block_measure(struct aob_worker *worker, struct aob_block *block, struct aob_error *error)
 {
     struct aob_round_list rounds = {0};
     size_t which[AOB_BLOCK_MAX], count;
     struct aob_timer_choice choice;
-    if (!choose_clock(block, &choice, error) || !choose_frames(block, choice.clock, which, &count, error))
+    if (!choose_clock(block, &choice, error) || !begin_history(block, error) ||
+        !choose_frames(block, choice.clock, which, &count, error))
         return false;
     if (!count)
         return true;
