@@ -149,6 +149,7 @@ static void check_velocity(const struct exr_file *file, const struct view *now, 
                pixel % now->width + 0.5 - (now->width / 2.0 + v.x * scale), 1e-3);
     check_near("V.Y", pixel, at(file, "V.Y", pixel),
                pixel / now->width + 0.5 - (now->height / 2.0 - v.y * scale), 1e-3);
+    check_near("V.Z", pixel, at(file, "V.Z", pixel), -v.z, 1e-5);
 }
 
 struct sums {

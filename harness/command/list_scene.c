@@ -26,11 +26,11 @@ static json_t *scene_to_json(const struct aob_scene_info *scene)
         json_object_set_new(view, "name", json_string(scene->views[i].name));
         json_array_append_new(views, view);
     }
-    return json_pack("{s:s, s:s, s:s, s:f, s:f, s:s?, s:s?, s:s?, s:s?, s:b, s:o}", "name", scene->name,
+    return json_pack("{s:s, s:s, s:s, s:f, s:f, s:s?, s:s?, s:s?, s:s?, s:b, s:b, s:o}", "name", scene->name,
                      "geometry", scene->title, "light", light_of(scene), "metres_per_unit",
                      scene->metres_per_unit, "metre", scene->metre, "file", scene->file, "package",
                      scene->package, "licence", scene->licence, "sha256", scene->sha256, "available",
-                     !scene->file || aob_file_exists(scene->file), "views", views);
+                     !scene->file || aob_file_exists(scene->file), "moves", scene->moves, "views", views);
 }
 
 /* A file name that is not UTF-8 cannot be in JSON, nor in a plan: jansson packs no object then. */
@@ -54,7 +54,8 @@ static void print_scene(const struct aob_scene_info *scene, struct aob_text *out
     for (size_t i = 0; i < scene->view_count; i++)
         aob_text_add(&views, " %s", scene->views[i].name);
     aob_text_add_line(out, "%s: %s", scene->name, scene->title);
-    aob_text_add_line(out, "    views:%s; light: %s", views.data, light_of(scene));
+    aob_text_add_line(out, "    views:%s; light: %s%s", views.data, light_of(scene),
+                      scene->moves ? "; it moves from frame to frame" : "");
     aob_text_finish(&views);
     if (!scene->file)
         return;

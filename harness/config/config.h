@@ -9,6 +9,8 @@
  *     - {name: bunny, view: front}
  *     - {file: my.ply, eye: [0, 1, 4], target: [0, 1, 0], fov_deg: 60, shift: [0.5, 0],
  *        previous: {eye: [0.1, 1, 4], target: [0, 1, 0]}}    # a frame earlier; default: a still camera
+ *     - {name: passing_box, motion: {frames: 16, eye: [0, 1, 4], target: [0, 1, 0]}}   # a sequence: the camera goes there,
+ *                                    # or is still without eye and target; the last frame is scored
  *     - {name: cornell, light: sky}  # a listed light, or a probe: a lat-long picture, FILE.exr. Default: the scene's own
  *     - {capture: frame.exr, fov_deg: 60, depth: device_reversed, near: 0.1, far: inf}   # or name: capture:frame.exr
  *   resolutions: [480x270]
@@ -52,6 +54,12 @@ struct aob_axis { /* values that a parameter or option takes in turn */
 struct aob_pose {
     double eye[3], target[3]; /* scene units */
 };
+enum { AOB_CONFIG_MIN_FRAMES = 2, AOB_CONFIG_MAX_FRAMES = 128 };
+struct aob_motion_choice {
+    int frames;           /* 0: no sequence */
+    bool camera;          /* it goes to `last` */
+    struct aob_pose last; /* in the last frame */
+};
 struct aob_scene_choice {
     char *name, *file, *capture; /* one of the three; paths as the current folder sees them */
     char *given;                 /* a path as it was written, which records call the scene by; else NULL */
@@ -62,7 +70,8 @@ struct aob_scene_choice {
     double shift[2];              /* of the image, in its heights: x right, y up */
     double metres_per_unit;       /* of a mesh file or capture; 0 until stated */
     bool moves;
-    struct aob_pose previous;         /* if it moves: a frame earlier */
+    struct aob_pose previous; /* if it moves: a frame earlier */
+    struct aob_motion_choice motion;
     struct aob_convention convention; /* of a capture */
     char *light; /* a listed light, or a probe's path as the current folder sees it; NULL: the scene's */
     bool is_probe;

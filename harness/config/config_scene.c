@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "config_capture.h"
+#include "motion_choice.h"
 #include "pose.h"
 
 struct scene_reader {
@@ -60,6 +61,8 @@ static bool read_scene_entry(struct aob_yaml *yaml, const char *key, yaml_node_t
     if (strcmp(key, "metres_per_unit") == 0)
         return aob_yaml_number(yaml, node, AOB_CONFIG_MIN_UNIT, AOB_CONFIG_MAX_UNIT,
                                &choice->metres_per_unit);
+    if (strcmp(key, "motion") == 0)
+        return aob_motion_choice_read(yaml, node, &choice->motion);
     if (strcmp(key, "previous") == 0)
         return (reader->lens = choice->moves = true) && aob_pose_read(yaml, node, &choice->previous);
     choice->ortho = reader->lens = true;
@@ -90,6 +93,9 @@ static bool judge_scene(struct aob_yaml *yaml, const yaml_node_t *node, struct s
         return aob_yaml_fail(yaml, node, "a camera needs both eye and target");
     if (choice->capture && reader->view_count)
         return aob_yaml_fail(yaml, node, "a capture has no named views");
+    reader->choice.has_camera = reader->eye;
+    if (!aob_motion_choice_judge(yaml, node, choice))
+        return false;
     if (choice->capture)
         return aob_config_judge_capture(yaml, node, choice);
     if (reader->convention)
@@ -129,7 +135,7 @@ static const char *const keys[] = {
     "name",           "file",    "capture",         "view",   "views",    "eye",
     "target",         "fov_deg", "ortho_height",    "shift",  "previous", "depth",
     "near",           "far",     "normals",         "handed", "up",       "depth_channel",
-    "normal_channel", "light",   "metres_per_unit", NULL};
+    "normal_channel", "light",   "metres_per_unit", "motion", NULL};
 
 bool aob_config_read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
 {
@@ -138,7 +144,6 @@ bool aob_config_read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
         aob_yaml_mapping(yaml, node, keys, read_scene_entry, &reader) && judge_scene(yaml, node, &reader);
     if (ok)
         resolve_path(reader.config, &reader.choice);
-    reader.choice.has_camera = reader.eye;
     if (!(reader.choice.fov_deg > 0) && !reader.choice.capture)
         reader.choice.fov_deg = 60;
     reader.choice.line = (int)node->start_mark.line + 1;

@@ -3,12 +3,12 @@
 #include <string.h>
 #include "base/memory.h"
 
-const char aob_gbuffer_version[] = "2";
+const char aob_gbuffer_version[] = "3";
 
 static const char *const normal_names[3] = {"N.X", "N.Y", "N.Z"};
 static const char *const shading_names[3] = {"S.X", "S.Y", "S.Z"};
 
-static const char *const velocity_names[2] = {"V.X", "V.Y"};
+static const char *const velocity_names[3] = {"V.X", "V.Y", "V.Z"};
 static const char *const albedo_names[3] = {"albedo.R", "albedo.G", "albedo.B"};
 static const char *const shine_names[2] = {"roughness", "metalness"};
 
@@ -44,7 +44,7 @@ bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh,
     memcpy(aob_image_add(&image, "Z"), hits->depth, count * sizeof(float));
     add_parts(&image, normal_names, hits->normal[0], 3);
     add_parts(&image, shading_names, hits->shading[0], 3);
-    add_parts(&image, velocity_names, hits->velocity ? hits->velocity[0] : NULL, 2);
+    add_parts(&image, velocity_names, hits->velocity ? hits->velocity[0] : NULL, 3);
     add_materials(&image, hits, mesh, count);
     float *primitive = aob_image_add(&image, "primitive");
     for (size_t i = 0; i < count; i++)
@@ -108,15 +108,16 @@ bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struc
         .guard = desc->guard};
     if (!aob_image_read(&image, path, error))
         return false;
+    bool moves = desc->camera->moves || desc->objects_move;
     bool fits = image.width == gbuffer->projection.width && image.height == gbuffer->projection.height;
     size_t count = (size_t)image.width * (size_t)image.height;
     if (fits) {
         gbuffer->albedo = aob_image_interleaved(&image, albedo_names, 3, 3);
         gbuffer->shine = aob_image_interleaved(&image, shine_names, 2, 2);
-        gbuffer->velocity = desc->camera->moves ? aob_image_interleaved(&image, velocity_names, 2, 2) : NULL;
+        gbuffer->velocity = moves ? aob_image_interleaved(&image, velocity_names, 3, 3) : NULL;
     }
     bool ok = fits && copy_channels(gbuffer, &image, count) && !gbuffer->albedo == !gbuffer->shine &&
-              !gbuffer->velocity == !desc->camera->moves;
+              !gbuffer->velocity == !moves;
     aob_image_finish(&image);
     if (!ok) {
         aob_gbuffer_finish(gbuffer);

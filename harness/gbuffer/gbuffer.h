@@ -1,6 +1,6 @@
 /* The canonical G-buffer is what the ray tracer sees at pixel centres, in the form that shaders and scores read. It
- * travels between processes as an EXR file (Z, N.X N.Y N.Z, S.X S.Y S.Z, primitive; V.X V.Y if the camera moves;
- * material, albedo.R albedo.G albedo.B, roughness, metalness if the mesh has other materials than the default; Z = 0 and
+ * travels between processes as an EXR file (Z, N.X N.Y N.Z, S.X S.Y S.Z, primitive; V.X V.Y V.Z if the camera or an object
+ * moves; material, albedo.R albedo.G albedo.B, roughness, metalness if the mesh has other materials than the default; Z = 0 and
  * primitive = material = -1 where sky). */
 #ifndef AOB_GBUFFER_GBUFFER_H
 #define AOB_GBUFFER_GBUFFER_H
@@ -17,8 +17,8 @@ struct aob_gbuffer {
     float *normal; /* four floats a pixel: geometric normal, view space, towards the camera; 0 */
     /* The interpolated normals in the same form, on the geometric one's side. Where a mesh has none, the geometric. */
     float *shading;
-    float
-        *velocity; /* two floats a pixel, as struct aob_hits has them; NULL: the camera is still, all are 0 */
+    float *
+        velocity; /* three floats a pixel, as struct aob_hits has them; NULL: nothing moves, and depth is what it was */
     float *albedo; /* three floats a pixel: base colour, linear, 0 where sky; NULL: the default throughout */
     float *shine;  /* two floats a pixel: roughness and metalness, 0 where sky; NULL with albedo */
 };
@@ -39,6 +39,7 @@ bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh,
 struct aob_gbuffer_desc { /* what such a file must show */
     const struct aob_camera *camera;
     int width, height, guard; /* pixels; the guard band lies around width x height */
+    bool objects_move;        /* so the file has velocities, as it has where the camera moves */
 };
 bool aob_gbuffer_load(struct aob_gbuffer *gbuffer, const char *path, const struct aob_gbuffer_desc *desc,
                       struct aob_error *error);

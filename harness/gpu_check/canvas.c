@@ -21,7 +21,7 @@ static bool load_triangles(struct aob_canvas *canvas, struct aob_error *error)
 bool aob_canvas_init(struct aob_canvas *canvas, struct aob_gpu *gpu, const struct aob_check_view *view,
                      struct aob_error *error)
 {
-    const struct aob_gbuffer_desc desc = {&view->camera, view->width, view->height, 0};
+    const struct aob_gbuffer_desc desc = {&view->camera, view->width, view->height, 0, false};
     *canvas = (struct aob_canvas){.gpu = gpu, .view = view};
     if (aob_gbuffer_load(&canvas->gbuffer, view->file, &desc, error) && load_triangles(canvas, error))
         return true;

@@ -14,6 +14,8 @@ void aob_job_view_to_json(const struct aob_job_view *view, json_t *job)
         json_object_set_new(job, "scene", json_string(view->scene));
     json_object_set_new(job, "captured", json_boolean(view->captured));
     json_object_set_new(job, "camera", aob_camera_to_json(&view->camera));
+    json_object_set_new(job, "frame", json_integer(view->frame));
+    json_object_set_new(job, "seed", json_integer(view->seed));
     json_object_set_new(job, "width", json_integer(view->width));
     json_object_set_new(job, "height", json_integer(view->height));
     json_object_set_new(job, "guard", json_integer(view->guard));
@@ -24,13 +26,15 @@ void aob_job_view_to_json(const struct aob_job_view *view, json_t *job)
 bool aob_job_view_from_json(const json_t *job, struct aob_job_view *view, struct aob_error *error)
 {
     int captured;
+    json_int_t seed;
     *view = (struct aob_job_view){.mesh = json_string_value(json_object_get(job, "mesh")),
                                   .scene = json_string_value(json_object_get(job, "scene"))};
-    if (json_unpack((json_t *)(uintptr_t)job, "{s:i, s:i, s:i, s:b, s:s}", "width", &view->width, "height",
-                    &view->height, "guard", &view->guard, "captured", &captured, "gbuffer",
-                    &view->gbuffer) != 0)
+    if (json_unpack((json_t *)(uintptr_t)job, "{s:i, s:I, s:i, s:i, s:i, s:b, s:s}", "frame", &view->frame,
+                    "seed", &seed, "width", &view->width, "height", &view->height, "guard", &view->guard,
+                    "captured", &captured, "gbuffer", &view->gbuffer) != 0)
         return aob_fail(error, "a job's view lacks a field");
     view->captured = captured;
+    view->seed = (unsigned)seed;
     if (!aob_light_from_json(json_object_get(job, "light"), &view->light))
         return aob_fail(error, "a job's view has no light");
     return aob_camera_from_json(json_object_get(job, "camera"), &view->camera, error);

@@ -14,6 +14,8 @@ struct aob_job_view {
     const char *scene; /* a procedural scene's name */
     bool captured;     /* it is a capture: the G-buffer is all there is */
     struct aob_camera camera;
+    int frame;     /* of a scene in which something moves; else 0. Behind 0 a G-buffer has velocities */
+    unsigned seed; /* of the rays that trace its truths */
     int width, height, guard; /* pixels; the guard band lies around width x height */
     const char *gbuffer;      /* file in the cache */
     struct aob_light light;   /* world space */

@@ -13,6 +13,8 @@ static void add_view(const struct aob_plan_scene *scene, struct aob_text *text)
         aob_text_add(text, " framed");
     else
         aob_camera_print(&scene->camera, true, text);
+    if (scene->motion.frames)
+        aob_motion_print(&scene->motion, text);
 }
 
 /* What all cases of a scene share: where they look, at what, and what they are compared with. */

@@ -183,18 +183,27 @@ static bool is_new(struct aob_table *seen, const struct aob_case *c, const struc
     return new;
 }
 
+/* The frames of a sequence before its last; none of one that shows the same all the time. */
+static double poses_of(const struct aob_plan_scene *scene)
+{
+    bool changes = aob_motion_has_camera(&scene->motion) || aob_plan_scene_frame(scene, 1);
+    return scene->motion.frames && changes ? scene->motion.frames - 1 : 0;
+}
+
 /* One set of rays serves all truths of a view, and each radius adds a screen-space bound. A capture has the bounds
- * only. */
+ * only, and a frame before a sequence's last the truths only. */
 static double estimate_reference(struct aob_table *seen, const struct aob_case *c,
                                  const struct aob_plan *plan)
 {
     const double view_s = 0.5, rays_per_s = 60e6;
     bool first = is_new(seen, c, plan, -1);
     double rays = (double)c->width * c->height * plan->config->spp;
-    int traces = first && !c->scene->gbuffer;
+    double poses = first ? poses_of(c->scene) : 0, traces = first && !c->scene->gbuffer;
     if (!isnan(aob_case_radius(c)))
         traces += is_new(seen, c, plan, aob_case_radius(c));
-    return (first ? view_s : 0) + (plan->config->measure_error ? traces * rays / rays_per_s : 0);
+    traces += poses;
+    return (first ? view_s * (1 + poses) : 0) +
+           (plan->config->measure_error ? traces * rays / rays_per_s : 0);
 }
 
 /* The constants are fitted to the demo and to variants of it (1024 rays, 1.5 s, one target), each with an empty cache on

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "config/config.h"
 #include "scene/light.h"
+#include "scene/motion.h"
 #include "scene/scene.h"
 #include "technique/option.h"
 #include "technique/registry.h"
@@ -18,8 +19,10 @@ struct aob_plan_scene {                /* one view of one scene */
     const char *gbuffer;               /* of a capture: its G-buffer in the cache, of this size; else NULL */
     int width, height;
     char *
-        view; /* "front", "camera", "camera-2", "capture" or "framed" (from the mesh's box, once it is loaded) */
-    struct aob_camera camera; /* unset while framed */
+        view; /* "front", "camera", "camera-2", "capture" or "framed" (from the mesh's box, once it is loaded);
+                   "front-16-frames" of a sequence */
+    struct aob_camera camera; /* of what is scored: of a sequence its last frame's; unset while framed */
+    struct aob_motion motion; /* of a sequence that ends with it; 0 frames: there is none */
     bool framed;
     bool loaded;                     /* by this run: its warnings are printed, its framing is known */
     bool checked;                    /* by this run: run/check.h */
@@ -91,7 +94,7 @@ void aob_case_describe(const struct aob_plan *plan, const struct aob_case *c, st
 /* Technique, all parameters, backend, size and all options, without scene and view: a part of the key. */
 void aob_case_settings(const struct aob_case *c, struct aob_text *text);
 
-/* What a history follows from one program or build to the next: technique by name, parameters, options, geometry, camera, size,
+/* What a history follows from one program or build to the next: technique by name, parameters, options, geometry, camera, motion, size,
  * backend and class of device (a word: "cpu", "integrated", "discrete"). Neither the program nor the question is in
  * it. */
 void aob_case_series(const struct aob_case *c, const char *device_class, char key[AOB_KEY_SIZE]);
@@ -105,6 +108,10 @@ size_t aob_case_own_target(const struct aob_case *c);
 /* Whether a case looks as far as its technique's default says, which is a length in metres, and is compared with a target
  * that the config states, in units of the scene that are none, of another length. Then a line that says both. */
 bool aob_case_mixes_units(const struct aob_case *c, const struct aob_config *config, struct aob_error *line);
+
+/* The number of the scene's frame that a frame of its sequence shows: the same, or 0 of a scene in which nothing moves, whose
+ * frames are all alike. */
+int aob_plan_scene_frame(const struct aob_plan_scene *scene, int frame);
 
 /* What options, size and scene cannot be together; one line then. */
 bool aob_case_judge(const struct aob_case *c, struct aob_error *error);

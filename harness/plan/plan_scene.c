@@ -63,6 +63,39 @@ static bool choose_camera(struct aob_plan_scene *scene, const struct aob_scene_c
     return true;
 }
 
+/* The camera that is chosen is that of frame 0; what is scored is the last one. */
+static bool choose_motion(struct aob_plan_scene *scene, const struct aob_scene_choice *choice,
+                          struct aob_error *error)
+{
+    const struct aob_camera first = scene->camera;
+    struct aob_motion *motion = &scene->motion;
+    struct aob_text view = {0};
+    if (!choice->motion.frames)
+        return true;
+    if (scene->framed)
+        return aob_fail(error, "scene '%s' is a mesh, and its motion needs a camera: give eye and target",
+                        scene->name);
+    *motion = (struct aob_motion){choice->motion.frames, first.eye, first.target, first.eye, first.target};
+    if (choice->motion.camera) {
+        motion->last_eye = from_array(choice->motion.last.eye);
+        motion->last_target = from_array(choice->motion.last.target);
+    }
+    for (int t = 0; t < motion->frames; t++) {
+        scene->camera = aob_motion_camera(motion, &first, t);
+        if (!aob_camera_check(&scene->camera, error))
+            return aob_fail_in(error, "frame %d of the motion", t);
+    }
+    aob_text_add(&view, "%s-%d-frames", scene->view, motion->frames);
+    free(scene->view);
+    scene->view = view.data;
+    return true;
+}
+
+int aob_plan_scene_frame(const struct aob_plan_scene *scene, int frame)
+{
+    return scene->info && scene->info->moves ? frame : 0;
+}
+
 static bool fail_unknown(const char *name, const struct aob_scene_folder *folder, struct aob_error *error)
 {
     struct aob_text all = {0};
@@ -193,7 +226,8 @@ static bool choose_scene(struct chooser *chooser, size_t index, struct aob_error
     if (choice->capture)
         return choose_capture(scene, choice, error) && choose_light(scene, choice, error);
     return find_scene(chooser, scene, choice, error) && choose_light(scene, choice, error) &&
-           find_digest(chooser, index, error) && choose_camera(scene, choice, error);
+           find_digest(chooser, index, error) && choose_camera(scene, choice, error) &&
+           choose_motion(scene, choice, error);
 }
 
 /* Views that the config gives by numbers have no names of their own: the second camera on a scene is `camera-2`. So what

@@ -20,6 +20,7 @@ struct cast {
     struct aob_frame_axes axes;
     struct aob_hits *hits;
     struct aob_camera previous;
+    struct aob_frame_axes previous_axes;
 };
 
 static void clip(double origin, double direction, double half, double *near, double *far)
@@ -102,23 +103,38 @@ static struct aob_vec3 face_camera(struct aob_vec3 n, struct aob_vec3 geometric,
     return aob_vec_bend(n, to_camera, fmin(AOB_LEAST_FACING, aob_vec_dot(geometric, to_camera)));
 }
 
-/* `point` is in local space; NULL means the sky in the ray's direction. */
-static void store_velocity(const struct cast *cast, const struct primary *ray, const struct aob_vec3 *point,
-                           size_t pixel)
+/* How a world position less the previous eye, or a direction to the sky, was seen then. */
+static void store_velocity(const struct cast *cast, struct aob_vec3 from_eye, double depth, size_t pixel)
 {
     float *velocity = cast->hits->velocity[pixel];
     size_t width = (size_t)cast->hits->width;
-    struct aob_vec3 to_eye = aob_vec_sub(cast->tracer->centre, cast->previous.eye);
     double then[2];
-    if (!point && !cast->projection->perspective)
-        return;
-    if (!aob_camera_project(&cast->previous, cast->projection,
-                            point ? aob_vec_add(*point, to_eye) : ray->direction, then)) {
-        velocity[0] = velocity[1] = AOB_NO_VELOCITY;
+    if (!(depth > 0) || !aob_camera_project(&cast->previous, cast->projection, from_eye, then)) {
+        velocity[0] = velocity[1] = velocity[2] = AOB_NO_VELOCITY;
         return;
     }
     velocity[0] = (float)((double)(pixel % width) + 0.5 - then[0]);
     velocity[1] = (float)((double)(pixel / width) + 0.5 - then[1]);
+    velocity[2] = (float)depth;
+}
+
+/* `point` is in local space. */
+static void store_point_velocity(const struct cast *cast, struct aob_vec3 point, uint32_t triangle,
+                                 size_t pixel)
+{
+    const struct aob_tracer *tracer = cast->tracer;
+    struct aob_vec3 from_eye = aob_vec_add(point, aob_vec_sub(tracer->centre, cast->previous.eye));
+    if (triangle - tracer->moving_first < tracer->moving_count)
+        from_eye = aob_vec_sub(from_eye, tracer->step);
+    store_velocity(cast, from_eye, -aob_vec_dot(from_eye, cast->previous_axes.back), pixel);
+}
+
+static void store_sky_velocity(const struct cast *cast, const struct primary *ray, size_t pixel)
+{
+    float *velocity = cast->hits->velocity[pixel];
+    velocity[2] = AOB_NO_VELOCITY;
+    if (cast->projection->perspective)
+        store_velocity(cast, ray->direction, AOB_NO_VELOCITY, pixel);
 }
 
 static void store_hit(const struct cast *cast, const struct primary *ray, uint32_t triangle, double u,
@@ -141,14 +157,14 @@ static void store_hit(const struct cast *cast, const struct primary *ray, uint32
     struct aob_vec3 shading = shading_normal(cast->tracer, triangle, u, v, normal);
     to_view(&cast->axes, face_camera(shading, normal, ray->direction), hits->shading[pixel]);
     if (hits->velocity)
-        store_velocity(cast, ray, &p, pixel);
+        store_point_velocity(cast, p, triangle, pixel);
 }
 
 static void store_sky(const struct cast *cast, const struct primary *ray, size_t pixel)
 {
     cast->hits->primitive[pixel] = AOB_NO_PRIMITIVE;
     if (cast->hits->velocity)
-        store_velocity(cast, ray, NULL, pixel);
+        store_sky_velocity(cast, ray, pixel);
 }
 
 static void cast_packet(const struct cast *cast, int x0, int y)
@@ -203,9 +219,14 @@ void aob_hits_finish(struct aob_hits *hits)
 void aob_tracer_cast(const struct aob_tracer *tracer, const struct aob_camera *camera,
                      const struct aob_projection *projection, struct aob_hits *hits)
 {
-    hits_init(hits, projection->width, projection->height, camera->moves);
-    struct cast cast = {
-        tracer, camera, projection, aob_camera_axes(camera), hits, aob_camera_previous(camera)};
+    hits_init(hits, projection->width, projection->height, camera->moves || tracer->moving_count);
+    struct cast cast = {.tracer = tracer,
+                        .camera = camera,
+                        .projection = projection,
+                        .axes = aob_camera_axes(camera),
+                        .hits = hits,
+                        .previous = aob_camera_previous(camera)};
+    cast.previous_axes = aob_camera_axes(&cast.previous);
 #pragma omp parallel
     {
         unsigned mode = aob_float_mode_begin();

@@ -16,9 +16,11 @@ struct aob_tracer {
     struct aob_vec3 *normals;      /* shading, or NULL */
     uint32_t (*triangles)[3];      /* triangle_count */
     size_t vertex_count, triangle_count, unit_count;
-    struct aob_material *materials; /* a table, [0] the default one */
-    uint32_t *material_of;          /* of a triangle, its place in the table, or NULL: all are of [0] */
-    struct aob_vec3 centre, half;   /* of the box, scene units */
+    struct aob_material *materials;    /* a table, [0] the default one */
+    uint32_t *material_of;             /* of a triangle, its place in the table, or NULL: all are of [0] */
+    struct aob_vec3 centre, half;      /* of the box, scene units */
+    size_t moving_first, moving_count; /* triangles that stood a step earlier a frame before; 0: none */
+    struct aob_vec3 step;
     double to_unit;
 };
 

@@ -57,6 +57,11 @@ static void copy_mesh(struct aob_tracer *tracer, const struct aob_mesh *mesh)
         tracer->unit_points[i][1] = (float)(p.y * tracer->to_unit);
         tracer->unit_points[i][2] = (float)(p.z * tracer->to_unit);
     }
+    if (mesh->frame > 0) {
+        tracer->moving_first = mesh->moving_first;
+        tracer->moving_count = mesh->moving_count;
+        tracer->step = mesh->step;
+    }
     if (mesh->normals) {
         tracer->normals = aob_alloc(mesh->vertex_count, sizeof *tracer->normals);
         memcpy(tracer->normals, mesh->normals, mesh->vertex_count * sizeof *tracer->normals);

@@ -29,11 +29,13 @@ struct aob_hits {
     float (*normal)[3];  /* geometric, view space, unit, turned to the camera; 0 where sky */
     float (*shading)[3]; /* shading normal, on the geometric one's side and not turned away from the camera
                             (AOB_LEAST_FACING); the geometric one where the mesh has none */
-    /* NULL unless the camera moves. How many pixels, right and down, the point in the pixel's centre has moved over
-     * the image since the previous frame: its place now less its place then. The sky lies infinitely far: it moves
-     * with the camera's rotation only, and not at all in an orthographic view. If the point was behind the previous
-     * camera, both components are AOB_NO_VELOCITY, a displacement larger than any image. */
-    float (*velocity)[2];
+    /* NULL unless the camera or a part of the mesh moves. The first two: how many pixels, right and down, the point in the
+     * pixel's centre has moved over the image since the previous frame, its place now less its place then. The third: how
+     * far it was then from the previous camera along that one's view axis, scene units. A point of a triangle that moves
+     * was a step earlier then. The sky lies infinitely far, AOB_NO_VELOCITY: it moves with the camera's rotation only, and
+     * not at all in an orthographic view. If the point was behind the previous camera, all three are AOB_NO_VELOCITY, a
+     * displacement larger than any image. */
+    float (*velocity)[3];
 };
 #define AOB_NO_VELOCITY 1e9f
 

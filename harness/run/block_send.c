@@ -38,6 +38,20 @@ static struct aob_block_target describe_target(const struct aob_run_block *block
     return target;
 }
 
+/* free() them. */
+static struct aob_block_pose *describe_poses(const struct aob_view_files *files)
+{
+    struct aob_block_pose *poses = AOB_NEW_ARRAY(struct aob_block_pose, files->pose_count);
+    for (size_t p = 0; p < files->pose_count; p++) {
+        const struct aob_view_pose *from = &files->poses[p];
+        poses[p] = (struct aob_block_pose){
+            .camera = from->camera, .frame = from->frame, .seed = from->seed, .gbuffer = from->gbuffer};
+        for (size_t t = 0; t < files->target_count; t++)
+            poses[p].truth[t] = from->truth[t];
+    }
+    return poses;
+}
+
 static json_t *make_job(const struct aob_run_block *block, const struct aob_run_block_job *sent)
 {
     const struct aob_view_files *files = block->files;
@@ -58,6 +72,8 @@ static json_t *make_job(const struct aob_run_block *block, const struct aob_run_
                                 .precision = config->precision,
                                 .clock = clock ? aob_clock_name(clock->clock) : NULL,
                                 .clock_reason = clock ? clock->reason : NULL,
+                                .poses = describe_poses(files),
+                                .pose_count = files->pose_count,
                                 .targets = targets,
                                 .target_count = files->target_count,
                                 .cases = cases,
@@ -71,17 +87,21 @@ static json_t *make_job(const struct aob_run_block *block, const struct aob_run_
         job.drawing.triangles = job.drawing.triangles || block->m->states[block->indices[place]].triangles;
     }
     json_t *object = aob_block_job_to_json(&job);
+    free(job.poses);
     for (size_t i = 0; i < sent->count; i++)
         free(images[i]);
     return object;
 }
 
-/* Ten times what timing may take, and about six times what a pixel's score against a target takes (0.3 us). */
+/* Ten times what timing may take, about six times what a pixel's score against a target takes (0.3 us), and for the frames
+ * before the last that again and 10 us a pixel, which a dear technique takes on a slow core. */
 static double time_limit(const struct aob_run_block *block, const struct aob_run_block_job *job)
 {
     const struct aob_case *c = aob_run_block_case(block, 0);
-    double scores = job->score ? (double)c->width * c->height * (double)block->files->target_count : 0;
-    return 120 + (double)job->count * (10 * job->process->seconds + 2e-6 * scores);
+    double pixels = (double)c->width * c->height, poses = (double)block->files->pose_count;
+    double scores = job->score ? pixels * (double)block->files->target_count : 0;
+    return 120 + (double)job->count *
+                     (10 * job->process->seconds + 2e-6 * scores * (1 + poses) + 1e-5 * pixels * poses);
 }
 
 static bool run_worker(const struct aob_run_block *block, const struct aob_run_block_job *job,

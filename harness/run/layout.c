@@ -39,6 +39,11 @@ static void keep_graph(const struct aob_measurement *m, struct aob_state *state,
     free(folder);
 }
 
+static bool is_raster(const struct aob_case *c)
+{
+    return aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER;
+}
+
 static void take_answer(void *user, const json_t *object)
 {
     struct layout *layout = user;
@@ -54,6 +59,12 @@ static void take_answer(void *user, const json_t *object)
         refuse(state, answer.status, answer.reason ? answer.reason : "refused without a reason");
     else if (state->triangles && c->scene->gbuffer)
         refuse(state, "unsupported", "it needs the scene's triangles, and a capture has none");
+    else if (c->scene->motion.frames && (state->triangles || is_raster(c)))
+        refuse(state, "unsupported",
+               state->triangles
+                   ? "it draws the scene's triangles, which a sequence does not bring along: leave "
+                     "motion out"
+                   : "a sequence is of ray-cast G-buffers: gbuffer must be canonical");
     else if (answer.definition) {
         state->definition = json_incref((json_t *)(uintptr_t)answer.definition);
         state->mapped = answer.mapped;

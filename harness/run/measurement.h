@@ -55,6 +55,14 @@ void aob_measurement_layout(struct aob_measurement *m);
  * its rounds, as long as enough others are good. Every case gets its record, after its last round. */
 void aob_measurement_block(struct aob_measurement *m, const size_t *indices, size_t count);
 
+struct aob_view_pose { /* a frame of a sequence before its last */
+    struct aob_camera camera;
+    int frame;     /* as of a job's view; */
+    unsigned seed; /* likewise */
+    char *gbuffer;
+    char **truth; /* of each of the scene's targets: of the visibility alone */
+};
+
 /* For aob_measurement_block: the files of a view. Loads, casts and traces what the cache lacks. */
 struct aob_view_files {
     char *mesh; /* a flat mesh; NULL where the scene is procedural or captured */
@@ -71,6 +79,8 @@ struct aob_view_files {
                           missing: of a capture, whose only reference is that bound, and of a technique that draws the
                           scene's triangles */
     size_t count;
+    struct aob_view_pose *poses; /* pose_count, in order; none: one picture */
+    size_t pose_count;
 };
 bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t count,
                       struct aob_view_files *files, struct aob_error *error);

@@ -39,6 +39,14 @@ static json_t *bare_fingerprint(void)
                      aob_machine_cores());
 }
 
+/* Where the camera is in frame 0; in the last one it is the record's `camera`. */
+static json_t *motion_to_json(const struct aob_motion *motion)
+{
+    const struct aob_vec3 e = motion->eye, t = motion->target;
+    return json_pack("{s:i, s:[fff], s:[fff]}", "frames", motion->frames, "eye", e.x, e.y, e.z, "target", t.x,
+                     t.y, t.z);
+}
+
 static json_t *identity(const struct aob_case *c)
 {
     json_t *object = json_pack(
@@ -49,6 +57,8 @@ static json_t *identity(const struct aob_case *c)
         values_to_json(aob_option_params, AOB_OPTION_COUNT, c->options), "backend", c->backend, "width",
         c->width, "height", c->height, "reference_radius", aob_json_number(c->reference_radius), "camera",
         c->scene->framed ? json_null() : aob_camera_to_json(&c->scene->camera));
+    if (c->scene->motion.frames)
+        json_object_set_new(object, "motion", motion_to_json(&c->scene->motion));
     if (aob_case_is_lit(c))
         json_object_set_new(object, "light",
                             json_pack("{s:o, s:s}", "name", aob_json_text(c->scene->light_name), "digest",

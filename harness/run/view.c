@@ -15,9 +15,7 @@
 #include "measurement.h"
 #include "reference/bound.h"
 #include "reference/incident.h"
-#include "reference/lit.h"
-#include "reference/specular.h"
-#include "reference/tracer.h"
+#include "view.h"
 
 /* Metres. A mesh beyond these is of another unit, or one that a radius of half a metre swallows or hardly touches. */
 static const double SHORTEST_MESH = 0.5, LONGEST_MESH = 100;
@@ -87,43 +85,6 @@ static char *load_mesh(struct aob_measurement *m, struct aob_plan_scene *scene, 
     return NULL;
 }
 
-static void describe_view(const struct aob_case *c, int guard, bool motion, struct aob_text *text)
-{
-    aob_text_add(text, "%s ", c->scene->digest);
-    aob_camera_print(&c->scene->camera, motion, text);
-    aob_text_add(text, " %dx%d+%d %s", c->width, c->height, guard, aob_tracer_version);
-}
-
-/* Of what computes a term besides the tracer. */
-static void add_versions(const json_t *term, struct aob_text *text)
-{
-    const char *output = json_string_value(json_object_get(term, "output"));
-    bool specular = output && strcmp(output, aob_output_name(AOB_OUT_SPECULAR)) == 0,
-         lit = output && strcmp(output, aob_output_name(AOB_OUT_LIT)) == 0;
-    if (lit)
-        aob_text_add(text, "%s,%s,%s", aob_lit_version, aob_incident_version, aob_specular_version);
-    else if (output)
-        aob_text_add(text, "%s", specular ? aob_specular_version : aob_incident_version);
-    else if (json_object_get(term, "screen"))
-        aob_text_add(text, "%s", aob_bound_version);
-}
-
-static char *term_path(const struct aob_measurement *m, const struct aob_case *c, json_t *term)
-{
-    struct aob_text text = {0};
-    char *line = aob_json_line(term, 17);
-    bool screen = json_object_get(term, "screen");
-    /* Neither guard band nor motion changes the truth; the screen-space bound ends with the guard band. */
-    describe_view(c, screen ? aob_case_options(c).guard_band : 0, false, &text);
-    aob_text_add(&text, " %d ", m->plan->config->spp);
-    add_versions(term, &text);
-    aob_text_add(&text, " %s", line);
-    char *path = aob_cache_path(&m->cache, "visibility", text.data, ".exr");
-    free(line);
-    aob_text_finish(&text);
-    return path;
-}
-
 /* What a capture shows has no geometry, so all of its references are those of the screen-space bound. */
 static void bind_to_screen(const struct aob_measurement *m, json_t *term)
 {
@@ -131,18 +92,11 @@ static void bind_to_screen(const struct aob_measurement *m, json_t *term)
     aob_term_set_bound(term, thickness < 0 ? aob_json_to_number(json_object_get(term, "radius")) : thickness);
 }
 
-/* The terms that a view's job is to trace. `known`: which files have been looked for; `shut`: the last of them that
- * could not be read. */
-struct missing {
-    json_t *terms, *known;
-    struct aob_error shut;
-};
-
 /* Adds the term to the view's job unless its file is there already; returns that file. Takes the term. */
-static char *want_term(struct aob_measurement *m, const struct aob_case *c, json_t *term,
-                       struct missing *missing)
+static char *want_term(struct aob_measurement *m, const struct aob_case *c,
+                       const struct aob_view_moment *moment, json_t *term, struct aob_view_missing *missing)
 {
-    char *path = term_path(m, c, term);
+    char *path = aob_view_term_path(m, c, moment, term);
     bool known = json_object_get(missing->known, path), has;
     json_object_set_new(missing->known, path, json_true());
     if (!known && aob_cache_has(path, &has, &missing->shut) && !has) {
@@ -153,28 +107,38 @@ static char *want_term(struct aob_measurement *m, const struct aob_case *c, json
     return path;
 }
 
-static char *want_truth(struct aob_measurement *m, const struct aob_case *c, const struct aob_target *target,
-                        bool bent, struct missing *missing)
+char *aob_view_want_truth(struct aob_measurement *m, const struct aob_case *c,
+                          const struct aob_view_moment *moment, const struct aob_view_truth *truth,
+                          struct aob_view_missing *missing)
 {
-    json_t *term = aob_term_to_json(
-        &(struct aob_term){.radius = target->radius, .uniform = target->uniform, .bent = bent});
+    json_t *term = aob_term_to_json(&(struct aob_term){
+        .radius = truth->target->radius, .uniform = truth->target->uniform, .bent = truth->bent});
     if (c->scene->gbuffer)
         bind_to_screen(m, term);
-    return want_term(m, c, term, missing);
+    return want_term(m, c, moment, term, missing);
+}
+
+/* Of what is scored. */
+static char *want_truth(struct aob_measurement *m, const struct aob_case *c, const struct aob_target *target,
+                        bool bent, struct aob_view_missing *missing)
+{
+    const struct aob_view_moment last = aob_view_moment_last(c->scene);
+    return aob_view_want_truth(m, c, &last, &(struct aob_view_truth){target, bent}, missing);
 }
 
 /* What a case claims to compute, traced freely, or within the screen-space bound. A technique that draws the scene's
  * triangles is not limited to the depth buffer, so its bound is the scene itself. NULL: it claims nothing. */
-static char *want_claim(struct aob_measurement *m, size_t index, bool bound, struct missing *missing)
+static char *want_claim(struct aob_measurement *m, size_t index, bool bound, struct aob_view_missing *missing)
 {
     const struct aob_state *state = &m->states[index];
     const struct aob_case *c = &m->plan->cases[index];
+    const struct aob_view_moment last = aob_view_moment_last(c->scene);
     if (!state->definition)
         return NULL;
     json_t *term = json_deep_copy(state->definition);
     if (c->scene->gbuffer || (bound && !state->triangles))
         bind_to_screen(m, term);
-    return want_term(m, c, term, missing);
+    return want_term(m, c, &last, term, missing);
 }
 
 static bool gives_bent_normal(const struct aob_state *state)
@@ -184,11 +148,12 @@ static bool gives_bent_normal(const struct aob_state *state)
 
 /* The truths of the outputs that have files of their own. */
 static void want_effects(struct aob_measurement *m, const struct aob_case *c, const struct aob_target *target,
-                         unsigned outputs, char *truth[AOB_OUTPUT_COUNT], struct missing *missing)
+                         unsigned outputs, char *truth[AOB_OUTPUT_COUNT], struct aob_view_missing *missing)
 {
+    const struct aob_view_moment last = aob_view_moment_last(c->scene);
     for (int which = AOB_OUT_VISIBILITY_RGB; which < AOB_OUTPUT_COUNT; which++)
         if (outputs >> which & 1)
-            truth[which] = want_term(m, c,
+            truth[which] = want_term(m, c, &last,
                                      aob_term_to_json(&(struct aob_term){.radius = target->radius,
                                                                          .output = (enum aob_output)which,
                                                                          .bounces = AOB_TRUTH_BOUNCES,
@@ -202,6 +167,7 @@ struct aob_job_view aob_job_view_of(const struct aob_case *c, const struct aob_v
                                  .scene = c->scene->name,
                                  .captured = c->scene->gbuffer != NULL,
                                  .camera = c->scene->camera,
+                                 .frame = aob_view_moment_last(c->scene).frame,
                                  .width = c->width,
                                  .height = c->height,
                                  .guard = aob_case_options(c).guard_band,
@@ -217,15 +183,14 @@ size_t aob_view_memory_limit(void)
     return memory < SIZE_MAX - more ? memory + more : 0;
 }
 
-static bool trace_view(struct aob_measurement *m, const struct aob_case *c,
-                       const struct aob_view_files *files, bool cast, json_t *terms, struct aob_error *error)
+bool aob_view_trace(struct aob_measurement *m, const struct aob_case *c, const struct aob_job_view *view,
+                    bool cast, json_t *terms, struct aob_error *error)
 {
     int spp = m->plan->config->spp;
     if (m->on_work)
         m->on_work(m->user, (size_t)(c - m->plan->cases), "tracing");
     double rays = (double)c->width * c->height * spp;
-    struct aob_job_view view = aob_job_view_of(c, files);
-    struct aob_job_desc desc = {.job = aob_view_job_to_json(&view, spp, cast, json_incref(terms)),
+    struct aob_job_desc desc = {.job = aob_view_job_to_json(view, spp, cast, json_incref(terms)),
                                 .timeout_s = 300 + rays / 1e5 * (double)json_array_size(terms),
                                 .memory_limit = aob_view_memory_limit()};
     return aob_dispatch_job(m->dispatch, &desc, error) || aob_fail_in(error, "scene '%s'", c->scene->name);
@@ -248,7 +213,7 @@ static size_t first_of_view(const struct aob_measurement *m, size_t index)
 }
 
 /* All terms of the view that the plan still needs are traced at once: one set of rays serves them all. */
-static void want_whole_view(struct aob_measurement *m, size_t index, struct missing *missing)
+static void want_whole_view(struct aob_measurement *m, size_t index, struct aob_view_missing *missing)
 {
     const struct aob_case *cases = m->plan->cases, *c = &cases[index];
     bool wanted[2] = {false, false}; /* truths without and with their mean open directions */
@@ -275,20 +240,8 @@ static void want_whole_view(struct aob_measurement *m, size_t index, struct miss
     }
 }
 
-static char *gbuffer_path(const struct aob_measurement *m, const struct aob_case *c)
-{
-    struct aob_text text = {0};
-    if (c->scene->gbuffer)
-        return aob_strdup(c->scene->gbuffer);
-    describe_view(c, aob_case_options(c).guard_band, true, &text);
-    aob_text_add(&text, " %s", aob_gbuffer_version);
-    char *path = aob_cache_path(&m->cache, "gbuffer", text.data, ".exr");
-    aob_text_finish(&text);
-    return path;
-}
-
 static bool make_files(struct aob_measurement *m, const size_t *indices, struct aob_view_files *files,
-                       struct missing *missing, struct aob_error *error)
+                       struct aob_view_missing *missing, struct aob_error *error)
 {
     const struct aob_case *c = &m->plan->cases[indices[0]];
     bool has;
@@ -309,7 +262,9 @@ static bool make_files(struct aob_measurement *m, const size_t *indices, struct 
         want_whole_view(m, indices[0], missing);
     if (*missing->shut.text)
         return aob_fail(error, "%s", missing->shut.text);
-    return (has && !json_array_size(missing->terms)) || trace_view(m, c, files, !has, missing->terms, error);
+    const struct aob_job_view view = aob_job_view_of(c, files);
+    return (has && !json_array_size(missing->terms)) ||
+           aob_view_trace(m, c, &view, !has, missing->terms, error);
 }
 
 static bool prepare(struct aob_measurement *m, const size_t *indices, size_t count,
@@ -320,9 +275,10 @@ static bool prepare(struct aob_measurement *m, const size_t *indices, size_t cou
     char *mesh = scene->file ? load_mesh(m, scene, error) : NULL;
     if (scene->file && !mesh)
         return false;
-    struct missing missing = {.terms = json_array(), .known = json_object()};
+    struct aob_view_missing missing = {.terms = json_array(), .known = json_object()};
+    const struct aob_view_moment last = aob_view_moment_last(scene);
     *files = (struct aob_view_files){.mesh = mesh,
-                                     .gbuffer = gbuffer_path(m, c),
+                                     .gbuffer = aob_view_gbuffer_path(m, c, &last),
                                      .truth = aob_alloc(scene->target_count, sizeof *files->truth),
                                      .target_count = scene->target_count,
                                      .definition = AOB_NEW_ARRAY(char *, count),
@@ -331,7 +287,7 @@ static bool prepare(struct aob_measurement *m, const size_t *indices, size_t cou
     for (size_t i = 0; i < count; i++)
         files->outputs |= m->states[indices[i]].outputs;
     files->bent = files->outputs >> AOB_OUT_BENT_NORMAL & 1;
-    bool ok = make_files(m, indices, files, &missing, error);
+    bool ok = make_files(m, indices, files, &missing, error) && aob_view_prepare_poses(m, c, files, error);
     json_decref(missing.terms);
     json_decref(missing.known);
     if (ok)
@@ -367,6 +323,7 @@ void aob_view_files_finish(struct aob_view_files *files)
         free(files->definition[i]);
         free(files->screen[i]);
     }
+    aob_view_poses_finish(files);
     free(files->truth);
     free(files->definition);
     free(files->screen);

@@ -72,7 +72,7 @@ bool aob_mesh_check(const struct aob_mesh *mesh, const char *name, struct aob_er
 
 void aob_mesh_digest(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE])
 {
-    char parts[5 * (AOB_KEY_SIZE - 1) + 1];
+    char parts[6 * (AOB_KEY_SIZE - 1) + 1];
     char *part = parts;
     aob_hash_bytes(mesh->positions, mesh->vertex_count * sizeof *mesh->positions, part);
     part += AOB_KEY_SIZE - 1;
@@ -84,6 +84,12 @@ void aob_mesh_digest(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE])
         aob_hash_bytes(mesh->materials, mesh->material_count * sizeof *mesh->materials, part);
         part += AOB_KEY_SIZE - 1;
         aob_hash_bytes(mesh->material_of, mesh->triangle_count * sizeof *mesh->material_of, part);
+    }
+    if (mesh->moving_count) {
+        const double motion[5] = {(double)mesh->moving_first, (double)mesh->moving_count, mesh->step.x,
+                                  mesh->step.y, mesh->step.z};
+        part += AOB_KEY_SIZE - 1;
+        aob_hash_bytes(motion, sizeof motion, part);
     }
     aob_hash_text(parts, key);
 }

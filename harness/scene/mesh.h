@@ -26,6 +26,11 @@ struct aob_mesh {
     size_t source_bytes; /* of the file that it was loaded from, if that says how much is in it; else 0 */
     struct aob_mesh_note notes[AOB_MESH_NOTES]; /* note_count */
     size_t note_count;
+    /* Triangles that move, moving_count of them from moving_first on, with vertices of their own; each frame shifts them by
+     * `step`. Only procedural scenes have any. A mesh is built as it is in frame 0. */
+    size_t moving_first, moving_count;
+    struct aob_vec3 step; /* scene units a frame */
+    int frame;            /* that the mesh is in (aob_mesh_move) */
 };
 
 void aob_mesh_finish(struct aob_mesh *mesh);
@@ -49,6 +54,15 @@ void aob_mesh_paint(struct aob_mesh *mesh, struct aob_material material);
 const struct aob_material *aob_mesh_material(const struct aob_mesh *mesh, uint32_t triangle);
 uint32_t aob_mesh_material_index(const struct aob_mesh *mesh, uint32_t triangle);
 
+/* Makes the triangles that are added from here on move by `step` a frame, and aob_mesh_rest those after it stand still. One
+ * stretch of a mesh moves. */
+void aob_mesh_start(struct aob_mesh *mesh, struct aob_vec3 step);
+void aob_mesh_rest(struct aob_mesh *mesh);
+
+/* Puts what moves where it is in the frame of that number. The mesh is in frame 0. A mesh in a later frame than 0 came there
+ * by a step, and the tracer's velocities say so. */
+void aob_mesh_move(struct aob_mesh *mesh, int frames);
+
 /* The bounds of all vertices; an empty mesh has zeros. */
 void aob_mesh_bounds(const struct aob_mesh *mesh, struct aob_vec3 *low, struct aob_vec3 *high);
 
@@ -56,8 +70,8 @@ void aob_mesh_bounds(const struct aob_mesh *mesh, struct aob_vec3 *low, struct a
  * False after one line that begins with `name`. */
 bool aob_mesh_check(const struct aob_mesh *mesh, const char *name, struct aob_error *error);
 
-/* The digest of vertices and triangles, and of materials if there are any (a cached G-buffer holds their colour). It
- * is the part of a cache key that says which geometry. */
+/* The digest of vertices and triangles, of materials if there are any (a cached G-buffer holds their colour), and of what
+ * moves if anything does. It is the part of a cache key that says which geometry. */
 void aob_mesh_digest(const struct aob_mesh *mesh, char key[AOB_KEY_SIZE]);
 
 /* Writes and reads the flat file in which a loaded mesh passes from the loader's process to the others. It is sealed

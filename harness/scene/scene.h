@@ -19,7 +19,8 @@ struct aob_scene_info {
     double metre;
     const struct aob_view *views; /* view_count; the first is the default */
     size_t view_count;
-    void (*build)(struct aob_mesh *mesh); /* procedural; NULL: loaded from `file` */
+    void (*build)(struct aob_mesh *mesh); /* procedural, as it is in frame 0; NULL: loaded from `file` */
+    bool moves;                           /* a part of it moves from frame to frame (aob_mesh_move) */
     const char *file;                     /* absolute path of a packaged mesh, or NULL */
     const char *package;                  /* the Debian package that brings it, or NULL */
     const char *light;                    /* name of its light (light.h); NULL: uniform */

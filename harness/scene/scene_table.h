@@ -13,5 +13,5 @@ extern const struct aob_scene_info aob_scene_wall, aob_scene_sheet, aob_scene_sp
     aob_scene_disc;
 extern const struct aob_scene_info aob_scene_matte_white_room, aob_scene_matte_dark_room, aob_scene_gallery,
     aob_scene_coloured_walls, aob_scene_window_room, aob_scene_rocks, aob_scene_scattered_rocks,
-    aob_scene_thicket, aob_scene_open_sky;
+    aob_scene_thicket, aob_scene_open_sky, aob_scene_passing_box;
 #endif

@@ -34,6 +34,8 @@ const struct aob_metric aob_metric_table[] = {
            .doc = "Pixels that are scored; the sky is not."),
     METRIC(band_pixels, .title = "pixels in band", .unit = "pixels", .whole = true, .better = AOB_BETTER_NONE,
            .doc = "Those of them whose true visibility is below 0.995."),
+    METRIC(flicker, .title = "flicker", .brief = true, .better = AOB_BETTER_LESS, .of_sequence = true,
+           .doc = "RMS of how much the error changes from frame to frame at one point of a surface."),
     METRIC(definition_rmse, .title = "definition", .better = AOB_BETTER_LESS,
            .doc = "RMS of the part of the error that the technique's definition asks for."),
     METRIC(missing_rmse, .title = "missing", .better = AOB_BETTER_LESS,
@@ -182,14 +184,15 @@ void aob_metrics_to_json(const struct aob_metrics *metrics, unsigned outputs, js
 {
     for (const struct aob_metric *m = aob_metric_table; m->name; m++) {
         json_t *into = object;
-        if (!(outputs >> m->output & 1))
+        double value = aob_metric_get(metrics, m);
+        if (!(outputs >> m->output & 1) || (m->of_sequence && !isfinite(value)))
             continue;
         if (m->group) {
             into = json_object_get(object, m->group);
             if (!into)
                 json_object_set_new(object, m->group, into = json_object());
         }
-        json_object_set_new(into, m->name, value_to_json(m, aob_metric_get(metrics, m)));
+        json_object_set_new(into, m->name, value_to_json(m, value));
     }
 }
 

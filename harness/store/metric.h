@@ -22,7 +22,7 @@ struct aob_metrics {
     double rmse, band_rmse, border_rmse, border_share, mae, bias, p95, max, reference_se;
     double definition_rmse, missing_rmse, estimator_rmse, claim_bias;
     double definition_missing, definition_estimator, missing_estimator;
-    double flip, ssim, pixels, band_pixels;
+    double flip, ssim, pixels, band_pixels, flicker;
     double bent_mean, bent_p95, bent_pixels, bent_band, bent_band_normal, bent_band_pixels;
     double bounce_rmse, bounce_band, bounce_bias, bounce_se, bounce_plain, bounce_model;
     double specular_rmse, specular_band, specular_bias, specular_se, specular_plain;
@@ -38,6 +38,7 @@ struct aob_metric {
     enum aob_better better;
     enum aob_output output; /* whose image is scored */
     bool whole;             /* a count: written without a fraction */
+    bool of_sequence;       /* only a sequence has it: a record leaves it out where it is not known */
     bool brief;             /* one of the few that a line or the caption of a picture has room for */
     const char *group;      /* NULL, or the JSON object below the target's that holds it: "covariance" */
     size_t offset;          /* of the double in struct aob_metrics */

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include "base/clock.h"
 #include "base/memory.h"
+#include "block_sequence.h"
 
 static double seconds_since(int64_t start)
 {
@@ -80,6 +81,8 @@ static bool run_cases(struct aob_worker *worker, struct aob_block *block, struct
     int64_t start = aob_clock_wall_ns();
     if (!init_frames(worker, block, error))
         return false;
+    if (!aob_block_sequence_draw(block, error))
+        return false;
     for (size_t f = 0; block->job.score && f < block->frame_count; f++)
         reply_case(worker, block, f);
     if (block->job.time && !aob_block_measure(worker, block, error))
@@ -96,6 +99,7 @@ static void finish_block(struct aob_block *block)
         aob_frame_finish(&block->frames[f]);
     aob_frame_finish(&block->fixed);
     aob_drawing_finish(&block->drawing);
+    aob_block_sequence_destroy(block->sequence);
     aob_block_job_finish(&block->job);
     free(block);
 }

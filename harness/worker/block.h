@@ -7,6 +7,8 @@
 #include "drawing.h"
 #include "worker.h"
 
+struct aob_block_sequence; /* block_sequence.h */
+
 /* One block while it is worked on. */
 struct aob_block {
     struct aob_block_job job;
@@ -16,6 +18,7 @@ struct aob_block {
     double setup_ms[AOB_BLOCK_MAX];
     bool good[AOB_BLOCK_MAX]; /* of each frame, where the job scores: its image is a visibility */
     struct aob_block_shares shares;
+    struct aob_block_sequence *sequence; /* NULL: one picture */
 };
 
 /* Times the frames that the job wants timed, and replies with what they are and their rounds. */

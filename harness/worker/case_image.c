@@ -70,7 +70,7 @@ static void add_camera(struct aob_image *file, const struct aob_camera *camera)
 static void add_surface(struct aob_image *file, const struct aob_block *block,
                         const struct aob_case_image *image)
 {
-    static const char *const normals[3] = {"N.X", "N.Y", "N.Z"}, *const velocities[2] = {"V.X", "V.Y"},
+    static const char *const normals[3] = {"N.X", "N.Y", "N.Z"}, *const velocities[3] = {"V.X", "V.Y", "V.Z"},
                              *const albedo[3] = {"albedo.R", "albedo.G", "albedo.B"};
     static const char *const shine[2] = {"roughness", "metalness"};
     const struct aob_gbuffer *gbuffer = &block->drawing.gbuffer;
@@ -83,8 +83,8 @@ static void add_surface(struct aob_image *file, const struct aob_block *block,
         aob_case_image_crop(block, gbuffer->albedo + a, 3, aob_image_add(file, albedo[a]));
     for (int s = 0; s < 2 && gbuffer->shine; s++)
         aob_case_image_crop(block, gbuffer->shine + s, 2, aob_image_add(file, shine[s]));
-    for (int v = 0; v < 2 && gbuffer->velocity; v++)
-        aob_case_image_crop(block, gbuffer->velocity + v, 2, aob_image_add(file, velocities[v]));
+    for (int v = 0; v < 3 && gbuffer->velocity; v++)
+        aob_case_image_crop(block, gbuffer->velocity + v, 3, aob_image_add(file, velocities[v]));
 }
 
 static void add_error(struct aob_image *file, const struct aob_case_image *image)

@@ -9,7 +9,8 @@
 bool aob_drawing_load(struct aob_drawing *drawing, const struct aob_job_drawing *job, struct aob_error *error)
 {
     const struct aob_job_view *view = &job->view;
-    const struct aob_gbuffer_desc desc = {&view->camera, view->width, view->height, view->guard};
+    const struct aob_gbuffer_desc desc = {&view->camera, view->width, view->height, view->guard,
+                                          view->frame > 0};
     drawing->job = job;
     aob_registry_init(&drawing->registry);
     return aob_gbuffer_load(&drawing->gbuffer, view->gbuffer, &desc, error);
@@ -36,6 +37,7 @@ static struct aob_screen *use_screen(struct aob_drawing *drawing, const struct a
         return NULL;
     const struct aob_frame_axes axes = aob_camera_axes(&drawing->job->view.camera);
     aob_light_turn(&drawing->job->view.light, &axes, &screen->light);
+    screen->then = aob_camera_then(&drawing->job->view.camera);
     screen->geometry = drawing->geometry.count ? &drawing->geometry : NULL;
     drawing->screen_options[drawing->screen_count++] = *options;
     return screen;
@@ -56,6 +58,19 @@ bool aob_drawing_set(struct aob_drawing *drawing, const struct aob_job_frame *fr
     part->wanted = aob_options_wanted(&options);
     part->screen = use_screen(drawing, &options, &part->unfit, error);
     return part->screen;
+}
+
+bool aob_drawing_show(struct aob_drawing *drawing, const struct aob_gbuffer *gbuffer,
+                      const struct aob_camera *camera, struct aob_error *error)
+{
+    const struct aob_frame_axes axes = aob_camera_axes(camera);
+    struct aob_light light;
+    aob_light_turn(&drawing->job->view.light, &axes, &light);
+    const struct aob_screen_pose pose = {gbuffer, &light, aob_camera_then(camera)};
+    for (size_t i = 0; i < drawing->screen_count; i++)
+        if (!aob_screen_show(&drawing->screens[i], &pose, error))
+            return false;
+    return true;
 }
 
 json_t *aob_drawing_fingerprint(const struct aob_drawing *drawing)

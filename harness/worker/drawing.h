@@ -44,6 +44,11 @@ struct aob_drawing_part {
 bool aob_drawing_set(struct aob_drawing *drawing, const struct aob_job_frame *frame,
                      struct aob_drawing_part *part, struct aob_error *error);
 
+/* Another frame of a sequence, seen by that camera, in all screens that there are. The G-buffer must outlive the next call, or
+ * the drawing. */
+bool aob_drawing_show(struct aob_drawing *drawing, const struct aob_gbuffer *gbuffer,
+                      const struct aob_camera *camera, struct aob_error *error);
+
 /* Who measures, once the device is open: the `fingerprint` of a record. A new object. */
 json_t *aob_drawing_fingerprint(const struct aob_drawing *drawing);
 

@@ -15,61 +15,22 @@
 #include "score/oracle_score.h"
 #include "score/split.h"
 #include "score/ssim.h"
-#include "store/image.h"
+#include "block_sequence.h"
+#include "traced.h"
 
 static size_t pixels_of(const struct aob_block *block)
 {
     return (size_t)block->job.drawing.view.width * (size_t)block->job.drawing.view.height;
 }
 
-static float *copy_channel(const struct aob_image *image, const char *name, size_t count)
-{
-    const float *channel = aob_image_channel(image, name);
-    float *pixels = channel ? AOB_NEW_ARRAY(float, count) : NULL;
-    if (channel)
-        memcpy(pixels, channel, count * sizeof *pixels);
-    return pixels;
-}
-
-/* What one traced file holds. */
-struct traced {
-    float *ao, *se, (*open)[3]; /* open: only if it is asked for */
-};
-
-static void free_traced(struct traced *traced)
-{
-    free(traced->ao);
-    free(traced->se);
-    free(traced->open);
-}
-
-static bool load_traced(const char *path, const struct aob_block *block, bool bent, struct traced *traced,
-                        struct aob_error *error)
-{
-    static const char *const names[3] = {"B.X", "B.Y", "B.Z"};
-    struct aob_image image = {0};
-    size_t count = pixels_of(block);
-    if (!aob_image_read(&image, path, error))
-        return false;
-    bool fits =
-        image.width == block->job.drawing.view.width && image.height == block->job.drawing.view.height;
-    if (fits)
-        *traced = (struct traced){copy_channel(&image, "AO", count), copy_channel(&image, "SE", count),
-                                  bent ? (float(*)[3])aob_image_interleaved(&image, names, 3, 3) : NULL};
-    aob_image_finish(&image);
-    return (traced->ao && traced->se && (!bent || traced->open)) ||
-           aob_fail(error, "%s: not a reference of %dx%d", path, block->job.drawing.view.width,
-                    block->job.drawing.view.height);
-}
-
 /* Only the visibility of a claim is compared. */
 static bool load_claim(const char *path, const struct aob_block *block, float **ao, struct aob_error *error)
 {
-    struct traced traced = {0};
-    bool ok = !path || load_traced(path, block, false, &traced, error);
+    struct aob_traced traced = {0};
+    bool ok = !path || aob_traced_load(path, block, false, &traced, error);
     *ao = traced.ao;
     traced.ao = NULL;
-    free_traced(&traced);
+    aob_traced_finish(&traced);
     return ok;
 }
 
@@ -142,7 +103,8 @@ static struct aob_score_desc describe(const struct aob_block *block, const struc
 
 /* An entry of `errors`. The reference is scored too: its own error shows how small a difference is still meaningful. */
 static json_t *score_target(const struct aob_block *block, size_t f, const struct aob_block_target *target,
-                            struct aob_case_image *image, const struct traced *truth, struct aob_error *error)
+                            struct aob_case_image *image, const struct aob_traced *truth,
+                            struct aob_error *error)
 {
     struct aob_score_desc desc = describe(block, image, truth->ao, truth->se, target->radius);
     unsigned outputs = 1u << AOB_OUT_VISIBILITY;
@@ -152,6 +114,10 @@ static json_t *score_target(const struct aob_block *block, size_t f, const struc
     metrics.ssim = aob_ssim(&desc);
     if (image->definition && image->screen)
         aob_split(&desc, image->definition, image->screen, &metrics);
+    if (block->sequence)
+        aob_block_sequence_score(block, f, (size_t)(target - block->job.targets),
+                                 &(struct aob_block_sequence_images){image->ao, truth->ao, truth->se},
+                                 &metrics);
     if (image->bent && truth->open) {
         const struct aob_bent_truth bent = {(const float(*)[3])truth->open, (const float(*)[3])image->normal};
         aob_bent_score(&desc, (const float(*)[3])image->bent, &bent, &metrics);
@@ -186,8 +152,8 @@ static bool score_against(const struct aob_block *block, size_t f, size_t t, str
                           json_t *errors, struct aob_error *error)
 {
     const struct aob_block_target *target = &block->job.targets[t];
-    struct traced truth = {0};
-    bool ok = load_traced(target->truth[AOB_OUT_VISIBILITY], block, target->bent, &truth, error);
+    struct aob_traced truth = {0};
+    bool ok = aob_traced_load(target->truth[AOB_OUT_VISIBILITY], block, target->bent, &truth, error);
     json_t *entry = ok ? score_target(block, f, target, image, &truth, error) : NULL;
     ok = entry;
     if (ok)
@@ -200,7 +166,7 @@ static bool score_against(const struct aob_block *block, size_t f, size_t t, str
             free(truth.open);
         return true;
     }
-    free_traced(&truth);
+    aob_traced_finish(&truth);
     return ok;
 }
 
@@ -231,6 +197,7 @@ static bool refuse(json_t *answer)
 {
     json_object_set_new(answer, "status", json_string("invalid"));
     json_object_del(answer, "errors");
+    json_object_del(answer, "sequence");
     return false;
 }
 
@@ -240,7 +207,9 @@ static bool judge_and_score(const struct aob_block *block, size_t f, struct aob_
 {
     const struct aob_block_case *c = &block->job.cases[block->case_of_frame[f]];
     char digest[AOB_KEY_SIZE];
-    if (!judge_values(block, image, error))
+    if (block->sequence && !aob_block_sequence_is_drawn(block, f, error))
+        return false;
+    if ((block->sequence && !aob_block_sequence_judge(block, f, error)) || !judge_values(block, image, error))
         return refuse(answer);
     aob_case_image_digest(block, image, digest);
     json_object_set_new(answer, "image_digest", json_string(digest));
@@ -251,6 +220,8 @@ static bool judge_and_score(const struct aob_block *block, size_t f, struct aob_
         json_object_del(answer, "errors");
         return false;
     }
+    if (block->sequence && image->truth)
+        json_object_set_new(answer, "sequence", aob_block_sequence_to_json(block, f));
     return !image->truth || judge_drawn(block, f, image, error) || refuse(answer);
 }
 

@@ -122,7 +122,8 @@ static bool load_view(struct scene *scene, struct aob_error *error)
     const struct aob_job_view *view = &scene->job->view;
     struct aob_gbuffer gbuffer;
     if (!aob_gbuffer_load(&gbuffer, view->gbuffer,
-                          &(struct aob_gbuffer_desc){&view->camera, view->width, view->height, view->guard},
+                          &(struct aob_gbuffer_desc){&view->camera, view->width, view->height, view->guard,
+                                                     view->frame > 0},
                           error))
         return false;
     aob_gbuffer_hits(&gbuffer, &scene->hits);
@@ -186,7 +187,8 @@ static bool compute(const struct scene *scene, const struct trace *trace, struct
                                              .y0 = view->guard,
                                              .width = view->width,
                                              .height = view->height,
-                                             .spp = scene->job->spp};
+                                             .spp = scene->job->spp,
+                                             .seed = view->seed};
     if (trace->first->bound)
         return trace_bound(scene, trace->first->thickness, &desc, result, error);
     return aob_tracer_visibility(scene->tracer, &view->camera, &scene->hits, &desc, result, error);

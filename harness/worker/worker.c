@@ -31,6 +31,7 @@ bool aob_worker_load(const struct aob_job_view *view, struct aob_mesh *mesh, str
     if (!scene || !scene->build)
         return aob_fail(error, "the job has no mesh and no procedural scene");
     scene->build(mesh);
+    aob_mesh_move(mesh, view->frame);
     return true;
 }
 

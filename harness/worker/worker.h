@@ -38,6 +38,6 @@ void aob_worker_reply(struct aob_worker *worker, json_t *answer); /* takes the r
 bool aob_worker_values(const struct aob_technique *technique, const double *params, size_t count,
                        void *values, struct aob_error *error);
 
-/* The view's flat mesh, or its procedural scene; aob_mesh_finish frees. */
+/* The view's flat mesh, or its procedural scene in the view's frame; aob_mesh_finish frees. */
 bool aob_worker_load(const struct aob_job_view *view, struct aob_mesh *mesh, struct aob_error *error);
 #endif

@@ -27,7 +27,7 @@ struct aob_figure *aob_gallery_add(struct aob_gallery *g, const struct aob_panel
                                    enum aob_figure_kind kind, const char *name, const char *end, json_t *job)
 {
     static const char *const kinds[] = {"triptych", "map", "split", "height", "vti",
-                                        "triptych", "map", "chart", "chart"};
+                                        "triptych", "map", "chart", "chart",  "chart"};
     char *file = file_name(g, panel->section, name, end);
     struct aob_figure *figure = AOB_PUSH(g->figures, g->count, g->capacity);
     if (!job) /* a path that is no UTF-8; the figure will say that it has no image */

@@ -13,7 +13,8 @@ enum aob_figure_kind {
     AOB_FIGURE_OUTPUT,     /* an output besides visibility: its pictures, as a triptych */
     AOB_FIGURE_OUTPUT_MAP, /* and where it errs */
     AOB_FIGURE_CHART,
-    AOB_FIGURE_CACHE /* a chart of cache figures */
+    AOB_FIGURE_CACHE,    /* a chart of cache figures */
+    AOB_FIGURE_OVER_TIME /* a chart of a sequence */
 };
 
 /* The target of what is compared with no truth. */

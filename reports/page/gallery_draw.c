@@ -17,7 +17,8 @@ struct drawing {
 static bool needs_opengl(const struct aob_figure *figure)
 {
     return figure->kind == AOB_FIGURE_HEIGHT ||
-           ((figure->kind == AOB_FIGURE_CHART || figure->kind == AOB_FIGURE_CACHE) &&
+           ((figure->kind == AOB_FIGURE_CHART || figure->kind == AOB_FIGURE_CACHE ||
+             figure->kind == AOB_FIGURE_OVER_TIME) &&
             strstr(figure->file, ".png") != NULL);
 }
 

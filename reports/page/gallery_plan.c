@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "curves.h"
+#include "over_time.h"
 
 /* Orders the scores of one technique by an output, or with NULL by visibility: the smaller the better, NAN does not take part.
  * A score is NULL where there is no target. The image holds an output's truth against the case's own target only. A score of
@@ -252,8 +253,10 @@ static void add_panel(struct aob_gallery *g, size_t section, size_t target)
         aob_curves_add_cache(g, &panel);
     } else
         panel.cases = count_cases(g->rows, section, target);
-    if (panel.cases)
+    if (panel.cases) {
         aob_curves_add_quality(g, &panel);
+        aob_over_time_add(g, &panel);
+    }
     if (panel.cases || target == AOB_NO_TARGET)
         add_images(g, &panel);
     panel.count = g->count - panel.first;

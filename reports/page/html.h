@@ -44,6 +44,10 @@ bool aob_html_gives_more(const struct aob_row *row);
 /* The panel's table of where the errors of the techniques' pictured cases come from. */
 void aob_html_split(struct aob_text *page, const struct aob_gallery *gallery, const struct aob_panel *panel);
 
+/* Of the cases of a sequence whose own target is the panel's: error, flicker and cost. Nothing where there is none. */
+void aob_html_over_time(struct aob_text *page, const struct aob_gallery *gallery,
+                        const struct aob_panel *panel);
+
 /* One scene's view: for each target charts and pictures, then what needs no target. */
 void aob_html_section(struct aob_text *page, const struct aob_gallery *gallery, size_t section);
 

@@ -202,6 +202,8 @@ static void add_panel(struct aob_text *page, const struct aob_gallery *g, const 
     }
     aob_html_target_open(page, g->rows, panel->target, "");
     add_charts(page, &view, AOB_FIGURE_CHART, "");
+    aob_html_over_time(page, g, panel);
+    add_charts(page, &view, AOB_FIGURE_OVER_TIME, "");
     aob_html_split(page, g, panel);
     if (!panel->cases)
         aob_text_add(page, "<p class=soft>No case of this view is compared with it.</p>\n");

@@ -55,7 +55,7 @@ techniques: [{name: none}]
 measure: {time: false, error: false}
 YAML
 check "a moving, off-centre camera" "$program" run moving.yaml --out moving --quiet
-for channel in albedo.R albedo.G albedo.B roughness metalness V.X V.Y aobudget.shift; do
+for channel in albedo.R albedo.G albedo.B roughness metalness V.X V.Y V.Z aobudget.shift; do
   check "its image has $channel" grep -qa "$channel" moving/images/*.exr
 done
 check "and its record" grep -q '"shift":\[0.25,0.0\],"previous":{"eye":\[0.1' moving/journal.jsonl

@@ -38,7 +38,7 @@ measure: {time: false}
 reference: {spp: 256}
 END
 check "a run" "$program" run moving.yaml --module "$module" --out moving --quiet
-holds "its layers and velocities" "${names/ Z/ V.X V.Y Z}" "moving/$(jq -r .image moving/journal.jsonl)" \
+holds "its layers and velocities" "${names/ Z/ V.X V.Y V.Z Z}" "moving/$(jq -r .image moving/journal.jsonl)" \
   moving/journal.jsonl 1,2,3 0.25,0.5,0 fov:60 1 0.75 1.25,1.875,3.125 0,0.625,0
 
 # Colours of a mesh's materials, and the sky beside it.

@@ -48,7 +48,7 @@ while read -r name params; do
   done
 done < <(names)
 # The table of defaults has every technique on every listed view but those of the scenes that are for shading.
-shaded='matte_white_room matte_dark_room gallery coloured_walls window_room rocks scattered_rocks thicket open_sky'
+shaded='matte_white_room matte_dark_room gallery coloured_walls window_room rocks scattered_rocks thicket open_sky passing_box'
 "$program" plan "$root/configs/defaults.yaml" >plan.txt
 "$program" list scenes --json scenes.json
 while read -r place; do

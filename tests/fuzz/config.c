@@ -31,6 +31,12 @@ static void check_scene(const struct aob_scene_choice *s)
                  "a unit is within its bounds");
     fuzz_require(!s->moves || (finite3(s->previous.eye) && finite3(s->previous.target)),
                  "an earlier camera was somewhere");
+    fuzz_require(!s->motion.frames ||
+                     (s->motion.frames >= AOB_CONFIG_MIN_FRAMES && s->motion.frames <= AOB_CONFIG_MAX_FRAMES),
+                 "a sequence has 2 .. 128 frames");
+    fuzz_require(!s->motion.frames || (!s->capture && !s->moves),
+                 "a sequence is no capture and has no earlier camera");
+    fuzz_require(finite3(s->motion.last.eye) && finite3(s->motion.last.target), "a motion ends somewhere");
 }
 
 static double check_axes(const struct aob_axis *axes, size_t count)

@@ -32,6 +32,8 @@ static const struct aob_job_view view = {.mesh = "/cache/a.mesh",
                                          .camera = camera,
                                          .width = 320,
                                          .height = 180,
+                                         .frame = 7,
+                                         .seed = 1,
                                          .guard = 16,
                                          .light = {.sh = {{1, 2, 3}, [8] = {0, 0, -0.25}}},
                                          .gbuffer = "/cache/g.exr"};
@@ -43,7 +45,7 @@ static void check_view(const struct aob_job_view *v)
     assert_string_equal(v->gbuffer, "/cache/g.exr");
     assert_int_equal(v->width, 320);
     assert_int_equal(v->height, 180);
-    assert_int_equal(v->guard, 16);
+    assert_true(v->guard == 16 && v->frame == 7 && v->seed == 1);
     assert_false(v->captured);
     assert_memory_equal(&v->light, &view.light, sizeof view.light);
     assert_true(v->camera.eye.z == 3.25 && v->camera.target.x == 0.1 && v->camera.target.z == -4);
@@ -178,6 +180,7 @@ static void a_block_job(void **state)
     assert_true(aob_block_job_from_json(message, &job, &error));
     check_view(&job.drawing.view);
     check_block(&job);
+    assert_int_equal(job.pose_count, 0);
     aob_block_job_finish(&job);
     json_object_del(json_object_get(message, "timing"), "clock_reason");
     assert_false(aob_block_job_from_json(message, &job, &error));

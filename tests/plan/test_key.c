@@ -63,7 +63,32 @@ static const struct {
      true, true},
     {NAME "scenes: [{name: spheres, eye: [0, 1, 4], target: [0, 1, 0]}]\n" SIZE BACKEND TECHNIQUE, true,
      true},
+    {NAME "scenes: [{name: corner, eye: [0, 1, 4], target: [0, 1, 0], motion: {frames: 2}}]\n" SIZE BACKEND
+         TECHNIQUE,
+     true, true},
 };
+
+/* How many frames there are, and where the camera comes from; both say where the last frame is seen from. */
+static void test_motion(void **state)
+{
+    (void)state;
+    static const char *const scenes[] = {
+        "eye: [0, 1, 4], target: [0, 1, 0]",
+        "eye: [0, 1, 5], target: [0, 1, 0], motion: {frames: 4, eye: [0, 1, 4], target: [0, 1, 0]}",
+        "eye: [0, 1, 5], target: [0, 1, 0], motion: {frames: 5, eye: [0, 1, 4], target: [0, 1, 0]}",
+        "eye: [0, 1, 6], target: [0, 1, 0], motion: {frames: 4, eye: [0, 1, 4], target: [0, 1, 0]}",
+        "eye: [0, 1, 4], target: [0, 1, 0], motion: {frames: 4}"};
+    struct identity ids[5];
+    for (int i = 0; i < 5; i++) {
+        char text[1024];
+        snprintf(text, sizeof text, NAME "scenes: [{name: corner, %s}]\n" SIZE BACKEND TECHNIQUE, scenes[i]);
+        ids[i] = identify(text, "cpu");
+        for (int k = 0; k < i; k++) {
+            assert_string_not_equal(ids[i].key, ids[k].key);
+            assert_string_not_equal(ids[i].series, ids[k].series);
+        }
+    }
+}
 
 static void test_changes_of_a_config(void **state)
 {
@@ -178,9 +203,11 @@ static void test_meshes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_changes_of_a_config), cmocka_unit_test(test_light),
-        cmocka_unit_test(test_outputs_that_are_off), cmocka_unit_test(test_changes_of_a_technique),
-        cmocka_unit_test(test_meshes)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_changes_of_a_config),
+                                       cmocka_unit_test(test_motion),
+                                       cmocka_unit_test(test_light),
+                                       cmocka_unit_test(test_outputs_that_are_off),
+                                       cmocka_unit_test(test_changes_of_a_technique),
+                                       cmocka_unit_test(test_meshes)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

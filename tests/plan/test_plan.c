@@ -121,13 +121,19 @@ static void test_estimate(void **state)
 {
     (void)state;
     static const struct {
-        const char *measure;
+        const char *measure, *scene;
         double case_s, view_s;
     } rows[] = {
         /* compiling + further processes + timing + two targets' (pictures + score); the view + 3 traces of its rays */
-        {"measure: {seconds: 1.5}\n", 0.3 + 0.2 + 0.75 + 2 * (0.04 + 0.003), 0.5 + 3 * 1e4 * 60 / 60e6},
-        {"measure: {time: false}\n", 0.3 + 2 * (0.04 + 0.003), 0.5 + 3 * 1e4 * 60 / 60e6},
-        {"measure: {error: false, seconds: 1.5}\n", 0.3 + 0.2 + 0.75, 0.5},
+        {"measure: {seconds: 1.5}\n", "corner", 0.3 + 0.2 + 0.75 + 2 * (0.04 + 0.003),
+         0.5 + 3 * 1e4 * 60 / 60e6},
+        {"measure: {time: false}\n", "corner", 0.3 + 2 * (0.04 + 0.003), 0.5 + 3 * 1e4 * 60 / 60e6},
+        {"measure: {error: false, seconds: 1.5}\n", "corner", 0.3 + 0.2 + 0.75, 0.5},
+        /* a view and a trace more for each of four frames; not where nothing moves */
+        {"measure: {time: false}\n", "passing_box, motion: {frames: 5}", 0.3 + 2 * (0.04 + 0.003),
+         5 * 0.5 + 7 * 1e4 * 60 / 60e6},
+        {"measure: {time: false}\n", "corner, motion: {frames: 5}", 0.3 + 2 * (0.04 + 0.003),
+         0.5 + 3 * 1e4 * 60 / 60e6},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct aob_config config;
@@ -135,9 +141,9 @@ static void test_estimate(void **state)
         struct aob_error error;
         char text[512];
         snprintf(text, sizeof text,
-                 "name: t\nscenes: [{name: corner}]\nresolutions: [100x100]\nbackends: [null]\n"
+                 "name: t\nscenes: [{name: %s}]\nresolutions: [100x100]\nbackends: [null]\n"
                  "techniques: [{name: gtao, params: {radius: [0.5, 1]}}]\nreference: {spp: 60}\n%s",
-                 rows[i].measure);
+                 rows[i].scene, rows[i].measure);
         if (!make(text, &config, &plan, &error))
             fail_msg("%s", error.text);
         assert_near(aob_plan_estimate_s(&plan), 2 * rows[i].case_s + rows[i].view_s, 1e-9);
@@ -147,6 +153,7 @@ static void test_estimate(void **state)
 }
 
 /* Every refusal: one line with file, line and column, and what is wrong. */
+#define MOTION(entry) "name: t\nscenes: [{" entry "}]\nresolutions: [8x8]\nbackends: [null]\n" NONE
 static const struct {
     const char *text, *place, *says;
 } refusals[] = {
@@ -209,6 +216,23 @@ static const struct {
     {"name: t\nscenes: [{name: corner, eye: [0, 0, 1], target: [0, 0, 0], previous: {eye: [0, 0, 1], "
      "target: [0, 0, 1]}}]\nresolutions: [8x8]\nbackends: [null]\n" NONE,
      ":2:", "previous eye and target"},
+    {MOTION("name: corner, motion: {eye: [0, 0, 1], target: [0, 0, 0]}"), ":2:33",
+     "motion needs frames, 2 to 128"},
+    {MOTION("name: corner, motion: {frames: 1}"), ":2:42", "2"},
+    {MOTION("name: corner, motion: {frames: 129}"), ":2:42", "128"},
+    {MOTION("name: corner, motion: {frames: 2.5}"), ":2:42", "whole number"},
+    {MOTION("name: corner, motion: {frames: 4, step: 1}"), ":2:45", "unknown key 'step'"},
+    {MOTION("name: corner, motion: {frames: 4, eye: [0, 0, 1]}"), ":2:33", "both eye and target, or neither"},
+    {MOTION("name: corner, motion: {frames: 4, eye: [1, 1, 1], target: [1, 1, 1]}"), ":2:10",
+     "frame 3 of the motion: camera: eye and target are the same point"},
+    {MOTION("name: corner, eye: [0, 0, 1], target: [0, 0, 0], motion: {frames: 3, eye: [0, 0, 0], target: "
+            "[0, 0, 1]}"),
+     ":2:10", "frame 1 of the motion"},
+    {MOTION("name: corner, eye: [0, 0, 1], target: [0, 0, 0], previous: {eye: [0, 0, 2], target: [0, 0, 0]}, "
+            "motion: {frames: 3}"),
+     ":2:10", "leave previous out"},
+    {MOTION("capture: a.exr, fov_deg: 50, motion: {frames: 3}"), ":2:10", "a capture is one frame"},
+    {MOTION("file: /dev/null, motion: {frames: 3}"), ":2:10", "give eye and target"},
     {HEAD "techniques: [{name: gtao, sweep: [{param: radius, values: [1], from: 1, to: 2, step: 1}]}]\n",
      ":5:35", "not both"},
     /* counted before it is expanded: 2 views, 2 sizes, 2 backends, 1000^3 points */
@@ -270,6 +294,40 @@ static void test_damaged_configs(void **state)
     }
 }
 
+/* What is scored is the last frame, seen from where the motion ends; the one before is its previous place. */
+static void test_a_motion(void **state)
+{
+    (void)state;
+    struct aob_config config;
+    struct aob_plan plan;
+    struct aob_error error;
+    assert_true(make(
+        MOTION("name: passing_box, views: [front, far], motion: {frames: 5, eye: [1, 2, 3], target: [0, 1, "
+               "0.5]}}, {name: passing_box, motion: {frames: 9}}, {name: passing_box"),
+        &config, &plan, &error));
+    assert_int_equal(plan.scene_count, 4);
+    static const char *const views[] = {"front-5-frames", "far-5-frames", "front-9-frames", "front"};
+    static const int frames[] = {5, 5, 9, 0};
+    for (int i = 0; i < 4; i++) {
+        assert_string_equal(plan.scenes[i].view, views[i]);
+        assert_int_equal(plan.scenes[i].motion.frames, frames[i]);
+        assert_int_equal(plan.scenes[i].camera.moves, i < 2);
+    }
+    const struct aob_camera *front = &plan.scenes[0].camera; /* from (0.3, 1.5, 4.4), (0, 0.5, 0.4) */
+    assert_true(front->eye.x == 1 && front->eye.y == 2 && front->eye.z == 3 && front->target.z == 0.5);
+    assert_near(front->previous_eye.x, 0.825, 1e-12);
+    assert_near(front->previous_eye.z, 3.35, 1e-12);
+    assert_near(front->previous_target.y, 0.875, 1e-12);
+    assert_int_equal(aob_plan_scene_frame(&plan.scenes[0], 4), 4);
+    assert_true(plan.scenes[2].camera.eye.z == 4.4 && plan.scenes[3].camera.eye.z == 4.4);
+    aob_plan_finish(&plan);
+    aob_config_finish(&config);
+    assert_true(make(MOTION("name: corner, motion: {frames: 5}"), &config, &plan, &error));
+    assert_int_equal(aob_plan_scene_frame(&plan.scenes[0], 4), 0); /* nothing moves there */
+    aob_plan_finish(&plan);
+    aob_config_finish(&config);
+}
+
 /* A name that is not listed is a mesh of AOBUDGET_SCENES: same key as the file, no views of its own. */
 static void test_scenes_of_the_users_folder(void **state)
 {
@@ -308,12 +366,10 @@ static void test_scenes_of_the_users_folder(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_product_of_axes),
-                                       cmocka_unit_test(test_backends_of_an_entry),
-                                       cmocka_unit_test(test_estimate),
-                                       cmocka_unit_test(test_twins_are_one_case_and_keys_are_stable),
-                                       cmocka_unit_test(test_refusals),
-                                       cmocka_unit_test(test_damaged_configs),
-                                       cmocka_unit_test(test_scenes_of_the_users_folder)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_product_of_axes), cmocka_unit_test(test_backends_of_an_entry),
+        cmocka_unit_test(test_estimate),        cmocka_unit_test(test_twins_are_one_case_and_keys_are_stable),
+        cmocka_unit_test(test_refusals),        cmocka_unit_test(test_damaged_configs),
+        cmocka_unit_test(test_a_motion),        cmocka_unit_test(test_scenes_of_the_users_folder)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -139,6 +139,7 @@ static const struct expected {
     {"scattered_rocks", {-150, -0.402305, -150}, {150, 1.038625, 150}, 4, 0},
     {"thicket", {-10, -0.062766, -10}, {10, 2.507403, 10}, 4, 0},
     {"open_sky", {-150, 0, -150}, {150, 0, 150}, 4, 0},
+    {"passing_box", {-6, 0, 0}, {6, 4, 8}, 6, 0},
 };
 
 static void titles_and_solids_are_right(void **state)
