@@ -67,6 +67,10 @@ void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,
         memcpy(&gbuffer->normal[4 * i], hits->normal[i], sizeof hits->normal[i]);
         memcpy(&gbuffer->shading[4 * i], hits->shading[i], sizeof hits->shading[i]);
     }
+    if (!hits->velocity)
+        return;
+    gbuffer->velocity = AOB_NEW_ARRAY(float, 3 * count);
+    memcpy(gbuffer->velocity, hits->velocity, count * sizeof *hits->velocity);
 }
 
 void aob_gbuffer_paint(struct aob_gbuffer *gbuffer, const struct aob_hits *hits, const struct aob_mesh *mesh)

@@ -24,7 +24,7 @@ struct aob_gbuffer {
 };
 #define AOB_GBUFFER_SKY 1e9f /* far beyond any scene, and its square is finite; AOB_SKY_Z in shaders */
 
-/* Takes depth and normals from the hits of the tracer or of a rasteriser (frame/raster.h). Allocates;
+/* Takes depth, normals and, if something moves, velocities from the hits of the tracer or of a rasteriser (frame/raster.h). Allocates;
  * aob_gbuffer_finish frees. */
 void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,
                       const struct aob_projection *projection, int guard);

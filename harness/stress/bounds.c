@@ -251,6 +251,16 @@ const struct aob_bound aob_bounds[] = {
      "The arithmetic is the same; a GPU may contract it otherwise, by one bit of a half float."},
     {"effects_unwanted", 0, 0, "No format has less than a byte."},
     {"effects_finite", 0, 0, "They are finite and in their range or they are not."},
+    /* --- time --- */
+    {"still_converges", 0.435, 0.435,
+     "An eighth to the power of -0.4; the mean of independent frames has a third, of stratified ones less."},
+    {"no_trail", 2.0 / 255, 2.0 / 255,
+     "A step of 8 bits that nobody sees: what is left of noise between means of 8 and of 16 frames of many "
+     "samples."},
+    {"begins_anew", 0, 0, "A frame 0 reads nothing of before, so the arithmetic is the same."},
+    {"hostile_frame_passes", 2.0 / 255, 2.0 / 255,
+     "What it left is rejected: as after anything else that has gone, there is noise between means."},
+    {"history_of_its_size", 0, 0, "It is another frame's memory, and the arithmetic is the same."},
     /* --- instruments --- */
     {"tracer_plane_open", 0, 0,
      "Rays of a plane's hemisphere meet nothing; the tracer checks near hits again in double precision."},

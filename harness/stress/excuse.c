@@ -46,3 +46,8 @@ const char *aob_excuse_no_effects(const struct aob_subject *subject)
                aob_subject_gives(subject, AOB_OUT_SPECULAR) || aob_subject_gives(subject, AOB_OUT_IRRADIANCE);
     return any ? NULL : "it gives no light, nor a share of it, besides visibility";
 }
+
+const char *aob_excuse_no_history(const struct aob_subject *subject)
+{
+    return aob_subject_has(subject, "history") ? NULL : "it keeps no history";
+}

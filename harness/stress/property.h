@@ -15,6 +15,7 @@ enum aob_property_group {
     AOB_GROUP_RELATIONS,
     AOB_GROUP_DIRECTIONS,  /* of bent normals */
     AOB_GROUP_LIGHT,       /* of bounces, lobes and irradiance */
+    AOB_GROUP_TIME,        /* of what is kept from frame to frame */
     AOB_GROUP_INSTRUMENTS, /* of the tracer, the caches, the model and the statistics; they have no subject */
     AOB_GROUP_COUNT,
 };

@@ -60,4 +60,17 @@ struct aob_reading {
  * something, or the values are refused by its check(). */
 bool aob_subject_draw(struct aob_subject *subject, const struct aob_shot *shot, struct aob_reading *reading,
                       bool *unfit, struct aob_error *error);
+
+/* Frames that follow each other, of views of one size. */
+struct aob_film {
+    const struct aob_shot *shot; /* how they are drawn; its exhibit is not looked at, nor is `runs` */
+    const struct aob_exhibit *const *frames; /* count; their velocities are what the property made of them */
+    size_t count;
+    size_t
+        anew; /* the frame that begins a sequence again, on what those before it left; 0: the first alone does */
+};
+
+/* Draws them in order; images[i] has width x height floats for the visibility of frame i, or is NULL. As aob_subject_draw. */
+bool aob_subject_film(struct aob_subject *subject, const struct aob_film *film, float *const *images,
+                      bool *unfit, struct aob_error *error);
 #endif

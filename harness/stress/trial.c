@@ -169,6 +169,30 @@ struct aob_reading aob_trial_read(struct aob_trial *trial, const struct aob_shot
     return read_outputs(trial, shot, 1u << AOB_OUT_VISIBILITY | aob_options_wanted(&options));
 }
 
+bool aob_trial_film(struct aob_trial *trial, const struct aob_film *film, const bool *wanted, float **images)
+{
+    bool unfit = false;
+    struct aob_error error = {{0}};
+    for (size_t i = 0; i < film->count; i++) {
+        images[i] = NULL;
+        if (stopped(trial) || !film->frames[i])
+            return false;
+    }
+    for (size_t i = 0; i < film->count; i++)
+        images[i] = wanted[i] ? aob_trial_image(trial, film->frames[i]) : NULL;
+    if (!aob_subject_film(trial->subject, film, images, &unfit, &error)) {
+        *(unfit ? &trial->excuse : &trial->error) = error;
+        return false;
+    }
+    struct aob_shot shot = *film->shot;
+    for (size_t i = 0; i < film->count; i++) {
+        shot.exhibit = film->frames[i];
+        if (images[i])
+            look_through(trial, &shot, images[i]);
+    }
+    return true;
+}
+
 float *aob_trial_trace(struct aob_trial *trial, const struct aob_exhibit *exhibit, double radius, int spp)
 {
     if (stopped(trial) || !exhibit)

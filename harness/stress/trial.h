@@ -52,6 +52,10 @@ struct aob_open aob_trial_draw_open(struct aob_trial *trial, const struct aob_sh
  * through as well: shares that are not finite and within 0..1, light that is not finite or is negative (score/effect.h). */
 struct aob_reading aob_trial_read(struct aob_trial *trial, const struct aob_shot *shot);
 
+/* Draws a film; images[i] is NULL where wanted[i] is false, and all are where it fails. They are looked through as those of
+ * aob_trial_draw. `images` has room for as many as there are frames. */
+bool aob_trial_film(struct aob_trial *trial, const struct aob_film *film, const bool *wanted, float **images);
+
 /* The traced visibility of the exhibit (aob_exhibit_trace), which is looked through as well. */
 float *aob_trial_trace(struct aob_trial *trial, const struct aob_exhibit *exhibit, double radius, int spp);
 

@@ -7,7 +7,7 @@
 
 struct values {
     float radius, falloff;
-    int32_t slices, steps, blur, divisor;
+    int32_t slices, steps, blur, divisor, history;
 };
 
 static const struct aob_param params[] = {
@@ -21,6 +21,7 @@ static const struct aob_param params[] = {
               .initial = 8, .doc = "Taps on each side of a slice."),
     AOB_PARAM_BLUR(struct values, blur, 3),
     AOB_PARAM_DIVISOR(struct values, divisor),
+    AOB_PARAM_HISTORY(struct values, history),
 };
 
 enum { LEVELS = 2 };
@@ -67,6 +68,21 @@ static aob_tex lay_upsample(struct aob_graph *graph, aob_tex low, const struct v
     aob_pass(graph, .name = "bilinear", .shader = "bilinear", .reads = AOB_DEPTH,
              .in = {{.name = "low", .tex = low}}, .out = {{.name = "full", .tex = full}});
     return full;
+}
+
+/* The mean over time: the shared step, or one with a fault. */
+static aob_tex lay_mean(struct aob_graph *graph, aob_tex now, const struct values *v)
+{
+    enum { KEEPS_EVERYTHING = 54, FORGETS_AT_ONCE = 55 };
+    if (v->history <= 1 || (FAULT != KEEPS_EVERYTHING && FAULT != FORGETS_AT_ONCE))
+        return aob_step_temporal(graph, .tex = now, .frames = v->history, .output = aob_open_kind(graph));
+    aob_tex mean = aob_texture(graph, .name = "mean", .format = AOB_RGBA32F);
+    if (aob_open_kind(graph) == AOB_OUT_VISIBILITY)
+        mean = aob_texture(graph, .name = "mean_share", .format = AOB_R32F);
+    aob_pass(graph, .name = "mean", .shader = "mean", .defines = {{"FAULT", FAULT}},
+             .in = {{.name = "now", .tex = now}, {.name = "before", .tex = aob_previous(graph, mean)}},
+             .out = {{.name = "mean", .tex = mean}});
+    return mean;
 }
 
 enum { LIGHT_ALWAYS = 52 }; /* the fault that lays for nobody */
@@ -118,7 +134,8 @@ static bool build(struct aob_graph *graph, const void *values)
                          {"BENT", aob_wants(graph, AOB_OUT_BENT_NORMAL)},
                          {"LIGHT", aob_wants(graph, AOB_OUT_IRRADIANCE)}},
              .out = {{.name = "visibility", .tex = raw}});
-    aob_tex open = lay_bounces(graph, lay_upsample(graph, lay_soften(graph, raw, v), v));
+    aob_tex open = lay_mean(graph, lay_upsample(graph, lay_soften(graph, raw, v), v), v);
+    open = lay_bounces(graph, open);
     lay_effect(graph, AOB_OUT_SPECULAR, &(struct aob_tex_desc){.name = "specular", .format = AOB_R16F},
                AOB_MATERIAL, open);
     lay_effect(graph, AOB_OUT_IRRADIANCE, &(struct aob_tex_desc){.name = "irradiance", .format = AOB_RGBA16F},

@@ -132,7 +132,9 @@ vec2 gather(vec2 start, vec3 position, vec3 normal, vec3 v, out vec3 closed)
     ivec2 tile = aob_pixel;
     if (FAULT == NOISE_ABOUT_MIDDLE)
         tile -= aob_target_size / 2;
-    float turn = noise_rotation(tile), offset = noise_offset(tile);
+    int frame = HISTORY > 1 ? aob_frame : 5; /* the text's sixth turns nothing, and its first four offsets are 0 */
+    float turn = fract(noise_rotation(tile) + noise_frame_rotation(frame));
+    float offset = noise_offset(tile) + noise_frame_offset(frame);
     if (FAULT == BENT_NOISE)
         offset += 0.3 * float(BENT);
     if (FAULT == LIGHT_NOISE)
