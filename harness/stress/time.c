@@ -81,7 +81,7 @@ static void ask_no_trail(struct aob_trial *trial)
 {
     static const double steps[] = {0, 0.1, 0.01};
     for (size_t s = 0; s < AOB_COUNT(steps); s++) {
-        struct film moved = {.shot = {.radius = 0.5, .set = "history=32 slices=9 steps=12"}}, still = moved;
+        struct film moved = {.shot = {.radius = 0.5, .set = "history=32 slices=32 steps=16"}}, still = moved;
         double place = steps[s] > 0 ? 0.4 : NAN, start = steps[s] > 0 ? place - REST * steps[s] : 0.4;
         const struct aob_exhibit *rests = make_room(trial, place, 0, 0);
         show(&still, rests, 0, SHORT);
@@ -106,7 +106,7 @@ static struct aob_exhibit *make_hostile(struct aob_trial *trial)
     for (size_t i = 0; exhibit && i < aob_exhibit_pixels(exhibit); i += 7) {
         size_t at = aob_exhibit_place(exhibit, i);
         exhibit->gbuffer.depth[at] = values[i % AOB_COUNT(values)];
-        exhibit->gbuffer.normal[4 * at + i % 3] = values[(i / 4) % AOB_COUNT(values)];
+        exhibit->gbuffer.normal[4 * at + i % 3] = values[i / 4 % 2];
     }
     return exhibit;
 }
@@ -126,7 +126,7 @@ static void ask_begins_anew(struct aob_trial *trial)
 static void ask_hostile_frame_passes(struct aob_trial *trial)
 {
     const struct aob_exhibit *exhibit = aob_set_default(trial), *hostile = make_hostile(trial);
-    struct film plain = {.shot = {.radius = 0.8, .set = "history=32 slices=9 steps=12"}}, hurt = plain;
+    struct film plain = {.shot = {.radius = 0.5, .set = "history=32 slices=32 steps=16"}}, hurt = plain;
     show(&plain, exhibit, 0, SHORT);
     show(&hurt, exhibit, 0, SHORT);
     hurt.frames[REST - 1] = hostile;

@@ -1,16 +1,16 @@
 /* Of each tile of 8 x 8 pixels: a box about its surfaces, and one about what has changed there since the frame before, but for the
- * camera: places where something that moves is, where it was and what it hides, and where something is gone and what that shows.
- * What hides behind a thing that moves occludes nothing in an image. Where nothing has changed the box is empty, its low end above
- * its high one. */
+ * camera: places where something that moves is, where it was and what it hides; where something is gone, and what that shows; and
+ * what is there that was not. What hides behind a thing that moves occludes nothing in an image. Where nothing has changed the box is
+ * empty, its low end above its high one. */
 
 /* How much two places may differ that are one: half floats of the velocity, and floats of the projection. */
 bool apart(vec2 a, vec2 b, vec2 velocity) { return any(greaterThan(abs(a - b), 2e-3 + abs(velocity) / 512.0)); }
 bool apart(float a, float b, float change) { return abs(a - b) > 1e-4 * abs(a) + abs(change) / 512.0; }
 
-/* Whether the surface of pixel f moves by itself; `was` is where it came from, in view space of now. */
-bool moves(ivec2 f, vec3 here, out vec3 was)
+/* Whether the surface of pixel f, which was at `then`, moves by itself; `was` is that place in view space of now. */
+bool moves(ivec2 f, vec3 here, vec3 then, out vec3 was)
 {
-    vec3 then = aob_before(f), still = aob_place_before(here);
+    vec3 still = aob_place_before(here);
     was = aob_place_now(aob_position_at(then.xy, then.z));
     if (aob_no_depth(then.z) || (AOB_PERSPECTIVE == 1 && still.z > -1e-6))
         return false;
@@ -40,6 +40,21 @@ bool surface_before(ivec2 f, out vec3 was)
     return !aob_no_depth(old) && (AOB_PERSPECTIVE == 0 || was.z < -1e-6);
 }
 
+/* Whether the frame before shows what lies behind the place where a surface is said to have been: it was not there. */
+bool is_new(vec3 then)
+{
+    vec2 q = then.xy - 0.5;
+    vec2 part = fract(q);
+    bool absent = all(greaterThanEqual(q, vec2(-0.5))) && all(lessThanEqual(q, vec2(aob_size) - 0.5)) && !aob_no_depth(then.z);
+    for (int k = 0; k < 4; k++) {
+        ivec2 corner = ivec2(k & 1, k >> 1);
+        vec2 share = mix(1.0 - part, part, vec2(corner));
+        float z = length(aob_fetch_surface_before(ivec2(floor(q)) + corner).xyz);
+        absent = absent && (min(share.x, share.y) <= 0.01 || aob_no_depth(z) || z > 1.002 * then.z);
+    }
+    return absent;
+}
+
 /* Whether bits of an 8 x 8 tile, row by row, hold a block of 2 x 2. */
 bool has_block(uvec2 bits)
 {
@@ -59,19 +74,21 @@ void grow_to_surface(inout vec3 low, inout vec3 high, ivec2 f)
         grow(low, high, aob_position(f));
 }
 
-/* Under a camera that moves, a blade of grass may fall between the pixels for a frame: then something is gone of a tile only where
- * what was two pixels wide and high is. */
+/* Under a camera that moves, a blade of grass may fall between the pixels for a frame, and come back: then something is gone or new in a
+ * tile only where that is two pixels wide and high. */
 void main()
 {
-    vec3 low = vec3(1e30), high = vec3(-1e30), first = low, last = high, gone_low = low, gone_high = high;
-    uvec2 gone_bits = uvec2(0u);
+    vec3 low = vec3(1e30), high = vec3(-1e30), first = low, last = high, rest_low = low, rest_high = high;
+    uvec2 bits = uvec2(0u);
     bool sure = false;
     for (int i = 0; i < 64; i++) {
         ivec2 f = aob_pixel * 8 + ivec2(i & 7, i >> 3);
         if (any(greaterThanEqual(f, aob_size)))
             continue;
-        vec3 here = aob_position(f), was, from;
-        bool held = surface_before(f, was), moved = !aob_is_sky(f) && moves(f, here, from), gone = held && sees_through(was);
+        vec3 here = aob_position(f), then = aob_before(f), was, from;
+        bool there = !aob_is_sky(f), held = surface_before(f, was), moved = there && moves(f, here, then, from);
+        bool gone = held && sees_through(was), fresh = there && is_new(then);
+        vec2 q = aob_project(was), way = gone ? q - vec2(f) - 0.5 : then.xy - vec2(f) - 0.5;
         grow_to_surface(first, last, f);
         if (moved) {
             grow(low, high, here);
@@ -79,17 +96,20 @@ void main()
         }
         if (moved && held)
             grow(low, high, was);
+        if (fresh)
+            grow(rest_low, rest_high, here);
         if (gone) {
-            vec2 q = aob_project(was), way = abs(q - vec2(f) - 0.5);
-            grow(gone_low, gone_high, was);
-            grow_to_surface(gone_low, gone_high, ivec2(floor(q)));
-            gone_bits |= i < 32 ? uvec2(1u << i, 0u) : uvec2(0u, 1u << (i - 32));
-            sure = sure || max(way.x, way.y) < 0.01;
+            grow(rest_low, rest_high, was);
+            grow_to_surface(rest_low, rest_high, ivec2(floor(q)));
+        }
+        if (gone || fresh) {
+            bits |= i < 32 ? uvec2(1u << i, 0u) : uvec2(0u, 1u << (i - 32));
+            sure = sure || max(abs(way.x), abs(way.y)) < 0.01;
         }
     }
-    bool gone = sure || has_block(gone_bits);
+    bool changed = sure || has_block(bits);
     tile_low = vec4(first, 1.0);
     tile_high = vec4(last, 1.0);
-    change_low = vec4(gone ? min(low, gone_low) : low, 1.0);
-    change_high = vec4(gone ? max(high, gone_high) : high, 1.0);
+    change_low = vec4(changed ? min(low, rest_low) : low, 1.0);
+    change_high = vec4(changed ? max(high, rest_high) : high, 1.0);
 }
