@@ -166,49 +166,55 @@ static void add_edge(const struct aob_graph_texture *texture, int divisor, struc
         aob_text_add(text, "aob_divided(%d) - 1", divisor);
 }
 
-/* Frame 0 has no frame before it, whatever its textures hold. */
-static void add_first_frame(const struct aob_graph_bind *bind, const char *type, struct aob_text *text)
+/* Around a read: frame 0 has no frame before it, whatever its textures hold. It is a choice between values and no branch, since
+ * some drivers compile a program again for each value of a uniform that steers a branch. */
+static const char *first_frame_begin(const struct aob_graph_bind *bind)
 {
-    if (bind->previous)
-        aob_text_add(text, "    if (aob_frame == 0)\n        return %s(0.0);\n", type);
+    return bind->previous ? "aob_unless_first(" : "";
+}
+
+static const char *first_frame_end(const struct aob_graph_bind *bind)
+{
+    return bind->previous ? ")" : "";
 }
 
 static void add_one_level(const struct aob_graph_bind *bind, const struct aob_graph_texture *texture,
                           struct aob_text *text)
 {
     const char *type = type_name(texture->format), *name = bind->name;
-    aob_text_add(text, "%s aob_fetch_%s(ivec2 p) {\n", type, name);
-    add_first_frame(bind, type, text);
-    aob_text_add(text, "    return aob_texel_%s(clamp(p, ivec2(0), ", name);
+    aob_text_add(text, "%s aob_fetch_%s(ivec2 p) {\n    return %saob_texel_%s(clamp(p, ivec2(0), ", type,
+                 name, first_frame_begin(bind), name);
     add_edge(texture, texture->divisor << bind->level, text);
-    aob_text_add(text, "));\n}\n%s aob_fetch_%s(ivec2 p, int level) { return aob_fetch_%s(p); }\n", type,
-                 name, name);
+    aob_text_add(text, "))%s;\n}\n%s aob_fetch_%s(ivec2 p, int level) { return aob_fetch_%s(p); }\n",
+                 first_frame_end(bind), type, name, name);
 }
 
 static void add_levels(const struct aob_graph_bind *bind, const struct aob_graph_texture *texture,
                        struct aob_text *text)
 {
     const char *type = type_name(texture->format), *name = bind->name;
-    aob_text_add(text, "%s aob_fetch_%s(ivec2 p, int level) {\n", type, name);
-    add_first_frame(bind, type, text);
     aob_text_add(text,
+                 "%s aob_fetch_%s(ivec2 p, int level) {\n"
                  "    int l = clamp(level, 0, %d);\n"
                  "    ivec2 edge = aob_divided(%d << l) - 1;\n"
-                 "    return aob_texel_%s(clamp(p, ivec2(0), edge), l);\n}\n"
+                 "    return %saob_texel_%s(clamp(p, ivec2(0), edge), l)%s;\n}\n"
                  "%s aob_fetch_%s(ivec2 p) { return aob_fetch_%s(p, 0); }\n",
-                 bind->level_count - 1, texture->divisor << bind->level, name, type, name, name);
+                 type, name, bind->level_count - 1, texture->divisor << bind->level, first_frame_begin(bind),
+                 name, first_frame_end(bind), type, name, name);
 }
 
 /* The sampler's own read of place `uv` of level `level`. */
-static void add_filtered(const struct aob_prelude_desc *desc, const char *name, const char *uv,
-                         const char *level, const char *part, struct aob_text *text)
+static void add_filtered(const struct aob_prelude_desc *desc, const struct aob_graph_bind *bind,
+                         const char *uv, const char *level, const char *part, struct aob_text *text)
 {
+    const char *name = bind->name;
     if (desc->planes)
         aob_text_add(text,
                      "ivec2 aob_first = aob_upper_left(%s, textureSize(aob_image_%s, %s));\n"
                      "    aob_note(aob_number_%s(max(aob_first, 0), %s) | aob_footprint(aob_first));\n    ",
                      uv, name, level, name, level);
-    aob_text_add(text, "return textureLod(aob_image_%s, %s, float(%s)).%s;", name, uv, level, part);
+    aob_text_add(text, "return %stextureLod(aob_image_%s, %s, float(%s)).%s%s;", first_frame_begin(bind),
+                 name, uv, level, part, first_frame_end(bind));
 }
 
 /* A target may be larger than what the view fills of it; its edge is not the sampler's then. */
@@ -217,23 +223,20 @@ static void add_sample(const struct aob_prelude_desc *desc, const struct aob_gra
 {
     const char *type = type_name(texture->format), *name = bind->name, *part = swizzle(texture->format);
     if (texture->align > 0) {
-        aob_text_add(text, "%s aob_sample_%s(vec2 uv, int level) {\n", type, name);
-        add_first_frame(bind, type, text);
         aob_text_add(
             text,
+            "%s aob_sample_%s(vec2 uv, int level) {\n"
             "    int l = clamp(level, 0, %d);\n"
             "    vec2 size = vec2(aob_divided(%d << l)), whole = vec2(textureSize(aob_image_%s, l));\n"
             "    vec2 at = clamp(uv * size, vec2(0.5), size - 0.5) / whole;\n    ",
-            bind->level_count - 1, texture->divisor << bind->level, name);
-        add_filtered(desc, name, "at", "l", part, text);
+            type, name, bind->level_count - 1, texture->divisor << bind->level, name);
+        add_filtered(desc, bind, "at", "l", part, text);
         aob_text_add(text, "\n}\n%s aob_sample_%s(vec2 uv) { return aob_sample_%s(uv, 0); }\n", type, name,
                      name);
     } else {
-        aob_text_add(text, "%s aob_sample_%s(vec2 uv) {\n", type, name);
-        add_first_frame(bind, type, text);
-        aob_text_add(text, "    ");
-        add_filtered(desc, name, "uv", "0", part, text);
-        aob_text_add(text, "\n}\n%s aob_sample_%s(vec2 uv, int level) { return aob_sample_%s(uv); }\n", type,
+        aob_text_add(text, "%s aob_sample_%s(vec2 uv) { ", type, name);
+        add_filtered(desc, bind, "uv", "0", part, text);
+        aob_text_add(text, " }\n%s aob_sample_%s(vec2 uv, int level) { return aob_sample_%s(uv); }\n", type,
                      name, name);
     }
 }

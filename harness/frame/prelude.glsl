@@ -6,6 +6,9 @@ ivec2 aob_divided(int divisor) { return (param.aob_sizes.xy + (divisor - 1)) / d
 #define aob_target_size (param.aob_sizes.zw)
 #define aob_frame (param.aob_misc.x)
 #define aob_pixel (ivec2(gl_FragCoord.xy))
+float aob_unless_first(float t) { return mix(0.0, t, aob_frame != 0); }
+vec2 aob_unless_first(vec2 t) { return mix(vec2(0.0), t, bvec2(aob_frame != 0)); }
+vec4 aob_unless_first(vec4 t) { return mix(vec4(0.0), t, bvec4(aob_frame != 0)); }
 const float AOB_PI = 3.14159265358979;
 const float AOB_SKY_Z = 1e9;
 vec3 aob_position_at(vec2 q, float z) {

@@ -40,18 +40,11 @@ bool surface_before(ivec2 f, out vec3 was)
     return !aob_no_depth(old) && (AOB_PERSPECTIVE == 0 || was.z < -1e-6);
 }
 
-bool is_gone(ivec2 f)
+/* Whether bits of an 8 x 8 tile, row by row, hold a block of 2 x 2. */
+bool has_block(uvec2 bits)
 {
-    vec3 was;
-    return surface_before(f, was) && sees_through(was);
-}
-
-/* Under a camera that moves, a blade of grass may fall between the pixels for a frame: then only what was two pixels wide is gone. */
-bool has_gone(ivec2 f, vec3 was)
-{
-    vec2 way = abs(aob_project(was) - vec2(f) - 0.5);
-    return is_gone(f) && (max(way.x, way.y) < 0.01 ||
-                          (is_gone(f + ivec2(1, 0)) && is_gone(f + ivec2(0, 1)) && is_gone(f + 1)));
+    uvec2 pairs = bits & (bits >> 1) & 0x7f7f7f7fu;
+    return (pairs.x & (pairs.x >> 8 | pairs.y << 24)) != 0u || (pairs.y & pairs.y >> 8) != 0u;
 }
 
 void grow(inout vec3 low, inout vec3 high, vec3 place)
@@ -66,27 +59,37 @@ void grow_to_surface(inout vec3 low, inout vec3 high, ivec2 f)
         grow(low, high, aob_position(f));
 }
 
+/* Under a camera that moves, a blade of grass may fall between the pixels for a frame: then something is gone of a tile only where
+ * what was two pixels wide and high is. */
 void main()
 {
-    vec3 low = vec3(1e30), high = vec3(-1e30), first = low, last = high;
+    vec3 low = vec3(1e30), high = vec3(-1e30), first = low, last = high, gone_low = low, gone_high = high;
+    uvec2 gone_bits = uvec2(0u);
+    bool sure = false;
     for (int i = 0; i < 64; i++) {
         ivec2 f = aob_pixel * 8 + ivec2(i & 7, i >> 3);
         if (any(greaterThanEqual(f, aob_size)))
             continue;
         vec3 here = aob_position(f), was, from;
-        bool held = surface_before(f, was), moved = !aob_is_sky(f) && moves(f, here, from), gone = held && has_gone(f, was);
+        bool held = surface_before(f, was), moved = !aob_is_sky(f) && moves(f, here, from), gone = held && sees_through(was);
         grow_to_surface(first, last, f);
         if (moved) {
             grow(low, high, here);
             grow(low, high, from);
         }
-        if (gone)
-            grow_to_surface(low, high, ivec2(floor(aob_project(was))));
-        if (held && (moved || gone))
+        if (moved && held)
             grow(low, high, was);
+        if (gone) {
+            vec2 q = aob_project(was), way = abs(q - vec2(f) - 0.5);
+            grow(gone_low, gone_high, was);
+            grow_to_surface(gone_low, gone_high, ivec2(floor(q)));
+            gone_bits |= i < 32 ? uvec2(1u << i, 0u) : uvec2(0u, 1u << (i - 32));
+            sure = sure || max(way.x, way.y) < 0.01;
+        }
     }
+    bool gone = sure || has_block(gone_bits);
     tile_low = vec4(first, 1.0);
     tile_high = vec4(last, 1.0);
-    change_low = vec4(low, 1.0);
-    change_high = vec4(high, 1.0);
+    change_low = vec4(gone ? min(low, gone_low) : low, 1.0);
+    change_high = vec4(gone ? max(high, gone_high) : high, 1.0);
 }

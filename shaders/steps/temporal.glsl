@@ -3,8 +3,6 @@
  * up to that many count alike, then the newest is one in so many and the old ones fade. Where something within the radius has
  * changed, nothing of before counts. What is kept: the mean, and of the surface its normal times its depth and the frames that
  * count. */
-#include "common/facing.glsl"
-#include "common/open.glsl"
 #include "common/surface.glsl"
 
 /* Bits of a share rise with it; those of what is negative or no number lie above. */
@@ -41,7 +39,8 @@ float recall(vec3 then, vec3 normal, out AOB_TYPE_NOW mean)
 void main()
 {
     ivec2 p = aob_pixel;
-    vec3 position = aob_surface(p), normal = facing_normal(aob_surface_normal(p), position), then = aob_before(p);
+    vec3 normal = aob_surface_normal(p), then = aob_before(p), alike;
+    make_unit(normal, alike);
     AOB_TYPE_NOW now = aob_fetch_now(p), mean = now;
     float frames = 0.0;
     if (!aob_surface_is_sky(p) && !aob_no_depth(then.z) && aob_fetch_changed(p / 8) < 0.5)
