@@ -81,8 +81,10 @@ static bool run_cases(struct aob_worker *worker, struct aob_block *block, struct
     int64_t start = aob_clock_wall_ns();
     if (!init_frames(worker, block, error))
         return false;
+    int64_t begun = aob_clock_wall_ns();
     if (!aob_block_sequence_draw(block, error))
         return false;
+    block->shares.images += seconds_since(begun);
     for (size_t f = 0; block->job.score && f < block->frame_count; f++)
         reply_case(worker, block, f);
     if (block->job.time && !aob_block_measure(worker, block, error))
