@@ -3,8 +3,8 @@
 #include "frame/frame.h"
 #include "subject.h"
 
-static bool draw(struct aob_frame *frame, struct aob_screen *screen, const struct aob_film *film, size_t index,
-                 const void *values, float *image, struct aob_error *error)
+static bool draw(struct aob_frame *frame, struct aob_screen *screen, const struct aob_film *film,
+                 size_t index, const void *values, float *image, struct aob_error *error)
 {
     const struct aob_exhibit *exhibit = film->frames[index];
     const struct aob_screen_pose pose = {&exhibit->gbuffer, &aob_light_uniform,
@@ -24,8 +24,8 @@ static bool draw_all(struct aob_frame *frame, struct aob_screen *screen, const s
     return true;
 }
 
-bool aob_subject_film(struct aob_subject *subject, const struct aob_film *film, float *const *images, bool *unfit,
-                      struct aob_error *error)
+bool aob_subject_film(struct aob_subject *subject, const struct aob_film *film, float *const *images,
+                      bool *unfit, struct aob_error *error)
 {
     unsigned char values[4 * AOB_MAX_PARAM];
     struct aob_options options;

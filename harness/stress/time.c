@@ -70,10 +70,10 @@ static struct aob_exhibit *make_room(struct aob_trial *trial, double x, double s
         aob_mesh_rest(&mesh);
         aob_mesh_move(&mesh, steps);
     }
-    return aob_trial_exhibit(trial, &(struct aob_exhibit_desc){.mesh = &mesh,
-                                                               .camera = aob_still_life_camera(1, aob_vec(0, 0, 0)),
-                                                               .width = 96,
-                                                               .height = 64});
+    return aob_trial_exhibit(
+        trial,
+        &(struct aob_exhibit_desc){
+            .mesh = &mesh, .camera = aob_still_life_camera(1, aob_vec(0, 0, 0)), .width = 96, .height = 64});
 }
 
 /* A box slides to its place, and one vanishes; then eight frames of rest. What is wanted is what always stood so. */
@@ -92,8 +92,8 @@ static void ask_no_trail(struct aob_trial *trial)
             moved.frames[REST] = rests;
         const float *image = draw(trial, &moved, SHORT, 0), *wanted = draw(trial, &still, SHORT, 0);
         char how[80];
-        aob_line_print(how, sizeof how, steps[s] > 0 ? "a box that slid by %g a frame" : "a box that was there",
-                       steps[s]);
+        aob_line_print(how, sizeof how,
+                       steps[s] > 0 ? "a box that slid by %g a frame" : "a box that was there", steps[s]);
         take_same(trial, &moved, rests, image, wanted, how);
     }
 }
@@ -155,7 +155,8 @@ static void ask_history_of_its_size(struct aob_trial *trial)
 
 const struct aob_property aob_properties_time[] = {
     {.name = "still_converges",
-     .sentence = "The mean over the frames of a still camera nears that of many, as the root of their number or faster.",
+     .sentence = "The mean over the frames of a still camera nears that of many, as the root of their number "
+                 "or faster.",
      .measure = "what is left after eight frames, over what one has",
      .source = "docs/stress.md fault 58",
      .group = AOB_GROUP_TIME,
