@@ -209,31 +209,31 @@ static void test_another_surface_does_not_count(void **state)
     stage_destroy(stage);
 }
 
-/* A nearer patch appears by itself: about it nothing of before counts, as far as the radius reaches and no farther. */
+/* In one tile a nearer patch slides over the plane, or is there of a sudden and says that it always was: about it nothing of before counts,
+ * as far as the radius reaches and no farther. */
 static void test_a_change_reaches_as_far_as_the_radius(void **state)
 {
     (void)state;
-    struct stage *stage = stage_create();
-    double pixel = 3 * stage->rig.gbuffer.projection.sx;
-    const struct values wide = {.radius = (float)(10 * pixel), .history = 8};
-    for (int y = 24; y < 32; y++)
-        for (int x = 32; x < 40;
-             x++) { /* one tile, which slid a tenth nearer over the plane, from ten pixels left of it */
-            float *velocity = &stage->second.velocity[3 * (y * W + x)];
-            stage->second.depth[y * W + x] = 2.999f;
-            velocity[0] = 0.25f;
-            velocity[2] = 2.999f;
-        }
-    draw(stage, &wide, aob_affine_identity());
-    for (int y = 8; y < H; y++)
-        for (int x = 0; x < W; x++) {
-            /* Of tiles of 8: from that of the patch two on are nearer than 10 pixels, three are not. */
-            int across = abs(x / 8 - 4), down = abs(y / 8 - 3);
-            double far = hypot(fmax(0, 8 * across - 8), fmax(0, 8 * down - 8));
-            if (far < 9 || far > 11.5)
-                expect(stage, x, y, far < 9 ? alone(x) : both(x, x));
-        }
-    stage_destroy(stage);
+    for (int sudden = 0; sudden < 2; sudden++) {
+        struct stage *stage = stage_create();
+        const struct values wide = {.radius = (float)(30 * stage->rig.gbuffer.projection.sx), .history = 8};
+        for (int y = 24; y < 32; y++)
+            for (int x = 32; x < 40; x++) {
+                float *velocity = &stage->second.velocity[3 * (y * W + x)];
+                stage->second.depth[y * W + x] = velocity[2] = sudden ? 2.9f : 2.999f;
+                velocity[0] = sudden ? 0 : 0.25f;
+            }
+        draw(stage, &wide, aob_affine_identity());
+        for (int y = 8; y < H; y++)
+            for (int x = 0; x < W; x++) {
+                /* The radius covers 10 pixels: tiles that are 8 from that of the patch are within it, those at 16 are not. */
+                int across = abs(x / 8 - 4), down = abs(y / 8 - 3);
+                double far = hypot(fmax(0, 8 * across - 8), fmax(0, 8 * down - 8));
+                if (far < 9 || far > 11.5)
+                    expect(stage, x, y, far < 9 ? alone(x) : both(x, x));
+            }
+        stage_destroy(stage);
+    }
 }
 
 int main(void)
