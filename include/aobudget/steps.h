@@ -42,15 +42,22 @@
     AOB_PARAM(T, field, .stage = AOB_HOST, .choices = (const char *const[]){"off", "on", NULL},              \
               .doc = "A composite's cross of five pixels, weighed by surface: on smooths by a pixel.")
 
+/* What aob_step_changes has found out for aob_step_temporal. Ids are 0 where no more than one frame counts. */
+struct aob_changes {
+    aob_tex surface; /* what the mean over time keeps of each pixel's surface */
+    aob_tex changed; /* r, of divisor 8: 1 where nothing of the frames before counts, else 0 */
+};
+
 /* What a step is laid over. A step goes over visibility unless `output` says another; the passes and textures of the
  * bent normal have names that begin with bent_, so that both can go through one step in one graph. A bent normal's texture
  * may hold the visibility in w (technique.h, AOB_OUT_BENT_NORMAL). */
 struct aob_step {
     aob_tex tex;
-    int32_t divisor;        /* of tex; of `downsample`, to be reached */
-    int32_t taps;           /* of the filters; 0: the step is left out */
-    int32_t passes;         /* blur, gaussian: how often; 0 means once */
-    int32_t frames;         /* temporal: how many count; 0 and 1: the step is left out */
+    int32_t divisor;            /* of tex; of `downsample`, to be reached */
+    int32_t taps;               /* of the filters; 0: the step is left out */
+    int32_t passes;             /* blur, gaussian: how often; 0 means once */
+    int32_t frames;             /* temporal: how many count; 0 and 1: the step is left out */
+    struct aob_changes changes; /* temporal */
     enum aob_output output; /* AOB_OUT_VISIBILITY or AOB_OUT_BENT_NORMAL: what tex is, and what comes out */
 };
 static inline const char *aob_step_name(const struct aob_step *step, const char *bent_name)
@@ -147,9 +154,13 @@ static inline aob_tex aob_lay_upsample(struct aob_graph *graph, const struct aob
     return full;
 }
 
-/* aob_step_temporal(graph, .tex = full, .frames = 16): the mean over time of an image of full size, in 32 bits. Four passes of the
- * texts changes, change_groups, changed and temporal; constant parameter `history`, the frames, and uniform parameter `radius`,
- * beyond which nothing darkens. Frames that are to differ draw by aob_frame. `tex` itself where no more than one frame counts. */
+/* struct aob_changes changes = aob_step_changes(graph, 16): where something has changed since the frame before, within the uniform
+ * parameter `radius`, beyond which nothing darkens. It is laid before a pass whose noise is another in each frame (by aob_frame), for
+ * that to read `changed` and to keep one noise there: where no mean is taken, noise that changes flickers. Texts changes,
+ * change_groups and changed.
+ *
+ * aob_step_temporal(graph, .tex = full, .frames = 16, .changes = changes): the mean over time of an image of full size, in 32 bits.
+ * Text temporal; constant parameter `history`, the frames. `tex` itself where no more than one frame counts. */
 #define aob_step_temporal(graph, ...) aob_lay_temporal(graph, &(struct aob_step){__VA_ARGS__})
 static inline aob_tex aob_lay_changes(struct aob_graph *graph, aob_tex surface)
 {
@@ -181,19 +192,27 @@ static inline aob_tex aob_lay_changes(struct aob_graph *graph, aob_tex surface)
              .out = {{.name = "changed", .tex = changed}});
     return changed;
 }
+static inline struct aob_changes aob_step_changes(struct aob_graph *graph, int32_t frames)
+{
+    struct aob_changes changes = {{0}, {0}};
+    if (frames <= 1)
+        return changes;
+    changes.surface = aob_texture(graph, .name = "open_surface", .format = AOB_RGBA32F);
+    changes.changed = aob_lay_changes(graph, changes.surface);
+    return changes;
+}
 static inline aob_tex aob_lay_temporal(struct aob_graph *graph, const struct aob_step *step)
 {
     if (step->frames <= 1)
         return step->tex;
     aob_tex open = aob_texture(graph, .name = "open_mean",
-                               .format = step->output == AOB_OUT_BENT_NORMAL ? AOB_RGBA32F : AOB_R32F),
-            surface = aob_texture(graph, .name = "open_surface", .format = AOB_RGBA32F);
+                               .format = step->output == AOB_OUT_BENT_NORMAL ? AOB_RGBA32F : AOB_R32F);
     aob_pass(graph, .name = "temporal", .shader = "temporal", .reads = AOB_DEPTH | AOB_NORMAL | AOB_VELOCITY,
              .in = {{.name = "now", .tex = step->tex},
                     {.name = "open_before", .tex = aob_previous(graph, open)},
-                    {.name = "surface_before", .tex = aob_previous(graph, surface)},
-                    {.name = "changed", .tex = aob_lay_changes(graph, surface)}},
-             .out = {{.name = "open", .tex = open}, {.name = "surface", .tex = surface}});
+                    {.name = "surface_before", .tex = aob_previous(graph, step->changes.surface)},
+                    {.name = "changed", .tex = step->changes.changed}},
+             .out = {{.name = "open", .tex = open}, {.name = "surface", .tex = step->changes.surface}});
     return open;
 }
 

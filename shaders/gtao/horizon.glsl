@@ -67,6 +67,16 @@ float horizon_cosine(vec2 start, vec3 position, vec3 normal, vec3 v, vec2 end, f
     return best;
 }
 
+/* Whose noise pixel p has: where nothing of before counts, another in each frame would flicker. */
+int noise_frame(ivec2 p)
+{
+    int frame = param.noise_index;
+#if HISTORY > 1
+    frame += aob_fetch_changed(p * AOB_DIVISOR / AOB_DIVISOR_CHANGED) > 0.5 ? 0 : aob_frame;
+#endif
+    return frame;
+}
+
 void main()
 {
     ivec2 p = aob_pixel;
@@ -77,7 +87,7 @@ void main()
     }
     tangent_frame(v, b1, b2);
     vec2 start = aob_image(p);
-    int frame = param.noise_index + (HISTORY > 1 ? aob_frame : 0);
+    int frame = noise_frame(p);
     float turn = fract(noise_rotation(p) + noise_frame_rotation(frame));
     float offset = noise_offset(p) + noise_frame_offset(frame);
     float open = 0.0, total = 0.0;

@@ -43,7 +43,7 @@ void main()
     make_unit(normal, alike);
     AOB_TYPE_NOW now = aob_fetch_now(p), mean = now;
     float frames = 0.0;
-    if (!aob_surface_is_sky(p) && !aob_no_depth(then.z) && aob_fetch_changed(p / 8) < 0.5)
+    if (!aob_surface_is_sky(p) && !aob_no_depth(then.z) && aob_fetch_changed(p / AOB_DIVISOR_CHANGED) < 0.5)
         frames = recall(then, aob_direction_before(normal), mean);
     frames = min(frames + 1.0, float(HISTORY));
     open = frames > 1.0 ? mix(mean, now, 1.0 / frames) : now;

@@ -118,12 +118,20 @@ static bool build(struct aob_graph *graph, const void *values)
     aob_tex depth = aob_step_downsample(graph, .divisor = v->depth_divisor);
     aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(kind),
                                .divisor = (uint32_t)v->divisor);
-    aob_pass(graph, .name = "horizon", .shader = "horizon", .reads = AOB_DEPTH | AOB_NORMAL | AOB_CLEARANCE,
-             .depth = depth, .border = AOB_FAR, .defines = {{"BENT", kind == AOB_OUT_BENT_NORMAL}},
-             .out = {{.name = "visibility", .tex = open}});
+    struct aob_changes changes = aob_step_changes(graph, v->history);
+    struct aob_pass horizon = {.name = "horizon",
+                               .shader = "horizon",
+                               .reads = AOB_DEPTH | AOB_NORMAL | AOB_CLEARANCE,
+                               .depth = depth,
+                               .border = AOB_FAR,
+                               .defines = {{"BENT", kind == AOB_OUT_BENT_NORMAL}},
+                               .out = {{.name = "visibility", .tex = open}}};
+    if (changes.changed.id)
+        horizon.in[0] = (struct aob_bind){.name = "changed", .tex = changes.changed};
+    aob_pass_add(graph, &horizon);
     open = aob_step_blur(graph, .tex = open, .taps = v->blur, .divisor = v->divisor, .output = kind);
     open = aob_step_upsample(graph, .tex = open, .divisor = v->divisor, .output = kind);
-    open = aob_step_temporal(graph, .tex = open, .frames = v->history, .output = kind);
+    open = aob_step_temporal(graph, .tex = open, .frames = v->history, .changes = changes, .output = kind);
     if (!aob_open_outputs(graph, kind, open))
         return false;
     return !gives_light(v) || (aob_step_bounces(graph, .tex = open) && lay_irradiance(graph, v, open) &&

@@ -26,9 +26,10 @@ static bool build(struct aob_graph *graph, const void *values)
     aob_tex raw = aob_texture(graph, .name = "raw", .format = open_normal ? AOB_RGBA32F : AOB_R32F);
     aob_pass(graph, .name = "raw", .shader = "raw", .defines = {{"BENT", open_normal}},
              .out = {{.name = "raw", .tex = raw}});
-    return aob_open_outputs(graph, kind,
-                            aob_step_temporal(graph, .tex = raw, .output = kind,
-                                              .frames = ((const struct values *)values)->history));
+    int32_t frames = ((const struct values *)values)->history;
+    aob_tex mean = aob_step_temporal(graph, .tex = raw, .output = kind, .frames = frames,
+                                     .changes = aob_step_changes(graph, frames));
+    return aob_open_outputs(graph, kind, mean);
 }
 
 /* Frame n is a ramp over the columns, times a number of its own; the pixel (5, 5) of frame 0 is no number. */
