@@ -190,3 +190,21 @@ thicket edge 0.5
 thicket edge 1
 ROWS
 fi
+
+# What the mean over time costs, and how much less it flickers; and whether Alchemy at full size flickers less than HBAO at half size, as
+# the text says (McGuire et al. 2011, of its figure 11).
+if wanted temporal; then
+  { entry gtao '' '{param: history, values: [0, 16]}'; entry alchemy '' ''; entry hbao 'divisor: 2' ''; } | sed 's/, sweep: \[\]//; s/, params: {}//' |
+    config temporal '{name: passing_box, view: front, motion: {frames: 16}}, {name: atrium, view: nave, motion: {frames: 16, eye: [0.6, 1.7, 17.75], target: [-0.2, 2.6, -20]}}' \
+      640x360 'seconds: 4' 'spp: 128' >"$folder/temporal.yaml"
+  build/release/aobudget run "$folder/temporal.yaml" --out "$folder/temporal" --quiet
+  quotient() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.3f", a / b }'; }
+  # SCENE TECHNIQUE HISTORY FIELD
+  of() { jq "select(.scene == \"$1\" and .technique == \"$2\" and (.params.history // 0) == $3) | $4" "$folder/temporal/journal.jsonl"; }
+  for scene in passing_box atrium; do
+    row "temporal: $scene, cost with / without" "$(quotient "$(of $scene gtao 16 .time.ratio_to_ref)" "$(of $scene gtao 0 .time.ratio_to_ref)")" ratio
+    row "temporal: $scene, flicker with / without" "$(quotient "$(of $scene gtao 16 .sequence.flicker)" "$(of $scene gtao 0 .sequence.flicker)")" ratio
+    row "temporal: $scene, mean error with / without" "$(quotient "$(of $scene gtao 16 .sequence.error_mean)" "$(of $scene gtao 0 .sequence.error_mean)")" ratio
+    row "temporal: $scene, flicker of alchemy / of hbao at half size" "$(quotient "$(of $scene alchemy 0 .sequence.flicker)" "$(of $scene hbao 0 .sequence.flicker)")" ratio "<=" 1
+  done
+fi
