@@ -59,15 +59,6 @@ static uint32_t texture_uses(const struct aob_pass_graph *graph, int texture, en
     return uses;
 }
 
-/* A traced frame is one in the midst of others, and what the frame before left must be something: zeros. */
-static void *first_texels(const struct aob_frame *frame, const struct aob_graph_texture *texture, int w,
-                          int h)
-{
-    bool traced = frame->storage && texture->kept;
-    return traced ? aob_alloc((size_t)w * (size_t)h, aob_gpu_texel_size(texture->format))
-                  : table_texels(texture, frame->values);
-}
-
 static bool create_texture(struct aob_frame *frame, int index, struct aob_gpu_texture **into,
                            struct aob_error *error)
 {
@@ -75,7 +66,7 @@ static bool create_texture(struct aob_frame *frame, int index, struct aob_gpu_te
     const struct aob_graph_texture *texture = &frame->graph.textures[index];
     int w, h;
     aob_graph_texture_size(texture, view->width, view->height, &w, &h);
-    void *texels = first_texels(frame, texture, w, h);
+    void *texels = table_texels(texture, frame->values);
     const struct aob_gpu_texture_desc desc = {.format = texture->format,
                                               .width = w,
                                               .height = h,
@@ -265,7 +256,6 @@ bool aob_frame_init_desc(struct aob_frame *frame, struct aob_screen *screen,
     memcpy(frame->values, desc->values, technique->values_size);
     if (!aob_graph_build(&frame->graph, technique, desc->values, desc->wanted, error))
         return false;
-    frame->number = desc->storage && aob_graph_keeps_history(&frame->graph);
     bool ok = aob_geometry_serves(screen->geometry, &frame->graph, &screen->gbuffer->projection, error);
     frame->unfit = !ok;
     if (ok) {

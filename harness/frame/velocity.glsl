@@ -10,7 +10,9 @@ vec3 aob_direction_before(vec3 d) {
 vec3 aob_place_before(vec3 v) {
     return aob_direction_before(v) + vec3(param.aob_then[0].w, param.aob_then[1].w, param.aob_then[2].w);
 }
-vec3 aob_place_now(vec3 v) {
-    vec3 d = v - vec3(param.aob_then[0].w, param.aob_then[1].w, param.aob_then[2].w);
+vec3 aob_direction_now(vec3 d) {
     return param.aob_then[0].xyz * d.x + param.aob_then[1].xyz * d.y + param.aob_then[2].xyz * d.z;
+}
+vec3 aob_place_now(vec3 v) {
+    return aob_direction_now(v - vec3(param.aob_then[0].w, param.aob_then[1].w, param.aob_then[2].w));
 }

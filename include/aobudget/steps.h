@@ -154,13 +154,15 @@ static inline aob_tex aob_lay_upsample(struct aob_graph *graph, const struct aob
     return full;
 }
 
-/* struct aob_changes changes = aob_step_changes(graph, 16): where something has changed since the frame before, within the uniform
- * parameter `radius`, beyond which nothing darkens. It is laid before a pass whose noise is another in each frame (by aob_frame), for
- * that to read `changed` and to keep one noise there: where no mean is taken, noise that changes flickers. Texts changes,
- * change_groups and changed.
+/* struct aob_changes changes = aob_step_changes(graph, .frames = 16, .taps = 5, .divisor = 2): where something has changed since the frame
+ * before, within the uniform parameter `radius`, beyond which nothing darkens, and as much farther as a filter of so many taps (and
+ * passes) of a divided image and its upsampling carry that. It is laid before a pass whose noise is another in each frame (by
+ * aob_frame), for that to read `changed` and to keep one noise there: where no mean is taken, noise that changes flickers. Texts
+ * changes, change_groups, changed and change_spread.
  *
  * aob_step_temporal(graph, .tex = full, .frames = 16, .changes = changes): the mean over time of an image of full size, in 32 bits.
  * Text temporal; constant parameter `history`, the frames. `tex` itself where no more than one frame counts. */
+#define aob_step_changes(graph, ...)  aob_lay_history(graph, &(struct aob_step){__VA_ARGS__})
 #define aob_step_temporal(graph, ...) aob_lay_temporal(graph, &(struct aob_step){__VA_ARGS__})
 static inline aob_tex aob_lay_changes(struct aob_graph *graph, aob_tex surface)
 {
@@ -192,13 +194,24 @@ static inline aob_tex aob_lay_changes(struct aob_graph *graph, aob_tex surface)
              .out = {{.name = "changed", .tex = changed}});
     return changed;
 }
-static inline struct aob_changes aob_step_changes(struct aob_graph *graph, int32_t frames)
+static inline aob_tex aob_lay_change_spread(struct aob_graph *graph, aob_tex near, int32_t tiles)
+{
+    if (tiles == 0)
+        return near;
+    aob_tex changed = aob_texture(graph, .name = "change_spread", .format = AOB_R8, .divisor = 8);
+    aob_pass(graph, .name = "change_spread", .shader = "change_spread", .defines = {{"SPREAD", tiles}},
+             .in = {{.name = "near", .tex = near}}, .out = {{.name = "changed", .tex = changed}});
+    return changed;
+}
+static inline struct aob_changes aob_lay_history(struct aob_graph *graph, const struct aob_step *step)
 {
     struct aob_changes changes = {{0}, {0}};
-    if (frames <= 1)
+    if (step->frames <= 1)
         return changes;
+    int32_t divisor = step->divisor > 1 ? step->divisor : 1, passes = step->passes ? step->passes : 1;
+    int32_t reach = divisor * (passes * (step->taps / 2)) + (divisor > 1 ? divisor : 0); /* pixels */
     changes.surface = aob_texture(graph, .name = "open_surface", .format = AOB_RGBA32F);
-    changes.changed = aob_lay_changes(graph, changes.surface);
+    changes.changed = aob_lay_change_spread(graph, aob_lay_changes(graph, changes.surface), (reach + 4) / 8);
     return changes;
 }
 static inline aob_tex aob_lay_temporal(struct aob_graph *graph, const struct aob_step *step)

@@ -97,10 +97,9 @@ typedef struct {
 
 /* Parts of the G-buffer that a pass reads through the prelude; a renderer has them anyway. */
 enum aob_read {
-    AOB_DEPTH = 1 << 0,  /* aob_view_z, aob_position, aob_is_sky */
-    AOB_NORMAL = 1 << 1, /* aob_normal */
-    AOB_VELOCITY =
-        1 << 2, /* aob_before, aob_place_before, aob_direction_before, aob_place_now; with AOB_DEPTH */
+    AOB_DEPTH = 1 << 0,     /* aob_view_z, aob_position, aob_is_sky */
+    AOB_NORMAL = 1 << 1,    /* aob_normal */
+    AOB_VELOCITY = 1 << 2,  /* aob_before, and the places and directions of before and now; with AOB_DEPTH */
     AOB_MATERIAL = 1 << 3,  /* aob_albedo, aob_roughness, aob_metalness */
     AOB_LIGHT = 1 << 4,     /* aob_light */
     AOB_CLEARANCE = 1 << 5, /* aob_is_clear; with AOB_DEPTH */
@@ -248,7 +247,7 @@ struct aob_graph {
  *                                            floats: x, y and the change of depth to one part in 2048 of themselves
  *   vec3  aob_place_before(vec3 v)           the place in the frame before, view space of then, of what stands still and is at v now
  *   vec3  aob_direction_before(vec3 d)       the same of a direction
- *   vec3  aob_place_now(vec3 v)              the other way
+ *   vec3  aob_place_now(vec3 v)              the other way, as is vec3 aob_direction_now(vec3 d)
  * The depth that the pass reads: the G-buffer's, or `depth`. Where its divisor is the outputs', p means the same
  * pixel in both.
  *   ivec2 aob_size              its pixels, guard band included

@@ -35,9 +35,9 @@ static const char head[] =
     "time. Flicker is how "
     "much the error changes from frame to frame at one point of a surface (RMS), without the noise of the "
     "truths; "
-    "beside it how much the truth itself changes there, and the share of the points that were in view the "
-    "frame "
-    "before.</p>\n<div class=\"scroll plain\"><table><thead><tr><th>technique</th><th>case</th><th "
+    "beside it how much the truth itself changes there, and the share of the points that "
+    "could be compared: those that the frame before shows too, well within one surface.</p>\n<div "
+    "class=\"scroll plain\"><table><thead><tr><th>technique</th><th>case</th><th "
     "class=n>ms</th><th class=n>RMSE, all frames</th><th class=n>flicker</th><th class=n>the truth "
     "changes</th><th "
     "class=n>compared</th></tr></thead><tbody>\n";

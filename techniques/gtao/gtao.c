@@ -118,7 +118,8 @@ static bool build(struct aob_graph *graph, const void *values)
     aob_tex depth = aob_step_downsample(graph, .divisor = v->depth_divisor);
     aob_tex open = aob_texture(graph, .name = "visibility", .format = aob_open_format(kind),
                                .divisor = (uint32_t)v->divisor);
-    struct aob_changes changes = aob_step_changes(graph, v->history);
+    struct aob_changes changes =
+        aob_step_changes(graph, .frames = v->history, .taps = v->blur, .divisor = v->divisor);
     struct aob_pass horizon = {.name = "horizon",
                                .shader = "horizon",
                                .reads = AOB_DEPTH | AOB_NORMAL | AOB_CLEARANCE,

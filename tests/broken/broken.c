@@ -75,8 +75,9 @@ static aob_tex lay_mean(struct aob_graph *graph, aob_tex now, const struct value
 {
     enum { KEEPS_EVERYTHING = 54, FORGETS_AT_ONCE = 55 };
     if (v->history <= 1 || (FAULT != KEEPS_EVERYTHING && FAULT != FORGETS_AT_ONCE))
-        return aob_step_temporal(graph, .tex = now, .frames = v->history, .output = aob_open_kind(graph),
-                                 .changes = aob_step_changes(graph, v->history));
+        return aob_step_temporal(
+            graph, .tex = now, .frames = v->history, .output = aob_open_kind(graph),
+            .changes = aob_step_changes(graph, .frames = v->history, .taps = v->blur, .divisor = v->divisor));
     aob_tex mean = aob_texture(graph, .name = "mean", .format = AOB_RGBA32F);
     if (aob_open_kind(graph) == AOB_OUT_VISIBILITY)
         mean = aob_texture(graph, .name = "mean_share", .format = AOB_R32F);

@@ -28,7 +28,7 @@ static bool build(struct aob_graph *graph, const void *values)
              .out = {{.name = "raw", .tex = raw}});
     int32_t frames = ((const struct values *)values)->history;
     aob_tex mean = aob_step_temporal(graph, .tex = raw, .output = kind, .frames = frames,
-                                     .changes = aob_step_changes(graph, frames));
+                                     .changes = aob_step_changes(graph, .frames = frames));
     return aob_open_outputs(graph, kind, mean);
 }
 

@@ -218,6 +218,67 @@ static void test_what_moves_leaves_no_trail(void **state)
     aob_gpu_close(gpu);
 }
 
+/* A filter of a divided image carries a shadow farther than the radius. */
+static void test_filters_carry_no_trail(void **state)
+{
+    (void)state;
+    static const char *const sets[] = {"blur=33", "divisor=4 blur=9"};
+    static float moved[PIXELS], still[PIXELS];
+    struct aob_gpu *gpu = aob_rig_gpu("vulkan");
+    for (size_t i = 0; i < AOB_COUNT(sets); i++) {
+        char params[96];
+        snprintf(params, sizeof params, "radius=0.5 slices=24 steps=12 history=32 %s", sets[i]);
+        film(gpu, goes, params, moved);
+        film(gpu, is_gone, params, still);
+        printf("%s: %.5f from the still image\n", sets[i], largest(moved, still));
+        assert_true(largest(moved, still) <= 2 / 255.0);
+    }
+    aob_gpu_close(gpu);
+}
+
+/* The last of 16 frames of a camera that goes past a corner: the mean is nearer to the image of many samples than one frame is, also by
+ * the creases, which readings between pixels would wash out. */
+static void test_a_moving_camera_blurs_nothing(void **state)
+{
+    (void)state;
+    static const struct {
+        double turn, ortho; /* how far the target goes along with the eye; height of an orthographic view */
+    } rows[] = {{0, 0}, {0, 4}, {1, 4}};
+    static float image[PIXELS], many[PIXELS], one[PIXELS];
+    struct aob_gpu *gpu = aob_rig_gpu("vulkan");
+    struct aob_mesh mesh = {0};
+    aob_scene_find("corner")->build(&mesh);
+    for (size_t i = 0; i < AOB_COUNT(rows); i++) {
+        struct aob_rig rigs[2];
+        struct aob_reel reel;
+        struct aob_camera camera = {
+            .eye = {2.5, 2, 4}, .target = {0, 1, 0}, .fov_deg = 60, .ortho_height = rows[i].ortho};
+        for (int t = 0; t < 16; t++) {
+            aob_rig_init(&rigs[t % 2], &mesh, &camera, W, H, 0);
+            if (t == 0)
+                aob_reel_init(&reel, &rigs[0], gpu, "gtao", "history=16");
+            aob_reel_show(&reel, &rigs[t % 2]);
+            aob_reel_draw(&reel, image);
+            if (t)
+                aob_rig_finish(&rigs[(t - 1) % 2]);
+            camera.moves = true;
+            camera.previous_eye = camera.eye;
+            camera.previous_target = camera.target;
+            camera.eye.x += 0.0267;
+            camera.target.x += 0.0267 * rows[i].turn;
+        }
+        aob_rig_run(&rigs[1], gpu, "gtao", "slices=1024", AOB_FETCH_SAMPLED, many);
+        aob_rig_run(&rigs[1], gpu, "gtao", "", AOB_FETCH_SAMPLED, one);
+        printf("turn %g, orthographic %g: %.5f of the mean, %.5f of one frame\n", 1 - rows[i].turn,
+               rows[i].ortho, rmse(&rigs[1], image, many), rmse(&rigs[1], one, many));
+        assert_true(rmse(&rigs[1], image, many) <= rmse(&rigs[1], one, many));
+        aob_reel_finish(&reel);
+        aob_rig_finish(&rigs[1]);
+    }
+    aob_mesh_finish(&mesh);
+    aob_gpu_close(gpu);
+}
+
 /* Where something moves the image is that of a single frame with the first one's noise, to the bit: on the box itself and beside it. */
 static void test_what_moves_has_still_noise(void **state)
 {
@@ -250,8 +311,11 @@ static void test_what_moves_has_still_noise(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_still_image_converges), cmocka_unit_test(test_weights_of_frames),
-        cmocka_unit_test(test_what_moves_leaves_no_trail), cmocka_unit_test(test_what_moves_has_still_noise)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_still_image_converges),
+                                       cmocka_unit_test(test_weights_of_frames),
+                                       cmocka_unit_test(test_what_moves_leaves_no_trail),
+                                       cmocka_unit_test(test_filters_carry_no_trail),
+                                       cmocka_unit_test(test_a_moving_camera_blurs_nothing),
+                                       cmocka_unit_test(test_what_moves_has_still_noise)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
