@@ -16,7 +16,7 @@ struct aob_reel {
 void aob_reel_init(struct aob_reel *reel, const struct aob_rig *rig, struct aob_gpu *gpu,
                    const char *technique, const char *params);
 
-/* From now on frames are of this view. `velocity`: three floats a pixel, as struct aob_gbuffer has them; NULL: it stands still. */
+/* From now on frames are of this view, with the velocities that its G-buffer has. */
 void aob_reel_show(struct aob_reel *reel, const struct aob_rig *rig);
 
 /* Draws a frame; its visibility, width x height floats, unless `pixels` is NULL. */

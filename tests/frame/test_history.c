@@ -21,6 +21,8 @@ static const struct aob_shader shaders[] = {
     {"levels",
      "void main() { o = aob_fetch_old(aob_pixel / 2, 1) + aob_fetch_old(aob_pixel, 0) / 1024.0; }\n"},
     {"before", "void main() { vec3 then = aob_before(aob_pixel); o = vec4(then, aob_view_z(aob_pixel)); }\n"},
+    {"paint",
+     "void main() { o = vec4(aob_albedo(aob_pixel), aob_roughness(aob_pixel) + aob_view_z(aob_pixel)); }\n"},
     {"places", "void main() { vec3 v = aob_position(aob_pixel), n = aob_place_now(aob_place_before(v)) - v;\n"
                "    vec3 then = aob_place_before(v), d = aob_direction_before(v) - then + "
                "aob_place_before(vec3(0.0));\n"
@@ -74,7 +76,7 @@ static bool build_motion(struct aob_graph *g, const void *values)
 {
     (void)values;
     aob_tex o = aob_texture(g, .name = "o", .format = AOB_RGBA32F);
-    aob_pass(g, .name = "motion", .shader = chosen, .reads = AOB_DEPTH | AOB_VELOCITY,
+    aob_pass(g, .name = "motion", .shader = chosen, .reads = AOB_DEPTH | AOB_VELOCITY | AOB_MATERIAL,
              .out = {{.name = "o", .tex = o}});
     return aob_output(g, AOB_OUT_BENT_NORMAL, o) && aob_output(g, AOB_OUT_VISIBILITY, o);
 }
@@ -88,6 +90,7 @@ static struct aob_technique technique = {.abi = AOB_ABI,
                                          .shaders = shaders};
 static const int32_t values;
 static const char *backend;
+static enum aob_depth_encoding encoding;
 
 struct stage {
     struct aob_rig rig;
@@ -110,7 +113,7 @@ static struct stage *stage_create(enum aob_fetch fetch, bool (*build)(struct aob
 {
     struct stage *stage = AOB_NEW(struct stage);
     struct aob_error error = {{0}};
-    const struct aob_options options = {.fetch = (int32_t)fetch};
+    const struct aob_options options = {.fetch = (int32_t)fetch, .depth_encoding = (int32_t)encoding};
     technique.build = build;
     stage->gpu = aob_rig_gpu(backend);
     aob_rig_scene(&stage->rig, "spheres", NULL, W, H, 0);
@@ -277,32 +280,45 @@ static void test_motion_is_that_of_the_camera(void **state)
 }
 
 /* Depth and materials of a second view, in an encoding whose range is the view's own, are those of a screen made for it. */
-static void test_a_screen_shows_another_view(void **state)
+static void compare_views(const char *shader, float shown[4][PIXELS])
 {
-    (void)state;
-    struct stage *stage;
     struct aob_rig other;
     struct aob_screen fresh;
-    static float shown[4][PIXELS], made[4][PIXELS];
-    chosen = "before";
-    stage = stage_create(AOB_FETCH_SAMPLED, build_motion);
-    aob_rig_scene(&other, "corner", NULL, W, H, 0);
+    static float made[4][PIXELS];
+    const struct aob_options options = {.depth_encoding = (int32_t)encoding};
+    chosen = shader;
+    struct stage *stage = stage_create(AOB_FETCH_SAMPLED, build_motion);
+    aob_rig_scene(&other, "gallery", NULL, W, H, 0);
     read_motion(stage, shown);
     const struct aob_screen_pose pose = {&other.gbuffer, &aob_light_uniform, aob_affine_identity()};
     assert_true(aob_screen_show(&stage->screen, &pose, NULL));
     read_motion(stage, shown);
     aob_frame_finish(&stage->frame);
-    assert_true(aob_screen_init(&fresh, stage->gpu, &other.gbuffer, &(struct aob_options){0}, NULL));
+    assert_true(aob_screen_init(&fresh, stage->gpu, &other.gbuffer, &options, NULL));
     frame_init(stage, &fresh, AOB_FETCH_SAMPLED);
     read_motion(stage, made);
-    assert_memory_equal(shown, made, sizeof shown);
-    for (int i = 0; i < PIXELS; i++) /* without velocities all stands still */
-        if (other.gbuffer.depth[i] < 0.5f * AOB_GBUFFER_SKY)
-            assert_true(shown[0][i] == (float)(i % W) + 0.5f && shown[2][i] == other.gbuffer.depth[i]);
+    assert_memory_equal(shown, made, sizeof made);
     aob_frame_finish(&stage->frame);
     aob_screen_finish(&fresh);
     aob_rig_finish(&other);
     stage_destroy(stage);
+}
+
+static void test_a_screen_shows_another_view(void **state)
+{
+    (void)state;
+    static float shown[4][PIXELS];
+    compare_views("before", shown);
+    for (int i = 0; i < PIXELS; i++) /* without velocities all stands still */
+        if (shown[2][i] < 0.5f * AOB_GBUFFER_SKY)
+            assert_true(shown[0][i] == (float)(i % W) + 0.5f && shown[2][i] == shown[3][i]);
+    encoding = AOB_DEPTH_UNORM16;
+    compare_views("paint", shown);
+    encoding = AOB_DEPTH_R32F;
+    double red = 0;
+    for (int i = 0; i < PIXELS; i++)
+        red += fabs((double)shown[0][i] - (double)shown[2][i]);
+    assert_true(red > 1); /* it has colours */
 }
 
 int main(void)

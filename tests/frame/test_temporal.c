@@ -237,6 +237,46 @@ static void test_a_change_reaches_as_far_as_the_radius(void **state)
     }
 }
 
+/* The camera turns by 30 degrees before a plane: normals and bent normals of before are in its old view space. */
+static void test_a_camera_that_turns(void **state)
+{
+    (void)state;
+    struct stage *stage = stage_create();
+    struct aob_mesh mesh = {0};
+    struct aob_rig turned;
+    struct aob_camera camera = stage->rig.camera;
+    double angle = M_PI / 6;
+    camera.moves = true;
+    camera.previous_eye = camera.eye;
+    camera.previous_target = camera.target;
+    camera.target = aob_vec_add(camera.eye, aob_vec(sin(angle), 0, -cos(angle)));
+    aob_mesh_add_quad(&mesh, aob_vec(-99, -99, 0), aob_vec(198, 0, 0), aob_vec(0, 198, 0));
+    aob_rig_init(&turned, &mesh, &camera, W, H, 0);
+    aob_mesh_finish(&mesh);
+    struct aob_gbuffer still = stage->second;
+    stage->second = turned.gbuffer;
+    open_normal = true;
+    draw(stage, &usual, aob_camera_then(&camera));
+    open_normal = false;
+    stage->second = still;
+    int found = 0;
+    for (int y = 12; y < H - 12; y++)
+        for (int x = 0; x < W; x++) {
+            const float *velocity = &turned.gbuffer.velocity[3 * (y * W + x)];
+            double from = x - (double)velocity[0], up = y - (double)velocity[1];
+            if (from < 2 || from > W - 3 || up < 8 || up > H - 3)
+                continue;
+            found++;
+            assert_near(stage->second_image[y * W + x], both(from, x),
+                        2e-3); /* a ramp that perspective bends */
+            assert_near(stage->bent[3 * (y * W + x)], 0.25 * sin(angle),
+                        1e-3); /* of (0, ., .5) along (cos, 0, sin) */
+        }
+    assert_true(found > 200);
+    aob_rig_finish(&turned);
+    stage_destroy(stage);
+}
+
 int main(void)
 {
     static const char *const backends[] = {"vulkan", "gl-egl", "gl-osmesa"};
@@ -246,7 +286,8 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_what_stands_still_counts),
                                        cmocka_unit_test(test_the_place_of_before),
                                        cmocka_unit_test(test_another_surface_does_not_count),
-                                       cmocka_unit_test(test_a_change_reaches_as_far_as_the_radius)};
+                                       cmocka_unit_test(test_a_change_reaches_as_far_as_the_radius),
+                                       cmocka_unit_test(test_a_camera_that_turns)};
     for (size_t b = 0; b < AOB_COUNT(backends); b++) {
         backend = backends[b];
         failed += cmocka_run_group_tests(tests, NULL, NULL);
