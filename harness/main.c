@@ -21,6 +21,7 @@ static const struct aob_command *const commands[] = {
     &aob_command_calibrate,
     &aob_command_cache,
     &aob_command_budget,
+    &aob_command_effects,
     &aob_command_stress,
     &aob_command_doctor,
     NULL,
