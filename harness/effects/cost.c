@@ -23,17 +23,13 @@ size_t aob_effect_frames_choose(unsigned open, unsigned sets[AOB_EFFECT_FRAMES])
 {
     const unsigned visible = AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY),
                    half = AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE),
-                   bounces = open & AOB_EFFECT_BIT(AOB_EFFECT_MULTI_BOUNCE),
-                   light = open & AOB_EFFECT_BIT(AOB_EFFECT_DIRECTIONAL), all = most_of(open);
+                   bounces = open & AOB_EFFECT_BIT(AOB_EFFECT_MULTI_BOUNCE);
     size_t count = 0;
     add_new(0, sets, &count);
-    add_new(visible, sets, &count);
-    add_new(all, sets, &count);
-    if (open & half) {
-        add_new(visible | bounces | half, sets, &count);
-        add_new(all | half, sets, &count);
-    }
-    add_new(visible | light, sets, &count);
+    if (!open)
+        return count;
+    add_new(visible | bounces | half, sets, &count);
+    add_new(open, sets, &count);
     return count;
 }
 
@@ -96,15 +92,40 @@ static double base_ms(const struct aob_effect_costs *costs, const struct aob_eff
     return rest - own;
 }
 
-static const struct aob_effect_frame *find_base(const struct aob_effect_costs *costs, unsigned set)
+/* NAN where no frame has just these passes. */
+static double find_base_ms(const struct aob_effect_costs *costs, bool bends, bool half)
 {
     for (size_t i = 0; i < costs->count; i++) {
         const struct aob_effect_frame *frame = &costs->frames[i];
-        if (frame->set && aob_effect_set_bends(frame->set) == aob_effect_set_bends(set) &&
-            aob_effect_has(frame->set, AOB_EFFECT_HALF_SIZE) == aob_effect_has(set, AOB_EFFECT_HALF_SIZE))
-            return frame;
+        if (frame->set && aob_effect_set_bends(frame->set) == bends &&
+            aob_effect_has(frame->set, AOB_EFFECT_HALF_SIZE) == half)
+            return base_ms(costs, frame);
     }
-    return NULL;
+    return NAN;
+}
+
+static double half_upsample_ms(const struct aob_effect_costs *costs, bool bends)
+{
+    for (size_t i = 0; i < costs->count; i++) {
+        const struct aob_effect_frame *frame = &costs->frames[i];
+        double ms = find_pass(costs, frame, bends ? "bent_upsample" : "upsample");
+        if (frame->set && isfinite(ms))
+            return ms;
+    }
+    return NAN;
+}
+
+/* Full size where a frame of that was timed: bent normals are dearer than visibility by the same factor at both sizes. Else by the pixels: four
+ * times what half size takes, which is sampled up no more. */
+static double visibility_ms(const struct aob_effect_costs *costs, unsigned set)
+{
+    bool half = aob_effect_has(set, AOB_EFFECT_HALF_SIZE), bends = aob_effect_set_bends(set);
+    double own = find_base_ms(costs, bends, half), other = find_base_ms(costs, !bends, half);
+    if (isfinite(own))
+        return own;
+    if (isfinite(other))
+        return other * find_base_ms(costs, bends, !half) / find_base_ms(costs, !bends, !half);
+    return 4 * (find_base_ms(costs, bends, !half) - half_upsample_ms(costs, bends));
 }
 
 /* The mean over the frames that have the pass. */
@@ -119,14 +140,15 @@ static double own_pass_ms(const struct aob_effect_costs *costs, const char *name
     return count ? sum / count : NAN;
 }
 
-/* The composite's own time with the outputs that it reads: the same at both sizes. NAN where no frame has just these. */
+/* The composite's own time with the outputs that it reads: the same at both sizes, and whoever gives visibility. NAN where no frame has
+ * just these. */
 static double composite_with(const struct aob_effect_costs *costs, unsigned effects)
 {
     double sum = 0, count = 0;
     for (size_t i = 0; i < costs->count; i++) {
-        unsigned set = most_of(costs->frames[i].set);
+        unsigned set = most_of(costs->frames[i].set) | AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY);
         double ms = find_pass(costs, &costs->frames[i], composite);
-        if (costs->frames[i].set && set == effects && isfinite(ms)) {
+        if (set == effects && isfinite(ms)) {
             sum += ms;
             count++;
         }
@@ -168,8 +190,7 @@ double aob_effect_cost(const struct aob_effect_costs *costs, unsigned set)
     for (size_t i = 0; i < costs->count; i++)
         if (costs->frames[i].set == set)
             return aob_effect_frame_ms(costs->frames[i].record, costs->profile);
-    const struct aob_effect_frame *base = find_base(costs, set);
-    double sum = base ? base_ms(costs, base) + composite_ms(costs, set) : NAN;
+    double sum = visibility_ms(costs, set) + composite_ms(costs, set);
     for (int id = 0; id < AOB_EFFECT_COUNT; id++)
         if (aob_effect_has(set, (enum aob_effect_id)id) && aob_effect_rows[id].pass)
             sum += own_pass_ms(costs, aob_effect_rows[id].pass);

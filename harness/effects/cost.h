@@ -4,7 +4,7 @@
 #include <jansson.h>
 #include "effect_row.h"
 
-enum { AOB_EFFECT_FRAMES = 6 }; /* a block */
+enum { AOB_EFFECT_FRAMES = 4 };
 
 struct aob_effect_frame {
     unsigned set;
@@ -16,8 +16,9 @@ struct aob_effect_costs {
     const char *profile; /* times modelled on it count, not measured ones; NULL: measured ones */
 };
 
-/* Which frames it takes for all sets that can be made of the effects in `open`, visibility among them: nothing, plain visibility and all
- * effects at both sizes, and one that tells what effects add to the composite. Returns how many. */
+/* Which frames are timed to know the cost of all sets that can be made of the effects in `open`: nothing, and where visibility is open also,
+ * at half size, visibility with bounces and all that is open. Returns how many. Sets of full size are reckoned by the pixels then; a frame of plain
+ * visibility beside these tells them exactly. */
 size_t aob_effect_frames_choose(unsigned open, unsigned sets[AOB_EFFECT_FRAMES]);
 
 /* Milliseconds of a frame with this set: those of the frame where it is one of the measured; else the sum of its passes, each from a frame that has

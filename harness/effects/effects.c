@@ -15,7 +15,6 @@ static const double timing_s = 0.3;
 struct planner {
     const struct aob_effects_desc *desc;
     struct aob_effects *effects;
-    unsigned sets[AOB_EFFECT_FRAMES];
     struct aob_effect_costs costs;
 };
 
@@ -102,23 +101,6 @@ static void apply_rules(struct planner *p)
     a->open = none.rmse + 2 * none.rmse_se <= tolerance ? 0 : aob_effect_bounds_open(&a->bounds, tolerance);
 }
 
-static bool draw_frames(struct planner *p, struct aob_error *error)
-{
-    struct aob_effects *e = p->effects;
-    size_t count = e->answer.open ? aob_effect_frames_choose(e->answer.open, p->sets) : 1;
-    struct aob_effect_frames_desc desc = frames_desc(p, p->sets, count);
-    int64_t start = aob_clock_wall_ns();
-    desc.profile = p->desc->ask.profile;
-    desc.seconds = desc.profile ? 0 : timing_s;
-    say(p, "timing frames");
-    e->frame_records = aob_effect_frames_measure(&desc, &e->frames, error);
-    e->frames_s = (double)(aob_clock_wall_ns() - start) * 1e-9;
-    p->costs = (struct aob_effect_costs){.count = count, .profile = desc.profile};
-    for (size_t i = 0; i < count; i++)
-        p->costs.frames[i] = (struct aob_effect_frame){p->sets[i], json_array_get(e->frame_records, i)};
-    return e->frame_records;
-}
-
 struct drawn_reader {
     const struct aob_seen *seen;
     struct aob_drawn *drawn;
@@ -129,18 +111,51 @@ static bool read_drawn(void *user, const char *image, struct aob_error *error)
     return aob_drawn_read(reader->drawn, reader->seen, image, error);
 }
 
-/* Of each size the frame that holds the most. */
-static bool read_frames(struct planner *p, struct aob_error *error)
+/* Everything that is open, at each size of occlusion. */
+static bool draw_images(struct planner *p, struct aob_error *error)
 {
     struct aob_effects *e = p->effects;
-    const unsigned half = AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE);
+    const unsigned half = AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE),
+                   sets[2] = {e->answer.open & ~half, e->answer.open};
+    struct aob_effect_frames_desc desc = frames_desc(p, sets, 2);
+    int64_t start = aob_clock_wall_ns();
     bool ok = true;
-    for (size_t i = 0; i < p->costs.count && ok; i++) {
-        struct drawn_reader reader = {.seen = &e->seen, .drawn = &e->drawn[p->sets[i] & half ? 1 : 0]};
-        if ((p->sets[i] | half) == (e->answer.open | half))
-            ok = read_image(p, p->costs.frames[i].record, read_drawn, &reader, error);
+    if (!e->answer.open)
+        return true;
+    say(p, "drawing frames");
+    e->image_records = aob_effect_frames_measure(&desc, &e->images, error);
+    e->images_s = (double)(aob_clock_wall_ns() - start) * 1e-9;
+    for (size_t i = 0; i < 2 && ok; i++) {
+        struct drawn_reader reader = {.seen = &e->seen, .drawn = &e->drawn[i]};
+        ok = e->image_records &&
+             read_image(p, json_array_get(e->image_records, i), read_drawn, &reader, error);
     }
     return ok;
+}
+
+static bool time_sets(struct planner *p, int turn, const unsigned *sets, size_t count,
+                      struct aob_error *error)
+{
+    struct aob_effects *e = p->effects;
+    struct aob_effect_frames_desc desc = frames_desc(p, sets, count);
+    int64_t start = aob_clock_wall_ns();
+    desc.profile = p->desc->ask.profile;
+    desc.seconds = desc.profile ? 0 : timing_s;
+    say(p, "timing frames");
+    e->time_records[turn] = aob_effect_frames_measure(&desc, &e->times[turn], error);
+    e->times_s += (double)(aob_clock_wall_ns() - start) * 1e-9;
+    p->costs.profile = desc.profile;
+    for (size_t i = 0; i < count; i++)
+        p->costs.frames[p->costs.count++] =
+            (struct aob_effect_frame){sets[i], json_array_get(e->time_records[turn], i)};
+    return e->time_records[turn];
+}
+
+static bool time_frames(struct planner *p, struct aob_error *error)
+{
+    unsigned sets[AOB_EFFECT_FRAMES];
+    size_t count = aob_effect_frames_choose(p->effects->answer.open, sets);
+    return time_sets(p, 0, sets, count, error);
 }
 
 static const struct aob_drawn *drawn_of(const struct aob_effects *e, unsigned set)
@@ -178,6 +193,17 @@ static bool judge_sets(struct planner *p, struct aob_error *error)
     return true;
 }
 
+/* Frames of full size are dear, so one is timed only where it is taken. */
+static bool confirm(struct planner *p, struct aob_error *error)
+{
+    const struct aob_effect_answer *a = &p->effects->answer;
+    const struct aob_effect_candidate *chosen = a->chosen < 0 ? NULL : &a->candidates[a->chosen];
+    if (!chosen || !chosen->set || aob_effect_has(chosen->set, AOB_EFFECT_HALF_SIZE))
+        return true;
+    const unsigned set = chosen->set;
+    return time_sets(p, 1, &set, 1, error) && judge_sets(p, error);
+}
+
 bool aob_effects_plan(const struct aob_effects_desc *desc, struct aob_effects *effects,
                       struct aob_error *error)
 {
@@ -186,18 +212,20 @@ bool aob_effects_plan(const struct aob_effects_desc *desc, struct aob_effects *e
     if (!find_spp(&p, error) || !trace_truth(&p, error))
         return false;
     apply_rules(&p);
-    return draw_frames(&p, error) && (!effects->answer.open || read_frames(&p, error)) &&
-           judge_sets(&p, error);
+    return draw_images(&p, error) && time_frames(&p, error) && judge_sets(&p, error) && confirm(&p, error);
 }
 
 void aob_effects_finish(struct aob_effects *e)
 {
     json_decref(e->truth_records);
-    json_decref(e->frame_records);
+    json_decref(e->image_records);
     aob_seen_finish(&e->seen);
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++) {
         aob_drawn_finish(&e->drawn[i]);
+        json_decref(e->time_records[i]);
+        aob_sweep_finish(&e->times[i]);
+    }
     aob_sweep_finish(&e->truth);
-    aob_sweep_finish(&e->frames);
+    aob_sweep_finish(&e->images);
     *e = (struct aob_effects){0};
 }

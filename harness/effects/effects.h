@@ -2,8 +2,8 @@
  *
  * The truth is traced once at the view's own size with few rays, and its noise, which two halves tell, is taken out of the
  * errors; so nothing has to be scaled from a smaller frame. Rules take out what cannot pay (bound.h). Of what is left two frames,
- * one at each size of occlusion, hold every output; the lit image of each set is made of them (drawn.h). Six frames at most are timed, and the cost of a set
- * is the sum of its passes (cost.h). */
+ * one at each size of occlusion, hold every output; the lit image of each set is made of them (drawn.h). Four frames at most are timed, and
+ * the cost of a set is the sum of its passes (cost.h). */
 #ifndef AOB_EFFECTS_EFFECTS_H
 #define AOB_EFFECTS_EFFECTS_H
 #include "answer.h"
@@ -22,10 +22,10 @@ struct aob_effects_desc {
 /* A plan of effects, of one view. aob_effects_finish frees. */
 struct aob_effects {
     struct aob_effect_answer answer;
-    struct aob_sweep truth, frames; /* as measured; `frames` is zero where none were */
-    json_t *truth_records, *frame_records;
+    struct aob_sweep truth, images, times[2]; /* as measured; zero where there were none */
+    json_t *truth_records, *image_records, *time_records[2];
     int spp;
-    double truth_s, frames_s; /* wall time of the two measurements */
+    double truth_s, images_s, times_s; /* wall time of the three measurements */
     struct aob_seen seen;
     struct aob_drawn
         drawn[2]; /* at full and at half size, with every effect that is open; empty where none were */

@@ -69,7 +69,7 @@ static bool configure(const struct aob_effect_frames_desc *desc, struct aob_conf
         return false;
     choose_axes(desc, config);
     add_none(config);
-    config->images = true;
+    config->images = !(desc->seconds > 0) && !desc->profile;
     config->measure_time = desc->seconds > 0;
     config->measure_error = desc->spp > 0;
     if (desc->spp)

@@ -15,7 +15,7 @@ struct aob_effect_maker {
 struct aob_effect_frames_desc {
     const struct aob_dispatch *dispatch;
     struct aob_effect_maker maker;
-    const char *folder; /* that exists; images/ in it gets a picture of each frame */
+    const char *folder; /* that exists; images/ in it gets a picture of each frame that is not timed */
     const unsigned
         *sets;      /* one frame each; more effects than a set may hold draw their outputs all the same */
     size_t count;   /* AOB_BLOCK_MAX at most */

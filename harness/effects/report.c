@@ -71,7 +71,7 @@ json_t *aob_effects_to_json(const struct aob_effects *e)
 {
     const struct aob_effect_ask *ask = &e->answer.ask;
     const struct aob_case *c = planned(e);
-    const json_t *fingerprint = json_object_get(json_array_get(e->frame_records, 0), "fingerprint");
+    const json_t *fingerprint = json_object_get(json_array_get(e->time_records[0], 0), "fingerprint");
     json_t *document = json_pack("{s:o, s:s, s:s, s:i, s:i, s:s, s:o, s:o, s:o, s:o, s:i, s:i}", "scene",
                                  aob_json_text(c->scene->name), "view", c->scene->view, "backend", c->backend,
                                  "width", c->width, "height", c->height, "light", c->scene->light_name,
@@ -81,8 +81,9 @@ json_t *aob_effects_to_json(const struct aob_effects *e)
                                  "profile", ask->profile ? aob_json_text(ask->profile) : json_null(), "spp",
                                  e->spp, "flip_shrink", e->answer.shrink);
     json_object_set_new(document, "materials", json_boolean(e->seen.has_material));
-    json_object_set_new(document, "seconds",
-                        json_pack("{s:f, s:f}", "truth", e->truth_s, "frames", e->frames_s));
+    json_object_set_new(
+        document, "seconds",
+        json_pack("{s:f, s:f, s:f}", "truth", e->truth_s, "images", e->images_s, "times", e->times_s));
     json_object_set(document, "fingerprint", (json_t *)(uintptr_t)fingerprint);
     json_t *lists = lists_to_json(e);
     json_object_update(document, lists);
