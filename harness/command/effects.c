@@ -1,5 +1,4 @@
 #include "effects/effects.h"
-#include <dirent.h>
 #include <ftw.h>
 #include <math.h>
 #include <stdio.h>

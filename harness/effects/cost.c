@@ -178,7 +178,7 @@ static double composite_ms(const struct aob_effect_costs *costs, unsigned set)
         if (!isfinite(alone))
             continue;
         known |= AOB_EFFECT_BIT(id);
-        all -= alone;
+        all -= aob_effect_has(mosts, (enum aob_effect_id)id) ? alone : 0;
         sum += aob_effect_has(wanted, (enum aob_effect_id)id) ? alone : 0;
     }
     int rest = count_bits(mosts & ~known & ~visible);
