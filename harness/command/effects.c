@@ -78,6 +78,13 @@ static bool check_outputs(const struct options *o, struct aob_error *error)
     return aob_json_check(o->common.json, error) && (!o->out || aob_file_check(o->out, error));
 }
 
+static bool check_backend(const struct options *o, struct aob_error *error)
+{
+    const char *backend = o->frame.backend;
+    return !backend || strcmp(backend, "null") != 0 ||
+           aob_fail(error, "effects: the backend null draws nothing; see: aobudget list backends");
+}
+
 static bool write_config(const struct options *o, const struct aob_effects *effects, struct aob_error *error)
 {
     struct aob_text scene = {0}, text = {0};
@@ -112,7 +119,10 @@ static enum aob_exit plan(struct options *o, struct aob_effects_desc *desc, stru
     desc->folder = folder;
     bool ok = aob_effects_plan(desc, &effects, error) && write_config(o, &effects, error) &&
               tell(o, &effects, error);
-    enum aob_exit code = !ok ? AOB_EXIT_USAGE : effects.answer.chosen < 0 ? AOB_EXIT_BAD : AOB_EXIT_OK;
+    enum aob_exit code = !ok                         ? AOB_EXIT_USAGE
+                         : effects.answer.chosen < 0 ? AOB_EXIT_BAD
+                         : effects.answer.no_truth   ? AOB_EXIT_PART
+                                                     : AOB_EXIT_OK;
     aob_effects_finish(&effects);
     nftw(folder, remove_one, 16, FTW_DEPTH | FTW_PHYS);
     return code;
@@ -124,7 +134,7 @@ static enum aob_exit effects(void *from, struct aob_error *error)
     struct aob_effects_desc desc = {.dispatch = &o->common.dispatch, .maker = {make, o}};
     o->frame.technique = "gtao";
     o->frame.scene = o->common.words.items[0];
-    bool ok = check_outputs(o, error) && read_ask(o, &desc, error);
+    bool ok = check_outputs(o, error) && read_ask(o, &desc, error) && check_backend(o, error);
     enum aob_exit code = ok ? plan(o, &desc, error) : AOB_EXIT_USAGE;
     aob_words_finish(&o->frame.params);
     return code;

@@ -79,13 +79,29 @@ unsigned aob_effect_turned(unsigned set, enum aob_effect_id id)
 
 enum aob_effect_why aob_effect_answer_why(const struct aob_effect_answer *answer, enum aob_effect_id id)
 {
-    if (answer->chosen < 0 || !aob_effect_has(answer->open, id))
-        return AOB_WHY_RULE;
-    if (answer->no_truth)
-        return AOB_WHY_NO_DATA;
-    return aob_effect_answer_find(answer, aob_effect_turned(answer->candidates[answer->chosen].set, id))
-               ? AOB_WHY_MEASURED
-               : AOB_WHY_RULE;
+    if (answer->chosen < 0)
+        return AOB_WHY_BUDGET;
+    if (answer->no_truth && !aob_effect_has(answer->open, id))
+        return answer->bounds.most[id] <= aob_effect_ask_tolerance(&answer->ask) ? AOB_WHY_RULE
+                                                                                 : AOB_WHY_NO_DATA;
+    unsigned turned = aob_effect_turned(answer->candidates[answer->chosen].set, id);
+    return aob_effect_has(answer->open, id) && aob_effect_answer_find(answer, turned) ? AOB_WHY_MEASURED
+                                                                                      : AOB_WHY_RULE;
+}
+
+static void explain_no_data(const struct aob_effect_answer *answer, enum aob_effect_id id,
+                            struct aob_text *text)
+{
+    if (id == AOB_EFFECT_MULTI_BOUNCE)
+        aob_text_add(text, "not known: a capture holds no base colour, which bounces depend on");
+    else if (id == AOB_EFFECT_SPECULAR)
+        aob_text_add(text, "not known: a capture holds neither roughness nor metalness");
+    else
+        aob_text_add(text,
+                     "not known: by its direction the light changes the image by %.2g %% at most, and a "
+                     "capture has no "
+                     "truth that tells what of it is gained",
+                     100 * answer->bounds.most[id]);
 }
 
 /* What a rule says, with its bound. */
@@ -129,12 +145,12 @@ void aob_effect_answer_explain(const struct aob_effect_answer *answer, enum aob_
                                struct aob_text *text)
 {
     enum aob_effect_why why = aob_effect_answer_why(answer, id);
-    if (answer->chosen < 0)
+    if (why == AOB_WHY_BUDGET)
         aob_text_add(text, "no: no set fits the budget");
     else if (why == AOB_WHY_RULE)
         explain_rule(answer, id, text);
     else if (why == AOB_WHY_NO_DATA)
-        aob_text_add(text, "not known: a capture has no truth that its worth would show in");
+        explain_no_data(answer, id, text);
     else {
         const struct aob_effect_candidate *chosen = &answer->candidates[answer->chosen];
         explain_measured(chosen, aob_effect_answer_find(answer, aob_effect_turned(chosen->set, id)), id,

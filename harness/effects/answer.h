@@ -21,7 +21,7 @@ struct aob_effect_candidate {
     bool within; /* the tolerance */
     bool fits;   /* the budget */
 };
-enum aob_effect_why { AOB_WHY_MEASURED, AOB_WHY_RULE, AOB_WHY_REPLACED, AOB_WHY_NO_DATA };
+enum aob_effect_why { AOB_WHY_MEASURED, AOB_WHY_RULE, AOB_WHY_NO_DATA, AOB_WHY_BUDGET };
 
 struct aob_effect_answer { /* zero it first */
     struct aob_effect_ask ask;
@@ -29,10 +29,11 @@ struct aob_effect_answer { /* zero it first */
     unsigned open; /* the effects that no rule took out */
     struct aob_effect_candidate candidates[AOB_EFFECT_SETS];
     size_t count;
-    int least;     /* candidate of the least error */
-    int chosen;    /* candidate; -1: none fits the budget */
-    int shrink;    /* pixels a side that became one for FLIP */
-    bool no_truth; /* a capture: errors are not known */
+    int least;  /* candidate of the least error */
+    int chosen; /* candidate; -1: none fits the budget */
+    int shrink; /* pixels a side that became one for FLIP */
+    bool
+        no_truth; /* a capture: errors are against its own visibility of full size, and materials are not known */
 };
 
 /* The tolerance that counts: 0.001 where there is a budget and no tolerance is asked for, which is a tie. */

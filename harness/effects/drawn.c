@@ -11,6 +11,9 @@ static const char *const bounced[3] = {"technique.visibility_rgb.R", "technique.
                                             "technique.irradiance.B"},
                          *const bent[3] = {"technique.bent.X", "technique.bent.Y", "technique.bent.Z"};
 
+/* Of the squares: what floats round. */
+static const double nothing = 1e-12;
+
 static float at(const float *plane, size_t i)
 {
     return plane ? plane[i] : NAN;
@@ -108,7 +111,8 @@ struct aob_lit_error aob_drawn_error(const struct aob_seen *seen, const struct a
         squares += off * off;
     }
     double whole = 3 * count * seen->mean_light * seen->mean_light,
-           square_se = sqrt(fmax(squares - sum * sum / count, 0)) / whole, rmse = sqrt(fmax(sum / whole, 0));
+           square_se = sqrt(fmax(squares - sum * sum / count, 0)) / whole,
+           rmse = sum > nothing * whole ? sqrt(sum / whole) : 0;
     /* The root of what may be nothing is as uncertain as the root of its error. */
     return (struct aob_lit_error){
         .rmse = rmse, .rmse_se = square_se / fmax(2 * rmse, sqrt(square_se)), .flip = NAN};

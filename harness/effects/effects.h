@@ -3,7 +3,9 @@
  * The truth is traced once at the view's own size with few rays, and its noise, which two halves tell, is taken out of the
  * errors; so nothing has to be scaled from a smaller frame. Rules take out what cannot pay (bound.h). Of what is left two frames,
  * one at each size of occlusion, hold every output; the lit image of each set is made of them (drawn.h). Four frames at most are timed, and
- * the cost of a set is the sum of its passes (cost.h). */
+ * the cost of a set is the sum of its passes (cost.h).
+ *
+ * A capture has neither materials nor surfaces to trace: it gets the answer that its depth and the light allow. */
 #ifndef AOB_EFFECTS_EFFECTS_H
 #define AOB_EFFECTS_EFFECTS_H
 #include "answer.h"
@@ -35,4 +37,7 @@ struct aob_effects {
 bool aob_effects_plan(const struct aob_effects_desc *desc, struct aob_effects *effects,
                       struct aob_error *error);
 void aob_effects_finish(struct aob_effects *effects);
+
+/* The measurement whose plan says which view, light and lengths these are. */
+const struct aob_sweep *aob_effects_sweep(const struct aob_effects *effects);
 #endif

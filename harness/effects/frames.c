@@ -11,22 +11,7 @@ static void add_option(struct aob_config *config, const char *name, const char *
     aob_axis_add(&config->options, &config->option_count, &config->option_capacity, name, value);
 }
 
-static void add_param(struct aob_technique_choice *technique, const char *name, const char *value)
-{
-    aob_axis_add(&technique->axes, &technique->axis_count, &technique->axis_capacity, name, value);
-}
-
-void aob_effect_set_choose(unsigned set, struct aob_config *config)
-{
-    add_option(config, "lit", "on");
-    for (int id = 0; id < AOB_EFFECT_COUNT; id++)
-        if (aob_effect_rows[id].option && aob_effect_has(set, (enum aob_effect_id)id))
-            add_option(config, aob_effect_rows[id].option, "on");
-    if (aob_effect_has(set, AOB_EFFECT_HALF_SIZE))
-        add_param(&config->techniques[0], "divisor", "2");
-}
-
-/* The one value that a set gives an axis; the plan has all of them, and those that no set wants are dropped. */
+/* An axis of two values; cases that no set wants are dropped from the plan. */
 static void add_values(struct aob_axis **axes, size_t *count, size_t *capacity, const char *name,
                        const char *first, const char *second)
 {
@@ -41,7 +26,8 @@ static void add_values(struct aob_axis **axes, size_t *count, size_t *capacity, 
 static void choose_axes(const struct aob_effect_frames_desc *desc, struct aob_config *config)
 {
     struct aob_technique_choice *technique = &config->techniques[0];
-    add_option(config, "lit", "on");
+    if (!desc->unlit)
+        add_option(config, "lit", "on");
     for (int id = 0; id < AOB_EFFECT_COUNT; id++) {
         bool some = false;
         for (size_t i = 0; i < desc->count; i++)

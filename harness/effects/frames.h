@@ -19,6 +19,7 @@ struct aob_effect_frames_desc {
     const unsigned
         *sets;      /* one frame each; more effects than a set may hold draw their outputs all the same */
     size_t count;   /* AOB_BLOCK_MAX at most */
+    bool unlit;     /* no lit image is wanted, as of a capture */
     int spp;        /* rays a pixel of the lit truth; 0: there is none */
     double seconds; /* of timing a frame; 0: they are not timed */
     const char *profile; /* times are modelled on it; NULL: on none */
@@ -32,6 +33,4 @@ json_t *aob_effect_frames_measure(const struct aob_effect_frames_desc *desc, str
 /* The file of a record's image below the folder; free() it. NULL without an image. */
 char *aob_effect_frames_image(const struct aob_effect_frames_desc *desc, const json_t *record);
 
-/* Puts a set into a config of one technique: its options, and its divisor. */
-void aob_effect_set_choose(unsigned set, struct aob_config *config);
 #endif

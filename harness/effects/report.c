@@ -1,12 +1,20 @@
 #include "report.h"
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "base/json.h"
 #include "plan/plan.h"
 
 static const struct aob_case *planned(const struct aob_effects *e)
 {
-    return &e->truth.plan.cases[0];
+    return &aob_effects_sweep(e)->plan.cases[0];
+}
+
+/* Without a truth there is no target, and the technique's own radius tells. */
+static double radius_of(const struct aob_effects *e)
+{
+    return e->answer.no_truth ? aob_case_radius(planned(e)) : planned(e)->reference_radius;
 }
 
 static const struct aob_effect_candidate *chosen_of(const struct aob_effects *e)
@@ -32,8 +40,10 @@ static json_t *candidate_to_json(const struct aob_effect_candidate *c)
              : json_null();
 }
 
-static const char *const whys[] = {
-    [AOB_WHY_MEASURED] = "measured", [AOB_WHY_RULE] = "rule", [AOB_WHY_NO_DATA] = "no data"};
+static const char *const whys[] = {[AOB_WHY_MEASURED] = "measured",
+                                   [AOB_WHY_RULE] = "rule",
+                                   [AOB_WHY_NO_DATA] = "no data",
+                                   [AOB_WHY_BUDGET] = "budget"};
 
 static json_t *row_to_json(const struct aob_effects *e, enum aob_effect_id id)
 {
@@ -72,14 +82,14 @@ json_t *aob_effects_to_json(const struct aob_effects *e)
     const struct aob_effect_ask *ask = &e->answer.ask;
     const struct aob_case *c = planned(e);
     const json_t *fingerprint = json_object_get(json_array_get(e->time_records[0], 0), "fingerprint");
-    json_t *document = json_pack("{s:o, s:s, s:s, s:i, s:i, s:s, s:o, s:o, s:o, s:o, s:i, s:i}", "scene",
-                                 aob_json_text(c->scene->name), "view", c->scene->view, "backend", c->backend,
-                                 "width", c->width, "height", c->height, "light", c->scene->light_name,
-                                 "radius", aob_json_number(c->reference_radius), "tolerance",
-                                 aob_json_number(aob_effect_ask_tolerance(ask)), "budget_ms",
-                                 isfinite(ask->budget_ms) ? json_real(ask->budget_ms) : json_null(),
-                                 "profile", ask->profile ? aob_json_text(ask->profile) : json_null(), "spp",
-                                 e->spp, "flip_shrink", e->answer.shrink);
+    json_t *document =
+        json_pack("{s:o, s:s, s:s, s:i, s:i, s:s, s:o, s:o, s:o, s:o, s:i, s:i}", "scene",
+                  aob_json_text(c->scene->name), "view", c->scene->view, "backend", c->backend, "width",
+                  c->width, "height", c->height, "light", c->scene->light_name, "radius",
+                  aob_json_number(radius_of(e)), "tolerance", aob_json_number(aob_effect_ask_tolerance(ask)),
+                  "budget_ms", isfinite(ask->budget_ms) ? json_real(ask->budget_ms) : json_null(), "profile",
+                  ask->profile ? aob_json_text(ask->profile) : json_null(), "spp", e->spp, "flip_shrink",
+                  e->answer.shrink);
     json_object_set_new(document, "materials", json_boolean(e->seen.has_material));
     json_object_set_new(
         document, "seconds",
@@ -129,13 +139,24 @@ static void print_choice(const struct aob_effects *e, struct aob_text *out)
     aob_text_finish(&name);
 }
 
+static void print_head(const struct aob_effects *e, struct aob_text *out)
+{
+    const struct aob_case *c = planned(e);
+    struct aob_text against = {0};
+    if (e->answer.no_truth)
+        aob_text_add(&against, "in one white material, against its own visibility of full size");
+    else
+        aob_text_add(&against, "against %d rays a pixel", e->spp);
+    aob_text_add_line(out, "%s/%s, %dx%d, %s, light %s, radius %.4g: the lit image %s", c->scene->name,
+                      c->scene->view, c->width, c->height, c->backend, c->scene->light_name, radius_of(e),
+                      against.data);
+    aob_text_finish(&against);
+}
+
 void aob_effects_print(const struct aob_effects *e, struct aob_text *out)
 {
     const struct aob_effect_answer *a = &e->answer;
-    const struct aob_case *c = planned(e);
-    aob_text_add_line(out, "%s/%s, %dx%d, %s, light %s, radius %.4g: the lit image against %d rays a pixel",
-                      c->scene->name, c->scene->view, c->width, c->height, c->backend, c->scene->light_name,
-                      c->reference_radius, e->spp);
+    print_head(e, out);
     for (int id = 0; id < AOB_EFFECT_COUNT; id++) {
         struct aob_text sentence = {0};
         aob_effect_answer_explain(a, (enum aob_effect_id)id, &sentence);
@@ -150,9 +171,20 @@ void aob_effects_print(const struct aob_effects *e, struct aob_text *out)
     print_choice(e, out);
 }
 
+/* What the plan itself chooses has its own line. */
+static bool is_own(const char *name)
+{
+    bool own = strcmp(name, "lit") == 0 || strcmp(name, "divisor") == 0;
+    for (int id = 0; id < AOB_EFFECT_COUNT; id++)
+        own = own || (aob_effect_rows[id].option && strcmp(aob_effect_rows[id].option, name) == 0);
+    return own;
+}
+
 static void add_axes(const struct aob_axis *axes, size_t count, const char *between, struct aob_text *text)
 {
     for (size_t i = 0; i < count; i++) {
+        if (is_own(axes[i].name))
+            continue;
         aob_text_add(text, "%s%s: %s", between, axes[i].name, axes[i].values[0].text);
         between = ", ";
     }
@@ -160,37 +192,49 @@ static void add_axes(const struct aob_axis *axes, size_t count, const char *betw
 
 static void add_set(const struct aob_effects *e, unsigned set, struct aob_text *text)
 {
-    const struct aob_config *config = &e->truth.config;
-    aob_text_add(text, "options: {lit: on");
+    const struct aob_config *config = &aob_effects_sweep(e)->config;
+    aob_text_add(text, "options: {lit: %s", e->answer.no_truth ? "off" : "on");
     for (int id = 0; id < AOB_EFFECT_COUNT; id++)
         if (aob_effect_rows[id].option && aob_effect_has(set, (enum aob_effect_id)id))
             aob_text_add(text, ", %s: on", aob_effect_rows[id].option);
-    for (size_t i = 0; i < config->option_count; i++)
-        if (strcmp(config->options[i].name, "lit") != 0)
-            add_axes(&config->options[i], 1, ", ", text);
-    aob_text_add(text, "}\ntechniques:\n  - name: %s\n", set ? config->techniques[0].name.text : "none");
-    aob_text_add(text, set ? "    params: {divisor: %d" : "",
-                 aob_effect_has(set, AOB_EFFECT_HALF_SIZE) ? 2 : 1);
-    if (set) {
-        add_axes(config->techniques[0].axes, config->techniques[0].axis_count, ", ", text);
-        aob_text_add(text, "}\n");
+    add_axes(config->options, config->option_count, ", ", text);
+    aob_text_add(text, "}\ntechniques:\n");
+    if (!set) {
+        aob_text_add(text, "  - name: none\n");
+        return;
     }
+    aob_text_add(text, "  - name: %s\n    params: {divisor: %d", config->techniques[0].name.text,
+                 aob_effect_has(set, AOB_EFFECT_HALF_SIZE) ? 2 : 1);
+    add_axes(config->techniques[0].axes, config->techniques[0].axis_count, ", ", text);
+    aob_text_add(text, "}\n");
+}
+
+/* The fewest that give the same float. */
+static int digits_of(double radius)
+{
+    char text[32];
+    int digits = 5;
+    do
+        snprintf(text, sizeof text, "%.*g", ++digits, radius);
+    while (digits < 9 && strtof(text, NULL) != (float)radius);
+    return digits;
 }
 
 void aob_effects_write_config(const struct aob_effects *e, const char *scene, struct aob_text *text)
 {
     const struct aob_case *c = planned(e);
     const struct aob_effect_candidate *chosen = chosen_of(e);
+    const char *profile = e->answer.ask.profile;
     struct aob_text name = {0};
     aob_effect_set_print(chosen->set, &name);
     aob_text_add(
         text,
-        "# Written by `aobudget effects`: %s.\n# %.3g ms a frame%s%s, off by %.3g %% of the lit truth.\n",
-        name.data, chosen->ms, e->answer.ask.profile ? " modelled on " : "",
-        e->answer.ask.profile ? e->answer.ask.profile : "", 100 * chosen->error.rmse);
+        "# Written by `aobudget effects`: %s.\n# %.3g ms a frame%s%s; the lit image is off by %.3g %%%s.\n",
+        name.data, chosen->ms, profile ? " modelled on " : "", profile ? profile : "",
+        100 * chosen->error.rmse, e->answer.no_truth ? " against visibility of full size" : "");
     aob_text_finish(&name);
     aob_text_add(text, "name: effects\nscenes: [%s]\nresolutions: [%dx%d]\nbackends: [\"%s\"]\n", scene,
                  c->width, c->height, c->backend);
     add_set(e, chosen->set, text);
-    aob_text_add(text, "target: {radius: %.9g}\n", c->reference_radius);
+    aob_text_add(text, "target: {radius: %.*g}\n", digits_of(radius_of(e)), radius_of(e));
 }

@@ -116,7 +116,7 @@ static void take_all(const struct reader *r)
         take_surface(r, seen->pixel[at], &seen->surfaces[at]);
 }
 
-static void find_mean(struct aob_seen *seen)
+void aob_seen_find_mean(struct aob_seen *seen)
 {
     double sum = 0;
     for (size_t i = 0; i < seen->count; i++)
@@ -145,7 +145,7 @@ bool aob_seen_read(struct aob_seen *seen, const struct aob_seen_desc *desc, stru
     aob_light_turn(desc->light, &axes, &seen->light);
     if (ok) {
         take_all(&r);
-        find_mean(seen);
+        aob_seen_find_mean(seen);
     }
     free(table);
     aob_image_finish(&image);

@@ -37,4 +37,7 @@ struct aob_seen_desc {
 };
 bool aob_seen_read(struct aob_seen *seen, const struct aob_seen_desc *desc, struct aob_error *error);
 void aob_seen_finish(struct aob_seen *seen);
+
+/* Sets mean_light from the surfaces' truth. */
+void aob_seen_find_mean(struct aob_seen *seen);
 #endif
