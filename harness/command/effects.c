@@ -1,15 +1,12 @@
 #include "effects/effects.h"
-#include <ftw.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
 #include "command.h"
 #include "effects/report.h"
+#include "effects/work_folder.h"
 #include "effects_scene.h"
 
 struct options {
@@ -58,21 +55,6 @@ static bool read_ask(const struct options *o, struct aob_effects_desc *desc, str
            aob_fail(error, "--reference-spp: %s is not an even whole number", o->spp);
 }
 
-static int remove_one(const char *path, const struct stat *what, int kind, struct FTW *place)
-{
-    (void)what;
-    (void)kind;
-    (void)place;
-    return remove(path);
-}
-
-/* The frames' folder is this command's alone, and goes with it. */
-static bool make_folder(char folder[64], struct aob_error *error)
-{
-    snprintf(folder, 64, "/tmp/aobudget-effects-XXXXXX");
-    return mkdtemp(folder) || aob_fail(error, "%s: cannot create a folder for the frames", folder);
-}
-
 static bool check_outputs(const struct options *o, struct aob_error *error)
 {
     return aob_json_check(o->common.json, error) && (!o->out || aob_file_check(o->out, error));
@@ -113,8 +95,8 @@ static bool tell(struct options *o, const struct aob_effects *effects, struct ao
 static enum aob_exit plan(struct options *o, struct aob_effects_desc *desc, struct aob_error *error)
 {
     struct aob_effects effects = {0};
-    char folder[64];
-    if (!make_folder(folder, error))
+    char folder[AOB_WORK_FOLDER];
+    if (!aob_work_folder_create(folder, error))
         return AOB_EXIT_USAGE;
     desc->folder = folder;
     bool ok = aob_effects_plan(desc, &effects, error) && write_config(o, &effects, error) &&
@@ -124,7 +106,7 @@ static enum aob_exit plan(struct options *o, struct aob_effects_desc *desc, stru
                          : effects.answer.no_truth   ? AOB_EXIT_PART
                                                      : AOB_EXIT_OK;
     aob_effects_finish(&effects);
-    nftw(folder, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    aob_work_folder_remove(folder);
     return code;
 }
 

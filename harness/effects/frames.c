@@ -22,23 +22,30 @@ static void add_values(struct aob_axis **axes, size_t *count, size_t *capacity, 
     axis->count = 2;
 }
 
-/* What some sets have and others have not is an axis of both. */
-static void choose_axes(const struct aob_effect_frames_desc *desc, struct aob_config *config)
+void aob_effect_frames_widen(struct aob_config *config, size_t entry, unsigned some, bool unlit)
 {
-    struct aob_technique_choice *technique = &config->techniques[0];
-    if (!desc->unlit)
+    struct aob_technique_choice *technique = &config->techniques[entry];
+    if (!unlit)
         add_option(config, "lit", "on");
     for (int id = 0; id < AOB_EFFECT_COUNT; id++) {
-        bool some = false;
-        for (size_t i = 0; i < desc->count; i++)
-            some = some || aob_effect_has(desc->sets[i], (enum aob_effect_id)id);
-        if (some && aob_effect_rows[id].option)
+        if (!aob_effect_has(some, (enum aob_effect_id)id))
+            continue;
+        if (aob_effect_rows[id].option)
             add_values(&config->options, &config->option_count, &config->option_capacity,
                        aob_effect_rows[id].option, "off", "on");
-        if (some && id == AOB_EFFECT_HALF_SIZE)
+        if (id == AOB_EFFECT_HALF_SIZE)
             add_values(&technique->axes, &technique->axis_count, &technique->axis_capacity, "divisor", "1",
                        "2");
     }
+}
+
+/* The effects that some of the sets have. */
+static unsigned some_of(const struct aob_effect_frames_desc *desc)
+{
+    unsigned some = 0;
+    for (size_t i = 0; i < desc->count; i++)
+        some |= desc->sets[i];
+    return some;
 }
 
 static void add_none(struct aob_config *config)
@@ -53,7 +60,7 @@ static bool configure(const struct aob_effect_frames_desc *desc, struct aob_conf
 {
     if (!desc->maker.make(desc->maker.user, config, error))
         return false;
-    choose_axes(desc, config);
+    aob_effect_frames_widen(config, 0, some_of(desc), desc->unlit);
     add_none(config);
     config->images = !(desc->seconds > 0) && !desc->profile;
     config->measure_time = desc->seconds > 0;
@@ -75,8 +82,7 @@ static double value_of(const struct aob_case *c, const char *name)
     return param ? c->params[param - params] : 0;
 }
 
-/* The set that a planned case draws. */
-static unsigned set_of(const struct aob_case *c)
+unsigned aob_effect_set_of(const struct aob_case *c)
 {
     const unsigned half = AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE);
     struct aob_options o = aob_case_options(c);
@@ -101,7 +107,7 @@ static void keep_wanted(const struct aob_effect_frames_desc *desc, struct aob_pl
 {
     size_t kept = 0;
     for (size_t i = 0; i < plan->case_count; i++)
-        if (place_of(desc, set_of(&plan->cases[i])) >= 0)
+        if (place_of(desc, aob_effect_set_of(&plan->cases[i])) >= 0)
             plan->cases[kept++] = plan->cases[i];
         else
             free(plan->cases[i].params);
@@ -120,7 +126,7 @@ static void keep(void *user, size_t index, json_t *record)
     struct keeper *keeper = user;
     const struct aob_case *c = &keeper->plan->cases[index];
     const char *status = json_string_value(json_object_get(record, "status"));
-    json_array_set(keeper->records, (size_t)place_of(keeper->desc, set_of(c)), record);
+    json_array_set(keeper->records, (size_t)place_of(keeper->desc, aob_effect_set_of(c)), record);
     if (strcmp(status, "ok") != 0 && !*keeper->error->text)
         aob_fail(keeper->error, "%s: %s: %s", c->technique->name, status,
                  json_string_value(json_object_get(record, "reason")));

@@ -33,4 +33,9 @@ json_t *aob_effect_frames_measure(const struct aob_effect_frames_desc *desc, str
 /* The file of a record's image below the folder; free() it. NULL without an image. */
 char *aob_effect_frames_image(const struct aob_effect_frames_desc *desc, const json_t *record);
 
+/* Makes axes of what the effects in `some` choose, of the run options and of the entry of a technique; without `unlit` the lit image is wanted. */
+void aob_effect_frames_widen(struct aob_config *config, size_t entry, unsigned some, bool unlit);
+
+/* The set that a planned case draws: of technique `none` its outputs alone, so 0 if nothing is wanted of it. */
+unsigned aob_effect_set_of(const struct aob_case *c);
 #endif
