@@ -5,14 +5,16 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "command.h"
+#include "effects/pictures.h"
 #include "effects/report.h"
 #include "effects/work_folder.h"
 #include "effects_scene.h"
+#include "reports/page/effects_page.h"
 
 struct options {
     struct aob_common common;
     struct aob_single_flags frame;
-    const char *budget_ms, *tolerance, *profile, *radius, *spp, *out;
+    const char *budget_ms, *tolerance, *profile, *radius, *spp, *out, *page;
 };
 
 static const struct aob_flag flags[] = {
@@ -24,6 +26,8 @@ static const struct aob_flag flags[] = {
                 "how far occlusion reaches, scene units (the technique's)"),
     AOB_FLAG_OF(struct options, spp, "reference-spp", "N", "rays a pixel of the lit truth (by the size)"),
     AOB_FLAG_OF(struct options, out, "out", "FILE.yaml", "a config of the chosen set, ready for `run`"),
+    AOB_FLAG_OF(struct options, page, "page", "DIR",
+                "a page of what each effect adds and costs, with pictures"),
     AOB_VIEW_FLAGS(struct options, frame),
     {0},
 };
@@ -57,7 +61,8 @@ static bool read_ask(const struct options *o, struct aob_effects_desc *desc, str
 
 static bool check_outputs(const struct options *o, struct aob_error *error)
 {
-    return aob_json_check(o->common.json, error) && (!o->out || aob_file_check(o->out, error));
+    return aob_json_check(o->common.json, error) && (!o->out || aob_file_check(o->out, error)) &&
+           (!o->page || aob_folder_create(o->page, error));
 }
 
 static bool check_backend(const struct options *o, struct aob_error *error)
@@ -80,14 +85,24 @@ static bool write_config(const struct options *o, const struct aob_effects *effe
     return ok;
 }
 
+static bool write_page(struct options *o, const struct aob_effects *effects, json_t *document,
+                       struct aob_error *error)
+{
+    const struct aob_effects_page_desc page = {document, o->page, o->common.dispatch.program};
+    if (!aob_effects_draw(effects, o->page, document, error) || !aob_effects_page_write(&page, error))
+        return false;
+    if (aob_common_speaks(&o->common))
+        aob_text_add_line(&o->common.out, "page: %s/index.html", o->page);
+    return true;
+}
+
 static bool tell(struct options *o, const struct aob_effects *effects, struct aob_error *error)
 {
     if (aob_common_speaks(&o->common))
         aob_effects_print(effects, &o->common.out);
-    if (!o->common.json)
-        return true;
     json_t *document = aob_effects_to_json(effects);
-    bool ok = aob_json_write(document, o->common.json, error);
+    bool ok = (!o->page || write_page(o, effects, document, error)) &&
+              (!o->common.json || aob_json_write(document, o->common.json, error));
     json_decref(document);
     return ok;
 }
@@ -125,7 +140,8 @@ static enum aob_exit effects(void *from, struct aob_error *error)
 const struct aob_command aob_command_effects = {
     .name = "effects",
     .help = "which effects the lit image of a scene calls for",
-    .usage = "SCENE [--view V] [--budget-ms X] [--tolerance E] [--profile P] [--out FILE.yaml] [flags]",
+    .usage = "SCENE [--view V] [--budget-ms X] [--tolerance E] [--profile P] [--out FILE.yaml] [--page DIR] "
+             "[flags]",
     .summary =
         "Which effects the lit image of a view calls for, what each costs and gives, and the set to take.",
     .flags = flags,

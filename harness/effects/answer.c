@@ -29,20 +29,32 @@ static void judge(struct aob_effect_answer *answer)
         answer->candidates[i].within = answer->candidates[i].error.rmse <= most;
 }
 
+/* Costs are measured to about the tie: of sets that it does not tell apart the nearer one is taken. */
+static int nearest_of_ties(const struct aob_effect_answer *answer, int cheapest)
+{
+    const struct aob_effect_candidate *all = answer->candidates;
+    int best = cheapest;
+    for (int i = 0; i < (int)answer->count; i++)
+        if (all[i].fits && all[i].within && all[i].ms <= (1 + tie) * all[cheapest].ms &&
+            all[i].error.rmse < all[best].error.rmse)
+            best = i;
+    return best;
+}
+
 void aob_effect_answer_choose(struct aob_effect_answer *answer)
 {
+    const struct aob_effect_candidate *all = answer->candidates;
     int cheapest = -1, best = -1;
     judge(answer);
     for (int i = 0; i < (int)answer->count; i++) {
-        const struct aob_effect_candidate *all = answer->candidates, *c = &all[i];
-        if (!c->fits)
+        if (!all[i].fits)
             continue;
-        if (c->within && (cheapest < 0 || c->ms < all[cheapest].ms))
+        if (all[i].within && (cheapest < 0 || all[i].ms < all[cheapest].ms))
             cheapest = i;
-        if (best < 0 || c->error.rmse < all[best].error.rmse)
+        if (best < 0 || all[i].error.rmse < all[best].error.rmse)
             best = i;
     }
-    answer->chosen = cheapest >= 0 ? cheapest : best;
+    answer->chosen = cheapest >= 0 ? nearest_of_ties(answer, cheapest) : best;
 }
 
 const struct aob_effect_candidate *aob_effect_answer_find(const struct aob_effect_answer *answer,

@@ -39,8 +39,8 @@ struct aob_effect_answer { /* zero it first */
 /* The tolerance that counts: 0.001 where there is a budget and no tolerance is asked for, which is a tie. */
 double aob_effect_ask_tolerance(const struct aob_effect_ask *ask);
 
-/* Judges the candidates, and takes the cheapest within the tolerance that fits the budget; where none does, the one of the least error
- * that fits. */
+/* Judges the candidates, and takes the cheapest within the tolerance that fits the budget, and of those as dear to 2 % the one of the least
+ * error; where none does, the one of the least error that fits. */
 void aob_effect_answer_choose(struct aob_effect_answer *answer);
 
 /* The candidate with just this set; NULL: it was not looked at. */

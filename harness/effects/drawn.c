@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/memory.h"
-#include "score/flip.h"
 #include "store/image.h"
 
 static const char *const bounced[3] = {"technique.visibility_rgb.R", "technique.visibility_rgb.G",
@@ -114,63 +113,7 @@ struct aob_lit_error aob_drawn_error(const struct aob_seen *seen, const struct a
            square_se = sqrt(fmax(squares - sum * sum / count, 0)) / whole,
            rmse = sum > nothing * whole ? sqrt(sum / whole) : 0;
     /* The root of what may be nothing is as uncertain as the root of its error. */
-    return (struct aob_lit_error){
-        .rmse = rmse, .rmse_se = square_se / fmax(2 * rmse, sqrt(square_se)), .flip = NAN};
-}
-
-struct small {
-    int width, height;
-    float *image, *truth, *depth;
-    int *surfaces;
-};
-
-static void add_small(struct small *small, const struct aob_seen *seen, size_t i, int shrink,
-                      const double rgb[3])
-{
-    size_t x = seen->pixel[i] % (size_t)seen->width / (size_t)shrink,
-           y = seen->pixel[i] / (size_t)seen->width / (size_t)shrink, p = y * (size_t)small->width + x;
-    if (x >= (size_t)small->width || y >= (size_t)small->height)
-        return;
-    small->surfaces[p]++;
-    for (size_t c = 0; c < 3; c++) {
-        small->image[3 * p + c] += (float)rgb[c];
-        small->truth[3 * p + c] += seen->surfaces[i].truth[c];
-    }
-}
-
-static double compare(struct small *small, double exposure)
-{
-    for (size_t p = 0; p < (size_t)small->width * (size_t)small->height; p++) {
-        small->depth[p] = small->surfaces[p] ? 0 : 1;
-        for (size_t c = 0; c < 3 && small->surfaces[p]; c++) {
-            small->image[3 * p + c] /= (float)small->surfaces[p];
-            small->truth[3 * p + c] /= (float)small->surfaces[p];
-        }
-    }
-    const struct aob_score_desc desc = {
-        .width = small->width, .height = small->height, .depth = small->depth, .sky_depth = 0.5f};
-    return aob_flip_colour(&desc, small->image, small->truth, exposure);
-}
-
-double aob_drawn_flip(const struct aob_seen *seen, const struct aob_drawn *drawn, unsigned set, int shrink)
-{
-    struct small small = {.width = seen->width / shrink, .height = seen->height / shrink};
-    if (!small.width || !small.height)
-        return NAN;
-    size_t pixels = (size_t)small.width * (size_t)small.height;
-    small.image = AOB_NEW_ARRAY(float, 3 * pixels);
-    small.truth = AOB_NEW_ARRAY(float, 3 * pixels);
-    small.depth = AOB_NEW_ARRAY(float, pixels);
-    small.surfaces = AOB_NEW_ARRAY(int, pixels);
-    for (size_t i = 0; i < seen->count; i++) {
-        double rgb[3];
-        aob_drawn_light(seen, drawn, set, i, rgb);
-        add_small(&small, seen, i, shrink, rgb);
-    }
-    double flip = compare(&small, aob_light_exposure(&seen->light));
-    free(small.image);
-    free(small.truth);
-    free(small.depth);
-    free(small.surfaces);
-    return flip;
+    return (struct aob_lit_error){.rmse = rmse,
+                                  .rmse_se = square_se > 0 ? square_se / fmax(2 * rmse, sqrt(square_se)) : 0,
+                                  .flip = NAN};
 }

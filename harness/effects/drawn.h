@@ -33,7 +33,4 @@ struct aob_lit_error {
 };
 struct aob_lit_error aob_drawn_error(const struct aob_seen *seen, const struct aob_drawn *drawn,
                                      unsigned set);
-
-/* FLIP at the exposure of the light. `shrink` x `shrink` pixels become one, the mean of their surfaces. It takes a while. */
-double aob_drawn_flip(const struct aob_seen *seen, const struct aob_drawn *drawn, unsigned set, int shrink);
 #endif

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/clock.h"
+#include "small.h"
 
 /* Wall time of timing a frame: three processes of a tenth of a second. */
 static const double timing_s = 0.3;
@@ -100,7 +101,10 @@ static struct aob_effect_candidate judge_set(const struct aob_effect_planner *p,
                                      .error = aob_drawn_error(&e->seen, drawn, set),
                                      .ms = aob_effect_cost(&p->costs, set),
                                      .drawn = is_timed(p, set)};
-    c.error.flip = aob_drawn_flip(&e->seen, drawn, set, e->answer.shrink);
+    struct aob_small small;
+    aob_small_init(&small, &e->seen, drawn, set, e->answer.shrink);
+    c.error.flip = aob_small_flip(&small, aob_light_exposure(&e->seen.light));
+    aob_small_finish(&small);
     return c;
 }
 

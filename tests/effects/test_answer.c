@@ -44,7 +44,8 @@ static void test_tolerance(void **state)
     assert_int_equal(taken(0, INFINITY), V | BOUNCES | LIGHT); /* the least error itself */
     assert_int_equal(taken(0.011, INFINITY), V | BOUNCES);
     assert_int_equal(taken(NAN, INFINITY), V | BOUNCES); /* .05 and the default of .02 */
-    assert_int_equal(taken(0.026, INFINITY), V | BOUNCES | HALF);
+    assert_int_equal(taken(0.026, INFINITY),
+                     V | BENT | HALF); /* as dear as with bounces to 2 %, and nearer */
     assert_int_equal(taken(0.151, INFINITY), NOTHING);
 }
 
@@ -55,11 +56,11 @@ static void test_budget(void **state)
     assert_int_equal(taken(NAN, 100), V | BOUNCES | LIGHT);
     assert_int_equal(taken(NAN, 9.5), V | BOUNCES);
     assert_int_equal(taken(NAN, 4.02), V | BOUNCES | HALF);
-    assert_int_equal(taken(NAN, 4.06),
-                     V | BOUNCES | HALF); /* .074 and .075 are a tie, and this one is cheaper */
+    assert_int_equal(taken(NAN, 4.06), V | BENT | HALF);
     assert_int_equal(taken(0.011, 8.5),
                      V | BENT | HALF); /* none within the tolerance fits: the least error that does */
-    assert_int_equal(taken(0.026, 100), V | BOUNCES | HALF);
+    assert_int_equal(taken(0.026, 100), V | BENT | HALF);
+    assert_int_equal(taken(0.026, 4.02), V | BOUNCES | HALF);
     assert_int_equal(taken(NAN, 2), NOTHING);
     assert_int_equal(taken(NAN, 0.5), ~0u);
 }
@@ -68,9 +69,8 @@ static void test_ties(void **state)
 {
     struct aob_effect_answer a = answer_with(0.026, INFINITY);
     (void)state;
-    assert_true(aob_effect_answer_ties(
-        &a, aob_effect_answer_find(&a, V | BENT | HALF))); /* 4.05 is within 2 % of 4 */
-    assert_false(aob_effect_answer_ties(&a, aob_effect_answer_find(&a, V | BOUNCES | HALF)));
+    assert_true(aob_effect_answer_ties(&a, aob_effect_answer_find(&a, V | BOUNCES | HALF))); /* 4 and 4.05 */
+    assert_false(aob_effect_answer_ties(&a, aob_effect_answer_find(&a, V | BENT | HALF))); /* the one taken */
     assert_false(aob_effect_answer_ties(&a, aob_effect_answer_find(&a, V | BOUNCES)));
 }
 

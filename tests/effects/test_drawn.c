@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/memory.h"
-#include "effects/drawn.h"
+#include "effects/small.h"
 #include "random.h"
 
 enum {
@@ -98,18 +98,47 @@ static void test_noise(void **state)
         }
 }
 
+static double flip_of(const struct aob_seen *seen, int shrink)
+{
+    struct aob_small small;
+    aob_small_init(&small, seen, NULL, 0, shrink);
+    double flip = aob_small_flip(&small, 1);
+    aob_small_finish(&small);
+    return flip;
+}
+
 /* Pixels that become one have less noise to see, and equal images are equal. */
 static void test_flip(void **state)
 {
     struct aob_seen seen;
     (void)state;
     make(&seen, 48, 0.7, 0);
-    assert_near(aob_drawn_flip(&seen, NULL, 0, 1), 0, 1e-5);
+    assert_near(flip_of(&seen, 1), 0, 1e-5);
     aob_seen_finish(&seen);
     make(&seen, 48, 0.7, 0.6);
-    double one = aob_drawn_flip(&seen, NULL, 0, 1), four = aob_drawn_flip(&seen, NULL, 0, 4);
-    assert_true(one > 0.02 && four < 0.5 * one);
-    assert_true(isnan(aob_drawn_flip(&seen, NULL, 0, 100)));
+    assert_true(flip_of(&seen, 1) > 0.02 && flip_of(&seen, 4) < 0.5 * flip_of(&seen, 1));
+    assert_true(isnan(flip_of(&seen, 100)));
+    aob_seen_finish(&seen);
+}
+
+/* Sky counts in no pixel: one of two surfaces and two of sky is the mean of the surfaces. */
+static void test_small(void **state)
+{
+    struct aob_seen seen;
+    struct aob_small small;
+    (void)state;
+    make(&seen, 4, 0.5, 0);
+    seen.count = 2;
+    seen.pixel[1] = 5;
+    seen.surfaces[1].truth[0] = 1.5f;
+    aob_small_init(&small, &seen, NULL, 0, 2);
+    assert_int_equal(small.width, 2);
+    assert_near(small.truth[0], 1, 1e-6);
+    assert_near(small.truth[1], 0.5, 1e-6);
+    assert_near(small.image[0], 0.7, 1e-6);
+    assert_true(small.depth[0] == 1 && isinf(small.depth[1]) && isinf(small.depth[2]) &&
+                isinf(small.depth[3]));
+    aob_small_finish(&small);
     aob_seen_finish(&seen);
 }
 
@@ -119,6 +148,7 @@ int main(void)
         cmocka_unit_test(test_sets),
         cmocka_unit_test(test_noise),
         cmocka_unit_test(test_flip),
+        cmocka_unit_test(test_small),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
