@@ -10,6 +10,7 @@
 #include "effects/work_folder.h"
 #include "effects_scene.h"
 #include "reports/page/effects_page.h"
+#include "run/progress.h"
 
 struct options {
     struct aob_common common;
@@ -107,15 +108,29 @@ static bool tell(struct options *o, const struct aob_effects *effects, struct ao
     return ok;
 }
 
+enum { STEPS = 3 }; /* a truth, images, times; a frame of full size may be timed behind them */
+
+static void show(void *user, const char *work)
+{
+    struct aob_progress *progress = user;
+    aob_progress_say(progress, work);
+    progress->done += progress->done < STEPS;
+}
+
 static enum aob_exit plan(struct options *o, struct aob_effects_desc *desc, struct aob_error *error)
 {
     struct aob_effects effects = {0};
     char folder[AOB_WORK_FOLDER];
     if (!aob_work_folder_create(folder, error))
         return AOB_EXIT_USAGE;
+    struct aob_progress progress;
+    aob_progress_init(&progress, STEPS, o->common.quiet);
     desc->folder = folder;
-    bool ok = aob_effects_plan(desc, &effects, error) && write_config(o, &effects, error) &&
-              tell(o, &effects, error);
+    desc->on_work = show;
+    desc->user = &progress;
+    bool ok = aob_effects_plan(desc, &effects, error);
+    aob_progress_finish(&progress);
+    ok = ok && write_config(o, &effects, error) && tell(o, &effects, error);
     enum aob_exit code = !ok                         ? AOB_EXIT_USAGE
                          : effects.answer.chosen < 0 ? AOB_EXIT_BAD
                          : effects.answer.no_truth   ? AOB_EXIT_PART

@@ -1,5 +1,6 @@
 #include "effects.h"
 #include <math.h>
+#include <string.h>
 #include "base/clock.h"
 #include "planner.h"
 
@@ -15,11 +16,22 @@ static int choose_spp(const struct aob_config *config)
     return (int)fmin(fmax(spp, 2), MOST_RAYS);
 }
 
+/* The lit image is composed here of the geometric normals that an image keeps. */
+static bool judge_options(const struct aob_config *config, struct aob_error *error)
+{
+    for (size_t i = 0; i < config->option_count; i++)
+        if (strcmp(config->options[i].name, "normals") == 0 &&
+            strcmp(config->options[i].values[0].text, "geometric") != 0)
+            return aob_fail(error, "a plan of effects is of geometric normals: leave normals=%s out",
+                            config->options[i].values[0].text);
+    return true;
+}
+
 /* What the view is of: how many rays its size needs, and whether it has surfaces to trace. */
 static bool look(struct aob_effect_planner *p, bool *captured, struct aob_error *error)
 {
     struct aob_config config = {0};
-    bool ok = p->desc->maker.make(p->desc->maker.user, &config, error);
+    bool ok = p->desc->maker.make(p->desc->maker.user, &config, error) && judge_options(&config, error);
     *captured = ok && config.scenes[0].capture;
     if (ok && !*captured)
         p->effects->spp = p->desc->spp ? p->desc->spp : choose_spp(&config);

@@ -61,6 +61,8 @@ plan_view() { # SCENE VIEW
   row "effects_plan: $1/$2: cost, plan / best" "$(awk -v a="$cost" -v b="$best_cost" 'BEGIN { printf "%.3f", a / b }')" ratio "<=" 1.05
   row "effects_plan: $1/$2: error, plan and best and least" "$(awk -v a="$error" -v b="$best_error" -v c="$least" 'BEGIN { printf "%.4f %.4f %.4f", a, b, c }')" ""
   row "effects_plan: $1/$2: plan's error above the least" "$(awk -v a="$error" -v c="$least" 'BEGIN { printf "%.4f", a - c }')" "" "<=" 0.02
+  row "effects_plan: $1/$2: error of a set, plan - exhaustive" "$(jq -r '.sets[] | [(.effects | if length == 0 then "nothing" else join("+") end), .rmse] | @tsv' "$at/plan.json" |
+    awk 'NR == FNR { e[$1] = $3; next } { d = $2 - e[$1]; d = d < 0 ? -d : d; most = d > most ? d : most } END { printf "%.4f", most }' "$at/sets" -)" "at most" "<=" 0.005
   read -r plan_cpu plan_wall <"$at/plan-s"
   all=$(cat "$at/bends-s" "$at/lights-s" | awk '{ c += $1; w += $2 } END { print c, w }')
   row "effects_plan: $1/$2: its share, processor time" "$(awk -v p="$plan_cpu" -v a="${all% *}" 'BEGIN { printf "%.1f", 100 * p / a }')" "% of $(printf %.0f "${all% *}") s" "<=" 10
