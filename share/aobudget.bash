@@ -7,7 +7,7 @@ _aobudget() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
   local words
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="list plan run shot report papers compare calibrate cache budget stress doctor --help --version"
+    words="list plan run shot report papers compare calibrate cache budget effects stress doctor --help --version"
   else
     case $previous in
       --technique) words=$(_aobudget_names techniques) ;;
@@ -20,6 +20,7 @@ _aobudget() {
       --target-weighting) words="cosine uniform" ;;
       --profile) words=$(_aobudget_names profiles) ;;
       --budget) words=$(_aobudget_names budgets) ;;
+      effects) words=$(_aobudget_names scenes) ;;
       list) words="techniques scenes lights backends profiles budgets" ;;
       --property) words=$("${COMP_WORDS[0]}" stress --list 2>/dev/null | sed -n 's/^\([a-z0-9_]*\) (.*/\1/p') ;;
       --index) words="modulo xor" ;;

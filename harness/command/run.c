@@ -1,6 +1,7 @@
 #include "run/run.h"
 #include "command.h"
 #include "config/config.h"
+#include "effects/auto.h"
 
 struct options {
     struct aob_common common;
@@ -32,7 +33,12 @@ static enum aob_exit run(void *from, struct aob_error *error)
         aob_fail_in(error, "--precision");
         return AOB_EXIT_USAGE;
     }
-    return aob_run(&(struct aob_run_desc){.dispatch = options->common.dispatch,
+    struct aob_effects_auto chooser = {.dispatch = &options->common.dispatch,
+                                       .config = options->common.words.items[0],
+                                       .quiet = options->common.quiet};
+    const struct aob_sweep_choice choice = aob_effects_auto_choice(&chooser);
+    return aob_run(&(struct aob_run_desc){.choice = &choice,
+                                          .dispatch = options->common.dispatch,
                                           .config = options->common.words.items[0],
                                           .out = options->out,
                                           .filter = options->filter,

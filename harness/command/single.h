@@ -25,7 +25,11 @@ struct aob_single_flags {
     AOB_FLAG_OF(type, member.technique, "technique", "NAME", "see: aobudget list techniques"),               \
         AOB_FLAG_OF(type, member.scene, "scene", "NAME",                                                     \
                     "a listed scene, a mesh file, or capture:FILE.exr"),                                     \
-        AOB_FLAG_OF(type, member.view, "view", "NAME", "a listed view (the scene's first)"),                 \
+        AOB_VIEW_FLAGS(type, member)
+
+/* Of these the rows that say which view of a scene, of which size. */
+#define AOB_VIEW_FLAGS(type, member)                                                                         \
+    AOB_FLAG_OF(type, member.view, "view", "NAME", "a listed view (the scene's first)"),                     \
         AOB_FLAG_OF(type, member.eye, "eye", "x,y,z", "camera position, scene units"),                       \
         AOB_FLAG_OF(type, member.target, "target", "x,y,z", "what the camera looks at"),                     \
         AOB_FLAG_OF(type, member.fov, "fov", "DEG", "vertical field of view (60)"),                          \

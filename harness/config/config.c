@@ -292,6 +292,16 @@ static bool read_budget(struct aob_yaml *yaml, const yaml_node_t *node, struct a
     return true;
 }
 
+/* What `run` plans by itself. */
+static bool read_effects(struct aob_yaml *yaml, const yaml_node_t *node, struct aob_config *config)
+{
+    const char *text;
+    if (!aob_yaml_text(yaml, node, &text))
+        return false;
+    config->effects = aob_yaml_value(node, text);
+    return strcmp(text, "auto") == 0 || aob_yaml_fail(yaml, node, "'%s' is not auto", text);
+}
+
 static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_t *node, void *user)
 {
     static const char *const measure_keys[] = {"time",      "error", "images", "seconds",
@@ -314,6 +324,8 @@ static bool read_config_entry(struct aob_yaml *yaml, const char *key, yaml_node_
         return aob_yaml_mapping(yaml, node, measure_keys, read_measure_entry, config);
     if (strcmp(key, "budget") == 0)
         return read_budget(yaml, node, config);
+    if (strcmp(key, "effects") == 0)
+        return read_effects(yaml, node, config);
     if (strcmp(key, "target") == 0)
         return aob_yaml_sequence(yaml, node, aob_config_read_target, config) &&
                (config->target_count || aob_yaml_fail(yaml, node, "the list of targets is empty"));
@@ -346,7 +358,7 @@ bool aob_config_read_copy(struct aob_config *config, const char *path, const cha
 {
     static const char *const keys[] = {"name",      "scenes",     "resolutions", "backends",
                                        "options",   "techniques", "measure",     "target",
-                                       "reference", "budget",     NULL};
+                                       "reference", "budget",     "effects",     NULL};
     struct aob_yaml yaml;
     aob_config_init(config);
     config->text = aob_file_read(path, 1 << 20, &config->size, error);

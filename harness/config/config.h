@@ -31,6 +31,7 @@
  *                                    # (inf allowed) and weighting (cosine, uniform). One or a list; default: each radius
  *                                    # of the sweep, cosine
  *   budget: gtao-ps4                 # what a frame has for ambient occlusion (docs/budget.md); or ./mine.yaml
+ *   effects: auto                    # `run` draws of gtao the set of effects that each view calls for (docs/design.md, Effects)
  *   reference: {spp: 256, thickness: inf}   # thickness: of the screen-space bound's surfaces; default: the radius
  */
 #ifndef AOB_CONFIG_CONFIG_H
@@ -128,9 +129,10 @@ struct aob_config {
         *profiles; /* of caches that are simulated, as written; not judged here. None: no cache is */
     size_t profile_count, profile_capacity;
     struct aob_value
-        budget;       /* of a frame, a name or path as written; not judged here. No text: there is none */
-    double seconds;   /* of timing, a case */
-    int processes;    /* to time in, at least; 0: as timing/processes.h says. No key of a file */
+        budget; /* of a frame, a name or path as written; not judged here. No text: there is none */
+    struct aob_value effects; /* "auto"; no text: the cases are those that are written */
+    double seconds;           /* of timing, a case */
+    int processes;            /* to time in, at least; 0: as timing/processes.h says. No key of a file */
     double precision; /* share of a cost that its interval may reach to either side: timing ends there */
     int spp;          /* rays a pixel of the reference, even */
     double thickness; /* of what the depth shows, in the screen-space bound, scene units: 0 thin, INFINITY;

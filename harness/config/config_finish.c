@@ -72,6 +72,7 @@ void aob_config_finish(struct aob_config *config)
 {
     for (size_t i = 0; i < config->scene_count; i++)
         aob_scene_choice_finish(&config->scenes[i]);
+    free(config->effects.text);
     for (size_t i = 0; i < config->technique_count; i++)
         aob_technique_choice_finish(&config->techniques[i]);
     aob_config_leave_unshown(config);

@@ -382,7 +382,7 @@ static enum aob_exit verdict(const struct run *run, struct aob_error *error)
 
 enum aob_exit aob_run(const struct aob_run_desc *desc, struct aob_error *error)
 {
-    struct run run = {.desc = desc, .start_ns = aob_clock_wall_ns()};
+    struct run run = {.desc = desc, .sweep.choice = desc->choice, .start_ns = aob_clock_wall_ns()};
     bool ok = read_config(&run, error) && aob_sweep_expand(&run.sweep, &desc->dispatch, error) &&
               (!desc->again || aob_run_again_choose(desc->again, &run.sweep, error)) &&
               describe(&run, error) && apply_filter(&run, error) && open_folder(&run, error) &&

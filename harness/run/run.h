@@ -7,6 +7,7 @@
 
 struct aob_config_builds;
 struct aob_run_again;
+struct aob_sweep_choice;
 
 struct aob_run_desc {
     struct aob_dispatch dispatch;
@@ -19,6 +20,8 @@ struct aob_run_desc {
         *builds; /* each case with both of them (config/config_builds.h); NULL: as it is */
     const struct aob_run_again *
         again; /* the config is the copy that an earlier run has, and its cases are measured again (again.h) */
+    const struct aob_sweep_choice
+        *choice;  /* of a config with `effects: auto`; NULL: such a config is refused */
     bool no_page; /* the journal only; `aobudget report` can make the page later */
     int max_width; /* pixels; of wider pictures only the middle columns, at their scale, so that a pixel costs what
                            it did; 0: as the config says */

@@ -154,12 +154,29 @@ static void warn_of_budget(const struct aob_sweep *sweep)
     aob_warn("%s", line.text);
 }
 
+static bool widen(struct aob_sweep *sweep, struct aob_error *error)
+{
+    const struct aob_value *effects = &sweep->config.effects;
+    if (!effects->text)
+        return true;
+    bool ok = sweep->choice
+                  ? sweep->choice->widen(sweep->choice->user, &sweep->config, error)
+                  : aob_fail(error, "effects: auto is for `aobudget run` alone, which plans each view first");
+    return ok || aob_config_fail_at(&sweep->config, effects->line, effects->column, error);
+}
+
+static bool choose(struct aob_sweep *sweep, struct aob_error *error)
+{
+    return !sweep->config.effects.text || sweep->choice->choose(sweep->choice->user, &sweep->plan, error);
+}
+
 bool aob_sweep_expand(struct aob_sweep *sweep, const struct aob_dispatch *dispatch, struct aob_error *error)
 {
-    bool ok = read_budget(sweep, error) && describe(sweep, dispatch, error) &&
+    bool ok = widen(sweep, error) && read_budget(sweep, error) && describe(sweep, dispatch, error) &&
               aob_captures_load(&sweep->config, dispatch, error) &&
               aob_lights_load(&sweep->config, dispatch, error) &&
-              aob_plan_create(&sweep->plan, &sweep->config, &sweep->techniques, error);
+              aob_plan_create(&sweep->plan, &sweep->config, &sweep->techniques, error) &&
+              choose(sweep, error);
     if (ok) {
         warn_of_units(sweep);
         warn_of_budget(sweep);

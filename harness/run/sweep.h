@@ -7,7 +7,16 @@
 #include "dispatch.h"
 #include "plan/plan.h"
 
+/* Who chooses the cases of a config with `effects: auto`, which is above this room. */
+struct aob_sweep_choice {
+    bool (*widen)(void *user, struct aob_config *config,
+                  struct aob_error *error); /* to all that may be chosen */
+    bool (*choose)(void *user, struct aob_plan *plan, struct aob_error *error); /* keeps cases of the plan */
+    void *user;
+};
+
 struct aob_sweep {
+    const struct aob_sweep_choice *choice; /* NULL: such a config is refused */
     struct aob_config config; /* filled in by the caller: aob_config_read, or by hand after aob_config_init */
     struct aob_budget budget; /* the config's; zero without one */
     struct aob_technique_list techniques;

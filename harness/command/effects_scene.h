@@ -1,0 +1,9 @@
+/* For effects.c: the view that its flags name, as an entry of a config's list of scenes. */
+#ifndef AOB_COMMAND_EFFECTS_SCENE_H
+#define AOB_COMMAND_EFFECTS_SCENE_H
+#include "base/text.h"
+#include "single.h"
+
+/* Adds "{name: gallery, view: hall}", with absolute paths. The flags have been read without an error (aob_single_config). */
+void aob_effects_scene_print(const struct aob_single_flags *flags, struct aob_text *text);
+#endif

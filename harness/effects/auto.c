@@ -1,0 +1,193 @@
+#include "auto.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "base/output.h"
+#include "effects.h"
+#include "work_folder.h"
+
+static const char technique[] = "gtao";
+
+static int find_entry(const struct aob_config *config, const char *name)
+{
+    for (size_t i = 0; i < config->technique_count; i++)
+        if (strcmp(config->techniques[i].name.text, name) == 0)
+            return (int)i;
+    return -1;
+}
+
+static bool has_one_value(const struct aob_axis *axes, size_t count, struct aob_error *error)
+{
+    for (size_t i = 0; i < count; i++)
+        if (axes[i].count > 1)
+            return aob_fail(error, "effects: auto takes one value of '%s'", axes[i].name);
+    return true;
+}
+
+static bool judge(const struct aob_config *config, struct aob_error *error)
+{
+    int entry = find_entry(config, technique), entries = 0;
+    for (size_t i = 0; i < config->technique_count; i++)
+        entries += strcmp(config->techniques[i].name.text, technique) == 0;
+    if (entries != 1)
+        return aob_fail(error, "effects: auto needs one entry of %s, and there are %d", technique, entries);
+    for (size_t i = 0; i < config->scene_count; i++)
+        if (config->scenes[i].capture)
+            return aob_fail(error, "effects: auto is for scenes: a capture has no lit image");
+    return has_one_value(config->options, config->option_count, error) &&
+           has_one_value(config->techniques[entry].axes, config->techniques[entry].axis_count, error);
+}
+
+/* All sets of gtao, and nothing. */
+static bool widen(void *user, struct aob_config *config, struct aob_error *error)
+{
+    struct aob_effects_auto *chooser = user;
+    if (!judge(config, error))
+        return false;
+    aob_effect_frames_widen(config, (size_t)find_entry(config, technique), AOB_EFFECT_ALL, false);
+    chooser->adds_none = find_entry(config, "none") < 0;
+    if (chooser->adds_none)
+        AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity)->name.text =
+            aob_strdup("none");
+    return true;
+}
+
+/* Which view of the config is planned. */
+struct one {
+    const struct aob_effects_auto *chooser;
+    size_t scene; /* of the plan's and the config's */
+    const struct aob_case *c;
+};
+
+static void keep_scene(struct aob_config *config, size_t at)
+{
+    for (size_t i = 0; i < config->scene_count; i++)
+        if (i != at)
+            aob_scene_choice_finish(&config->scenes[i]);
+    config->scenes[0] = config->scenes[at];
+    config->scene_count = 1;
+}
+
+static void keep_entry(struct aob_config *config, size_t at)
+{
+    for (size_t i = 0; i < config->technique_count; i++)
+        if (i != at)
+            aob_technique_choice_finish(&config->techniques[i]);
+    config->techniques[0] = config->techniques[at];
+    config->technique_count = 1;
+}
+
+static void keep_backend(struct aob_backend_choice *backends, const char *name)
+{
+    for (size_t i = 0; i < backends->count; i++) {
+        free(backends->names[i].text);
+        backends->names[i].text = i ? NULL : aob_strdup(name);
+    }
+    backends->count = backends->count ? 1 : 0;
+}
+
+/* The config once more, of that view alone; its radius is the target, and what it measures is the planner's. */
+static bool make(void *user, struct aob_config *config, struct aob_error *error)
+{
+    const struct one *one = user;
+    if (!aob_config_read(config, one->chooser->config, error))
+        return false;
+    free(config->effects.text);
+    config->effects.text = NULL;
+    aob_config_leave_unshown(config);
+    keep_scene(config, one->scene);
+    keep_entry(config, (size_t)find_entry(config, technique));
+    if (!config->backends.count)
+        AOB_PUSH(config->backends.names, config->backends.count, config->backends.capacity);
+    keep_backend(&config->backends, one->c->backend);
+    keep_backend(&config->techniques[0].backends, one->c->backend);
+    config->sizes[0] = (struct aob_size){.width = one->c->width, .height = one->c->height};
+    config->size_count = 1;
+    config->target_count = 0;
+    return true;
+}
+
+static void tell(const struct one *one, unsigned set)
+{
+    struct aob_text name = {0};
+    aob_effect_set_print(set, &name);
+    if (!one->chooser->quiet)
+        aob_note("%s/%s %dx%d %s calls for %s", one->c->scene->name, one->c->scene->view, one->c->width,
+                 one->c->height, one->c->backend, name.data);
+    aob_text_finish(&name);
+}
+
+static bool plan_view(struct one *one, unsigned *set, struct aob_error *error)
+{
+    char folder[AOB_WORK_FOLDER];
+    struct aob_effects effects = {0};
+    struct aob_effects_desc desc = {.dispatch = one->chooser->dispatch,
+                                    .maker = {make, one},
+                                    .ask = {NAN, INFINITY, NULL},
+                                    .folder = folder};
+    if (!aob_work_folder_create(folder, error))
+        return false;
+    bool ok = aob_effects_plan(&desc, &effects, error) ||
+              aob_fail_in(error, "%s/%s", one->c->scene->name, one->c->scene->view);
+    if (ok)
+        tell(one, *set = effects.answer.candidates[effects.answer.chosen].set);
+    aob_effects_finish(&effects);
+    aob_work_folder_remove(folder);
+    return ok;
+}
+
+static bool is_view(const struct aob_case *a, const struct aob_case *b)
+{
+    return a->scene == b->scene && a->width == b->width && a->height == b->height &&
+           strcmp(a->backend, b->backend) == 0;
+}
+
+static bool is_planned(const struct aob_case *c)
+{
+    return strcmp(c->technique->name, technique) == 0;
+}
+
+/* Of other techniques what stands in the config stays: the lit image with nothing besides visibility. `none` draws the empty set, and where the
+ * config itself names it, it stays too. */
+static bool is_kept(const struct aob_effects_auto *chooser, const struct aob_case *c, unsigned set)
+{
+    const unsigned own = aob_effect_set_of(c), visible = AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY);
+    if (is_planned(c))
+        return own == set;
+    if (strcmp(c->technique->name, "none") == 0)
+        return own == 0 && (set == 0 || !chooser->adds_none);
+    return (own & ~AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE)) == visible;
+}
+
+/* Every view once. */
+static bool choose(void *user, struct aob_plan *plan, struct aob_error *error)
+{
+    struct aob_effects_auto *chooser = user;
+    unsigned *sets = AOB_NEW_ARRAY(unsigned, plan->case_count + 1);
+    bool ok = true;
+    for (size_t i = 0; i < plan->case_count && ok; i++) {
+        struct one one = {chooser, (size_t)(plan->cases[i].scene - plan->scenes), &plan->cases[i]};
+        size_t same = 0;
+        while (same < i && !is_view(&plan->cases[same], &plan->cases[i]))
+            same++;
+        if (same < i)
+            sets[i] = sets[same];
+        else
+            ok = plan_view(&one, &sets[i], error);
+    }
+    size_t kept = 0;
+    for (size_t i = 0; i < plan->case_count; i++)
+        if (is_kept(chooser, &plan->cases[i], sets[i]))
+            plan->cases[kept++] = plan->cases[i];
+        else
+            free(plan->cases[i].params);
+    plan->case_count = kept;
+    free(sets);
+    return ok;
+}
+
+struct aob_sweep_choice aob_effects_auto_choice(struct aob_effects_auto *chooser)
+{
+    return (struct aob_sweep_choice){widen, choose, chooser};
+}

@@ -1,0 +1,17 @@
+/* `effects: auto` in a config: of gtao each view is drawn with the set of effects that it calls for, planned before the first case is
+ * measured. The set is that of aob_effects_plan at the default tolerance; an empty one is the technique `none`. */
+#ifndef AOB_EFFECTS_AUTO_H
+#define AOB_EFFECTS_AUTO_H
+#include "run/sweep.h"
+
+struct aob_effects_auto {
+    const struct aob_dispatch *dispatch;
+    const char *config; /* path */
+    bool quiet;         /* no note of what each view is planned to draw */
+    bool adds_none;     /* of its own: the config does not name `none` */
+};
+
+/* For a run (run.h); `chooser` must outlive it. A config fails with a line that has no entry of gtao, or several, that gives it or
+ * a run option several values, that chooses itself what is planned (lit, an output, divisor), or that has a capture. */
+struct aob_sweep_choice aob_effects_auto_choice(struct aob_effects_auto *chooser);
+#endif

@@ -1,0 +1,26 @@
+/* What an effect can change in the lit image of a view at most, from the materials, the light and the true visibility: without a frame of
+ * it. Two images that differ by a share of the light have errors that differ by no more, so an effect whose bound is within the
+ * tolerance never pays. */
+#ifndef AOB_EFFECTS_BOUND_H
+#define AOB_EFFECTS_BOUND_H
+#include "effect_row.h"
+#include "seen.h"
+
+/* Relative to the root mean square of the truth, as lit_rmse is; 0: nothing at all; INFINITY: no rule bounds it. They hold of an
+ * effect that is right:
+ *
+ * multi_bounce: light gains f(V) - V by bounces at visibility V, f the fit of score/effect.h, and no direction shines brighter than
+ *     the light's brightest.
+ * bent_normal, directional: by Cauchy and Schwarz V times the open surface's light is off by at most sqrt(V (1 - V)) times the
+ *     deviation of the light over the cosine's hemisphere, which is nothing where the light is the same from everywhere.
+ * specular: the open share of the lobe differs from V by at most the variation between lobe and cosine (lobe.h), where anything is
+ *     closed; what it weighs is the mirrored light, or the bounced one that stands in for what is closed. */
+struct aob_effect_bounds {
+    double most[AOB_EFFECT_COUNT];
+};
+void aob_effect_bounds_find(const struct aob_seen *seen, struct aob_effect_bounds *bounds);
+
+/* The effects that the bounds leave: those whose bounds add up to no more than the tolerance are taken out, the least first. Bent normal and
+ * directional light count once, since no set has both. */
+unsigned aob_effect_bounds_open(const struct aob_effect_bounds *bounds, double tolerance);
+#endif

@@ -1,0 +1,128 @@
+#include "effects.h"
+#include <math.h>
+#include <string.h>
+#include "base/clock.h"
+#include "planner.h"
+
+/* So many rays tell a relative error of .02 from its noise. */
+static const double enough_rays = 1.8e6;
+enum { MOST_RAYS = 64 };
+
+/* Even, since a truth has two halves. */
+static int choose_spp(const struct aob_config *config)
+{
+    double pixels = (double)config->sizes[0].width * config->sizes[0].height,
+           spp = 2 * ceil(enough_rays / pixels / 2);
+    return (int)fmin(fmax(spp, 2), MOST_RAYS);
+}
+
+/* The lit image is composed here of the geometric normals that an image keeps. */
+static bool judge_options(const struct aob_config *config, struct aob_error *error)
+{
+    for (size_t i = 0; i < config->option_count; i++)
+        if (strcmp(config->options[i].name, "normals") == 0 &&
+            strcmp(config->options[i].values[0].text, "geometric") != 0)
+            return aob_fail(error, "a plan of effects is of geometric normals: leave normals=%s out",
+                            config->options[i].values[0].text);
+    return true;
+}
+
+/* What the view is of: how many rays its size needs, and whether it has surfaces to trace. */
+static bool look(struct aob_effect_planner *p, bool *captured, struct aob_error *error)
+{
+    struct aob_config config = {0};
+    bool ok = p->desc->maker.make(p->desc->maker.user, &config, error) && judge_options(&config, error);
+    *captured = ok && config.scenes[0].capture;
+    if (ok && !*captured)
+        p->effects->spp = p->desc->spp ? p->desc->spp : choose_spp(&config);
+    aob_config_finish(&config);
+    return ok;
+}
+
+static bool trace_truth(struct aob_effect_planner *p, struct aob_error *error)
+{
+    static const unsigned nothing = 0;
+    struct aob_effects *e = p->effects;
+    struct aob_effect_frames_desc desc = aob_effect_planner_frames(p, &nothing, 1);
+    int64_t start = aob_clock_wall_ns();
+    desc.spp = e->spp;
+    aob_effect_planner_say(p, "tracing the lit truth");
+    e->truth_records = aob_effect_frames_measure(&desc, &e->truth, error);
+    e->truth_s = (double)(aob_clock_wall_ns() - start) * 1e-9;
+    return e->truth_records && aob_effect_planner_see(p, e->truth_records, &e->truth, error) &&
+           (e->seen.mean_light > 0 ||
+            aob_fail(error, "the view is black: its lit image has no error to speak of"));
+}
+
+/* Where nothing is off without any occlusion no other frame is needed: no set is cheaper than nothing. */
+static void apply_rules(struct aob_effect_planner *p)
+{
+    struct aob_effect_answer *a = &p->effects->answer;
+    double tolerance = aob_effect_ask_tolerance(&a->ask);
+    struct aob_lit_error none = aob_drawn_error(&p->effects->seen, NULL, 0);
+    aob_effect_bounds_find(&p->effects->seen, &a->bounds);
+    a->open = none.rmse + 2 * none.rmse_se <= tolerance ? 0 : aob_effect_bounds_open(&a->bounds, tolerance);
+}
+
+/* Everything that is open, at each size of occlusion. */
+static bool draw_images(struct aob_effect_planner *p, struct aob_error *error)
+{
+    const unsigned open = p->effects->answer.open,
+                   sets[2] = {open & ~AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE), open};
+    return !open || aob_effect_planner_draw(p, sets, error);
+}
+
+static bool time_frames(struct aob_effect_planner *p, struct aob_error *error)
+{
+    unsigned sets[AOB_EFFECT_FRAMES];
+    size_t count = aob_effect_frames_choose(p->effects->answer.open, sets);
+    return aob_effect_planner_time(p, 0, sets, count, error);
+}
+
+/* Frames of full size are dear, so one is timed only where it is taken. */
+static bool confirm(struct aob_effect_planner *p, struct aob_error *error)
+{
+    const struct aob_effect_answer *a = &p->effects->answer;
+    const struct aob_effect_candidate *chosen = a->chosen < 0 ? NULL : &a->candidates[a->chosen];
+    if (!chosen || !chosen->set || aob_effect_has(chosen->set, AOB_EFFECT_HALF_SIZE))
+        return true;
+    const unsigned set = chosen->set;
+    return aob_effect_planner_time(p, 1, &set, 1, error) && aob_effect_planner_judge(p, error);
+}
+
+bool aob_effects_plan(const struct aob_effects_desc *desc, struct aob_effects *effects,
+                      struct aob_error *error)
+{
+    struct aob_effect_planner p = {.desc = desc, .effects = effects};
+    bool captured;
+    effects->answer.ask = desc->ask;
+    if (!look(&p, &captured, error))
+        return false;
+    if (captured)
+        return aob_effect_planner_capture(&p, error);
+    if (!trace_truth(&p, error))
+        return false;
+    apply_rules(&p);
+    return draw_images(&p, error) && time_frames(&p, error) && aob_effect_planner_judge(&p, error) &&
+           confirm(&p, error);
+}
+
+const struct aob_sweep *aob_effects_sweep(const struct aob_effects *effects)
+{
+    return effects->truth.plan.case_count ? &effects->truth : &effects->images;
+}
+
+void aob_effects_finish(struct aob_effects *e)
+{
+    json_decref(e->truth_records);
+    json_decref(e->image_records);
+    aob_seen_finish(&e->seen);
+    for (int i = 0; i < 2; i++) {
+        aob_drawn_finish(&e->drawn[i]);
+        json_decref(e->time_records[i]);
+        aob_sweep_finish(&e->times[i]);
+    }
+    aob_sweep_finish(&e->truth);
+    aob_sweep_finish(&e->images);
+    *e = (struct aob_effects){0};
+}

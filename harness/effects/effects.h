@@ -1,0 +1,43 @@
+/* `aobudget effects`: which effects of ambient occlusion the lit image of a view calls for.
+ *
+ * The truth is traced once at the view's own size with few rays, and its noise, which two halves tell, is taken out of the
+ * errors; so nothing has to be scaled from a smaller frame. Rules take out what cannot pay (bound.h). Of what is left two frames,
+ * one at each size of occlusion, hold every output; the lit image of each set is made of them (drawn.h). Four frames at most are timed, and
+ * the cost of a set is the sum of its passes (cost.h).
+ *
+ * A capture has neither materials nor surfaces to trace: it gets the answer that its depth and the light allow. */
+#ifndef AOB_EFFECTS_EFFECTS_H
+#define AOB_EFFECTS_EFFECTS_H
+#include "answer.h"
+#include "frames.h"
+
+struct aob_effects_desc {
+    const struct aob_dispatch *dispatch;
+    struct aob_effect_maker maker;
+    struct aob_effect_ask ask;
+    const char *folder; /* for its frames; it exists */
+    int spp;            /* rays a pixel of the truth; 0: as many as the size needs */
+    void (*on_work)(void *user, const char *work); /* before each step; NULL: nobody asks */
+    void *user;
+};
+
+/* A plan of effects, of one view. aob_effects_finish frees. */
+struct aob_effects {
+    struct aob_effect_answer answer;
+    struct aob_sweep truth, images, times[2]; /* as measured; zero where there were none */
+    json_t *truth_records, *image_records, *time_records[2];
+    int spp;
+    double truth_s, images_s, times_s; /* wall time of the three measurements */
+    struct aob_seen seen;
+    struct aob_drawn
+        drawn[2]; /* at full and at half size, with every effect that is open; empty where none were */
+};
+
+/* False after a line. */
+bool aob_effects_plan(const struct aob_effects_desc *desc, struct aob_effects *effects,
+                      struct aob_error *error);
+void aob_effects_finish(struct aob_effects *effects);
+
+/* The measurement whose plan says which view, light and lengths these are. */
+const struct aob_sweep *aob_effects_sweep(const struct aob_effects *effects);
+#endif

@@ -1,0 +1,36 @@
+/* For effects.c: a plan of effects under way, and its steps. Each step that can fail returns false after a line. */
+#ifndef AOB_EFFECTS_PLANNER_H
+#define AOB_EFFECTS_PLANNER_H
+#include "cost.h"
+#include "effects.h"
+
+struct aob_effect_planner {
+    const struct aob_effects_desc *desc;
+    struct aob_effects *effects;
+    struct aob_effect_costs costs;
+};
+
+/* Tells who asks what is done next. */
+void aob_effect_planner_say(const struct aob_effect_planner *p, const char *work);
+
+struct aob_effect_frames_desc aob_effect_planner_frames(const struct aob_effect_planner *p,
+                                                        const unsigned *sets, size_t count);
+
+/* From the image of the first record of a measurement, which showed this sweep. */
+bool aob_effect_planner_see(struct aob_effect_planner *p, const json_t *records,
+                            const struct aob_sweep *sweep, struct aob_error *error);
+
+/* Draws two sets, at full and at half size, and reads their images; the first time also what is seen, where that is not known. */
+bool aob_effect_planner_draw(struct aob_effect_planner *p, const unsigned sets[2], struct aob_error *error);
+
+/* Times sets, at the first turn (0) or the second. */
+bool aob_effect_planner_time(struct aob_effect_planner *p, int turn, const unsigned *sets, size_t count,
+                             struct aob_error *error);
+
+/* Errors and costs of all sets that are open, and the choice. */
+bool aob_effect_planner_judge(struct aob_effect_planner *p, struct aob_error *error);
+
+/* The whole plan of a capture (capture.c), which has neither materials nor a truth: what its depth and the light tell. The image that visibility of
+ * full size gives stands for the truth, in one material. */
+bool aob_effect_planner_capture(struct aob_effect_planner *p, struct aob_error *error);
+#endif

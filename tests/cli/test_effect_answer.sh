@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# effects: what a plan gives: its config, budgets and devices, its page, a capture, and what cannot be answered. The plans themselves are
+# test_effect_plan.sh's.
+source "$(dirname "$0")/lib.sh"
+cd "$folder"
+export AOBUDGET_CACHE=$folder/cache
+# row NAME EFFECT FILTER
+row() { jq ".effects[] | select(.name == \"$2\") | $3" "$1.json"; }
+rule() { test "$(row "$1" "$2" '[.called, .by] == [false, "rule"]')" = true; }
+measured() { test "$(row "$1" "$2" .by)" = '"measured"'; }
+
+# The config draws what was chosen, and scores it the same.
+check "a config" "$program" effects window_room --size 64x36 --backend gl-egl --radius 0.4 -p slices=4 --out taken.yaml --json taken.json
+check "it runs" "$program" run taken.yaml --out taken --quiet
+same=$(jq -n --slurpfile plan taken.json --slurpfile run taken/journal.jsonl '$plan[0].chosen.effects as $e | $run[0] |
+  (.params.radius == 0.4 and .params.slices == 4 and .options.lit == "on" and .reference_radius - 0.4 < 1e-6
+    and (.options.visibility_rgb == "on") == ($e | index("multi_bounce") != null)
+    and (.options.bent_normal == "on") == ($e | index("bent_normal") != null)
+    and (.options.irradiance == "on") == ($e | index("directional") != null)
+    and (.options.specular == "on") == ($e | index("specular") != null)
+    and (.params.divisor == 2) == ($e | index("half_size") != null)
+    and (.error.lit_rmse - $plan[0].chosen.rmse | fabs) < 0.01)')
+check "the same settings, and the same error" test "$same" = true
+
+# Budgets, and a device's modelled times.
+expect_code() { # CODE WHAT COMMAND...
+  local code=$1 what=$2 got=0
+  shift 2
+  "$@" >out 2>err </dev/null || got=$?
+  check "$what: code $code" test "$got" = "$code"
+}
+small=("$program" effects corner --size 64x36 --backend gl-egl)
+expect_code 1 "nothing fits" "${small[@]}" --budget-ms 0.00001
+check "what it would take is told" grep -q '^nothing fits 1e-05 ms: the lit image without any occlusion takes ' out
+expect_code 0 "all fits" "${small[@]}" --budget-ms 100000 --json fits.json
+check "then the least error is taken, but for a tie" jq -e '.chosen.rmse <= .least.rmse + 0.001 and all(.sets[]; .fits)' fits.json
+expect_code 0 "a device" "${small[@]}" --profile ps4 --json ps4.json
+check "its milliseconds are modelled" jq -e '.profile == "ps4" and all(.sets[]; .ms > 0 and .ms < 1)' ps4.json
+check "the errors are those of here" jq -e --slurpfile own fits.json '[.sets[].rmse] == [$own[0].sets[].rmse]' ps4.json
+
+# The page: a picture of what is taken and of each set that an effect makes of it, a row an effect and a set, the chart.
+check "a page" "$program" effects window_room --size 64x36 --backend gl-egl --page page --json page.json
+pictures=$(jq '1 + ([.effects[].otherwise | select(. != null)] | length)' page.json)
+check "its pictures" test "$(ls page/figures/*.png | wc -l)" = "$pictures"
+check "none is missing" test "$(grep -c 'class="missing"' page/index.html)" = 0
+check "each stands in it" test "$(grep -o 'src="figures/[a-z_]*.png"' page/index.html | sort -u | wc -l)" = "$pictures"
+check "a chart of the sets" grep -q '</svg>' page/figures/sets.svg
+check "a row an effect and a set" test "$(grep -c '^<tr><td>' page/index.html)" = "$((6 + $(jq '.sets | length' page.json)))"
+check "the picture of nothing is what no occlusion shows" test "$(jq -r '.effects[] | select(.name == "visibility") | .otherwise.image' page.json)" = images/set-0.exr
+check "nothing from elsewhere" test "$(grep -c '://' page/index.html)" = 0
+expect 2 "page.json" "$program" effects corner --size 64x36 --backend gl-egl --page page.json
+
+# A capture: what its depth and the light tell.
+"$program" shot --technique none --scene gallery --view ball --size 64x36 --backend gl-egl --reference-spp 0 --out frame.exr >/dev/null
+expect_code 3 "a capture" "$program" effects capture:frame.exr --fov 50 --backend gl-egl --json capture.json --out capture.yaml
+check "visibility is measured" measured capture visibility
+check "even light rules directions out" rule capture directional
+check "materials are missing" test "$(row capture multi_bounce .by) $(row capture specular .by)" = '"no data" "no data"'
+check "its config runs" "$program" run capture.yaml --out capture --quiet
+check "without a lit image" jq -e '.options.lit == "off" and .technique == "gtao"' capture/journal.jsonl
+expect_code 3 "under a window" "$program" effects capture:frame.exr --fov 50 --backend gl-egl --light window --json capture.json
+check "directions could matter, and nothing tells" test "$(row capture directional '[.by, .most > 0.02]' | jq -c .)" = '["no data",true]'
+
+expect 2 "unknown scene 'nowhere'; there are plane" "$program" effects nowhere --size 64x36
+expect 2 "scene 'corner' has no view 'nix'; it has front, far" "$program" effects corner --view nix
+expect 2 "there is no profile 'nix'" "${small[@]}" --profile nix
+expect 2 "--tolerance: '2' is not a number within 0 .. 1" "${small[@]}" --tolerance 2
+expect 2 "--budget-ms: 'x' is not a number" "${small[@]}" --budget-ms x
+expect 2 "--reference-spp: 3 is not an even whole number" "${small[@]}" --reference-spp 3
+expect 2 "'lit' is given twice" "${small[@]}" -p lit=on
+expect 2 "'divisor' is given twice" "${small[@]}" -p divisor=2
+expect 2 "a plan of effects is of geometric normals: leave normals=shading out" "${small[@]}" -p normals=shading
+expect 2 "the backend null draws nothing" "$program" effects corner --backend null
+expect 2 "no/such.yaml" "${small[@]}" --out no/such.yaml
+finish

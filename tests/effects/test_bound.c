@@ -1,0 +1,100 @@
+/* Bounds of what an effect can change, against closed forms of single surfaces. */
+#include "check.h"
+#include <math.h>
+#include "effects/bound.h"
+
+static struct aob_seen_surface surface(double visible, double diffuse)
+{
+    struct aob_seen_surface s = {.normal = {0, 0, 1}, .apart = 0.25f, .visible = (float)visible};
+    for (int c = 0; c < 3; c++) {
+        s.diffuse[c] = (float)diffuse;
+        s.mirror[c] = 0.1f;
+        s.even[c] = 0.05f;
+    }
+    return s;
+}
+
+static struct aob_effect_bounds bounds_of(struct aob_seen_surface *surfaces, size_t count,
+                                          const struct aob_light *light)
+{
+    struct aob_effect_bounds bounds;
+    const struct aob_seen seen = {.count = count, .surfaces = surfaces, .light = *light, .mean_light = 0.5};
+    aob_effect_bounds_find(&seen, &bounds);
+    return bounds;
+}
+
+/* f(.5) at an albedo of .8 is .811; at .05 it is less than .5, so nothing is gained. Even light has no direction. */
+static void test_even(void **state)
+{
+    struct aob_seen_surface white = surface(0.5, 0.8), dark = surface(0.5, 0.05), open = surface(1, 0.8);
+    struct aob_effect_bounds b = bounds_of(&white, 1, &aob_light_uniform);
+    (void)state;
+    assert_near(b.most[AOB_EFFECT_MULTI_BOUNCE], (0.8 + 0.05) * 0.311125 / 0.5, 1e-4);
+    assert_near(b.most[AOB_EFFECT_DIRECTIONAL], 0, 1e-6);
+    assert_near(b.most[AOB_EFFECT_BENT_NORMAL], 0, 1e-6);
+    assert_near(b.most[AOB_EFFECT_SPECULAR], 0.25 * 0.1 / 0.5, 1e-6);
+    assert_true(isinf(b.most[AOB_EFFECT_VISIBILITY]) && isinf(b.most[AOB_EFFECT_HALF_SIZE]));
+    b = bounds_of(&dark, 1, &aob_light_uniform);
+    assert_near(b.most[AOB_EFFECT_MULTI_BOUNCE], 0, 1e-6);
+    b = bounds_of(&open, 1, &aob_light_uniform);
+    assert_near(b.most[AOB_EFFECT_MULTI_BOUNCE], 0, 1e-6);
+    assert_near(b.most[AOB_EFFECT_SPECULAR], 0, 1e-6);
+}
+
+/* A bound is the largest of the normals about one, up to 6 % above it. */
+static void check_bound(double most, double right)
+{
+    assert_true(most >= 0.998 * right && most <= 1.06 * right);
+}
+
+/* Light 1 + k z: over the cosine's hemisphere about z its variance is k^2 (1/2 - 4/9). */
+static void test_slanted(void **state)
+{
+    struct aob_seen_surface s[2] = {surface(0.5, 0.8), surface(1, 0.8)};
+    struct aob_light light = aob_light_uniform;
+    const double k = 0.6;
+    (void)state;
+    for (int c = 0; c < 3; c++)
+        light.sh[2][c] = k / sqrt(3 / (4 * 3.14159265358979323846));
+    struct aob_effect_bounds b = bounds_of(s, 1, &light);
+    check_bound(b.most[AOB_EFFECT_DIRECTIONAL], 0.8 * 0.5 * k * sqrt(1 / 18.0) / 0.5);
+    assert_near(b.most[AOB_EFFECT_MULTI_BOUNCE], (0.8 + 0.05) * 1.6 * 0.311125 / 0.5,
+                2e-3);           /* the brightest is 1.6 */
+    b = bounds_of(s, 2, &light); /* half of the surfaces are open */
+    check_bound(b.most[AOB_EFFECT_DIRECTIONAL], sqrt(0.5) * 0.8 * 0.5 * k * sqrt(1 / 18.0) / 0.5);
+}
+
+static unsigned open_at(double bounces, double light, double lobe, double tolerance)
+{
+    struct aob_effect_bounds b = {.most = {[AOB_EFFECT_VISIBILITY] = INFINITY,
+                                           [AOB_EFFECT_MULTI_BOUNCE] = bounces,
+                                           [AOB_EFFECT_BENT_NORMAL] = light,
+                                           [AOB_EFFECT_DIRECTIONAL] = light,
+                                           [AOB_EFFECT_SPECULAR] = lobe,
+                                           [AOB_EFFECT_HALF_SIZE] = INFINITY}};
+    return aob_effect_bounds_open(&b, tolerance);
+}
+
+/* The least go first, as long as all that went change no more than the tolerance. */
+static void test_open(void **state)
+{
+    const unsigned bounces = AOB_EFFECT_BIT(AOB_EFFECT_MULTI_BOUNCE),
+                   lobe = AOB_EFFECT_BIT(AOB_EFFECT_SPECULAR),
+                   light = AOB_EFFECT_BIT(AOB_EFFECT_DIRECTIONAL) | AOB_EFFECT_BIT(AOB_EFFECT_BENT_NORMAL);
+    (void)state;
+    assert_int_equal(open_at(0.5, 0.5, 0.5, 0.02), AOB_EFFECT_ALL);
+    assert_int_equal(open_at(0.5, 0, 0.5, 0), AOB_EFFECT_ALL & ~light);
+    assert_int_equal(open_at(0.015, 0, 0.012, 0.02), AOB_EFFECT_ALL & ~light & ~lobe);
+    assert_int_equal(open_at(0.007, 0, 0.012, 0.02), AOB_EFFECT_ALL & ~light & ~lobe & ~bounces);
+    assert_int_equal(open_at(0.007, 0.5, 0.012, 0.02), AOB_EFFECT_ALL & ~lobe & ~bounces);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_even),
+        cmocka_unit_test(test_slanted),
+        cmocka_unit_test(test_open),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,54 @@
+/* Sets of effects: each that can be made is listed once. */
+#include "check.h"
+#include <string.h>
+#include "effects/effect_row.h"
+
+/* Nothing; then visibility with or without bounces, specular and half size, and none or one of two ways to light. */
+static void test_all(void **state)
+{
+    unsigned sets[AOB_EFFECT_SETS], seen[AOB_EFFECT_ALL + 1] = {0};
+    size_t count = aob_effect_sets(AOB_EFFECT_ALL, sets);
+    (void)state;
+    assert_int_equal(count, 1 + 2 * 2 * 2 * 3);
+    assert_int_equal(sets[0], 0);
+    for (size_t i = 0; i < count; i++) {
+        assert_int_equal(seen[sets[i]]++, 0);
+        assert_true(!sets[i] || aob_effect_has(sets[i], AOB_EFFECT_VISIBILITY));
+        assert_false(aob_effect_has(sets[i], AOB_EFFECT_BENT_NORMAL) &&
+                     aob_effect_has(sets[i], AOB_EFFECT_DIRECTIONAL));
+    }
+}
+
+static void test_some(void **state)
+{
+    unsigned sets[AOB_EFFECT_SETS];
+    (void)state;
+    assert_int_equal(aob_effect_sets(0, sets), 1);
+    assert_int_equal(
+        aob_effect_sets(AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY) | AOB_EFFECT_BIT(AOB_EFFECT_SPECULAR), sets),
+        3);
+    assert_int_equal(aob_effect_sets(AOB_EFFECT_BIT(AOB_EFFECT_SPECULAR), sets),
+                     1); /* it is made of visibility */
+}
+
+static void test_print(void **state)
+{
+    struct aob_text text = {0};
+    (void)state;
+    aob_effect_set_print(AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY) | AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE), &text);
+    assert_string_equal(text.data, "visibility + half_size");
+    aob_text_finish(&text);
+    aob_effect_set_print(0, &text);
+    assert_string_equal(text.data, "nothing");
+    aob_text_finish(&text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all),
+        cmocka_unit_test(test_some),
+        cmocka_unit_test(test_print),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
