@@ -17,15 +17,17 @@ struct aob_view_moment aob_view_moment_last(const struct aob_plan_scene *scene)
                                     .frame = frames ? aob_plan_scene_frame(scene, frames - 1) : 0};
 }
 
-/* Rays of two seeds, in turn: the noise of a truth and of the one before are independent. Where nothing moves, all frames are
- * one. */
+/* Rays of several seeds, in turn: the noise of a truth and of the one before are independent, and so is that of most pairs of frames, so
+ * that longer sequences have less of it. Where nothing moves, all frames are one. */
+enum { SEEDS = 8 };
+
 struct aob_view_moment aob_view_moment_of(const struct aob_plan_scene *scene, int frame)
 {
     const struct aob_motion *motion = &scene->motion;
     bool changes = aob_motion_has_camera(motion) || aob_plan_scene_frame(scene, 1);
     return (struct aob_view_moment){.camera = aob_motion_camera(motion, &scene->camera, frame),
                                     .frame = aob_plan_scene_frame(scene, frame),
-                                    .seed = changes ? (unsigned)(motion->frames - 1 - frame) & 1 : 0};
+                                    .seed = changes ? (unsigned)(motion->frames - 1 - frame) % SEEDS : 0};
 }
 
 static void describe_view(const struct aob_case *c, const struct aob_view_moment *moment, int guard,

@@ -1,7 +1,10 @@
-/* Of each tile of 8 x 8 pixels: a box about its surfaces, and one about what has changed there since the frame before, but for the
- * camera: places where something that moves is, where it was and what it hides; where something is gone, and what that shows; and
- * what is there that was not. What hides behind a thing that moves occludes nothing in an image. Where nothing has changed the box is
- * empty, its low end above its high one. */
+/* Two boxes for each tile of 8 x 8 pixels: one about its surfaces, and one about the places there where something has changed since the
+ * frame before, other than by the camera. These are the places
+ *   - of a surface that moves by itself, now and in the frame before, and of the surface that it hides now;
+ *   - of a surface that is gone, and of the one that shows in its stead;
+ *   - of a surface that is there and was not.
+ * A surface that something hides occludes nothing in an image, so hiding it is a change. Where nothing has changed the box is empty: its low
+ * end lies above its high one. */
 
 /* How much two places may differ that are one: half floats of the velocity, and floats of the projection. */
 bool apart(vec2 a, vec2 b, vec2 velocity) { return any(greaterThan(abs(a - b), 2e-3 + abs(velocity) / 512.0)); }
