@@ -31,7 +31,7 @@ static void add_row(struct aob_text *page, const struct aob_row *row, const json
 }
 
 static const char head[] =
-    "<h4>Over time</h4>\n<p class=soft>RMSE is the mean over the frames, each against the truth of its own "
+    "<p class=soft>RMSE is the mean over the frames, each against the truth of its own "
     "time. Flicker is how "
     "much the error changes from frame to frame at one point of a surface (RMS), without the noise of the "
     "truths; "
@@ -42,6 +42,37 @@ static const char head[] =
     "changes</th><th "
     "class=n>compared</th></tr></thead><tbody>\n";
 
+static void add_place(struct aob_text *page, const json_t *place)
+{
+    for (size_t i = 0; i < 3; i++)
+        aob_text_add(page, "%s%.4g", i ? ", " : "(", json_number_value(json_array_get(place, i)));
+    aob_text_add(page, ")");
+}
+
+/* Two sequences of one view differ by this. */
+static void add_path(struct aob_text *page, const struct aob_row *row)
+{
+    const json_t *motion = json_object_get(row->json, "motion"),
+                 *camera = json_object_get(row->json, "camera");
+    static const char *const ends[] = {"eye", "target"};
+    bool still = true;
+    for (size_t i = 0; i < AOB_COUNT(ends); i++)
+        still = still && json_equal(json_object_get(motion, ends[i]), json_object_get(camera, ends[i]));
+    if (still) {
+        aob_text_add(page, "<p class=soft>The camera is still.</p>\n");
+        return;
+    }
+    aob_text_add(page, "<p class=soft>The camera goes from ");
+    add_place(page, json_object_get(motion, "eye"));
+    aob_text_add(page, " to ");
+    add_place(page, json_object_get(camera, "eye"));
+    aob_text_add(page, ", and looks at ");
+    add_place(page, json_object_get(motion, "target"));
+    aob_text_add(page, " first, at ");
+    add_place(page, json_object_get(camera, "target"));
+    aob_text_add(page, " in the end.</p>\n");
+}
+
 void aob_html_over_time(struct aob_text *page, const struct aob_gallery *g, const struct aob_panel *panel)
 {
     const struct aob_section *section = &g->rows->sections[panel->section];
@@ -51,8 +82,11 @@ void aob_html_over_time(struct aob_text *page, const struct aob_gallery *g, cons
         const json_t *sequence = aob_over_time_of(row, panel->target);
         if (!sequence)
             continue;
-        if (!any)
+        if (!any) {
+            aob_text_add(page, "<h4>Over time</h4>\n");
+            add_path(page, row);
             aob_text_add(page, "%s", head);
+        }
         any = true;
         add_row(page, row, sequence);
     }

@@ -12,7 +12,9 @@ static void add_sequence(struct aob_text *journal, const char *key, const char *
     aob_text_add(
         journal,
         "{\"key\":\"%s\",\"scene\":\"corner\",\"view\":\"front-3-frames\",\"technique\":\"%s\","
-        "\"backend\":\"vulkan\",\"width\":64,\"height\":32,\"status\":\"ok\",\"time\":{\"clock\":\"cpu\","
+        "\"camera\":{\"eye\":[1,2,3.5],\"target\":[0,0,0]},\"motion\":{\"frames\":3,\"eye\":[0.25,2,3.5],"
+        "\"target\":[0,0,0]},\"backend\":\"vulkan\",\"width\":64,\"height\":32,\"status\":\"ok\",\"time\":{"
+        "\"clock\":\"cpu\","
         "\"cpu_ms\":2.5},\"sequence\":%s,\"error\":{%s,\"flicker\":0.0375},\"errors\":["
         "{\"target\":{\"radius\":0.25,\"weighting\":\"cosine\"},\"rmse\":0.5,\"band_rmse\":0.5,"
         "\"flicker\":0.0625},{%s,\"flicker\":0.0375}]}\n",
@@ -35,6 +37,7 @@ static void test_the_table(void **state)
     assert_non_null(part);
     assert_int_equal(count_text(page, "<h4>Over time</h4>"), 1); /* of the case's own target only */
     assert_true(part > strstr(page, "within 1 scene unit"));
+    assert_non_null(strstr(part, "goes from (0.25, 2, 3.5) to (1, 2, 3.5), and looks at (0, 0, 0) first"));
     char *end = strstr(part, "</table>");
     *end = '\0';
     assert_int_equal(count_text(part, "<tr><td"), 1);
