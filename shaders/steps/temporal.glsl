@@ -48,7 +48,9 @@ float recall(vec3 then, vec3 normal, out AOB_TYPE_NOW mean)
     AOB_TYPE_NOW inner = AOB_TYPE_NOW(0.0), all = AOB_TYPE_NOW(0.0), open;
     float frames = 0.0, count;
     bool within = true, around = true;
-    for (int k = 0; k < 16; k++) {
+    bool resampled = max(part.x, part.y) > 0.0;
+    for (int i = 0; i < (resampled ? 16 : 1); i++) {
+        int k = (i + 5) & 15; /* the pixel of the old place first: it alone counts where that is its centre */
         ivec2 corner = ivec2(k & 3, k >> 2) - 1;
         bool same = shows(base + corner, place, normal, open, count), middle = corner == clamp(corner, ivec2(0), ivec2(1));
         vec2 share = mix(1.0 - part, part, vec2(corner));
@@ -59,7 +61,6 @@ float recall(vec3 then, vec3 normal, out AOB_TYPE_NOW mean)
         frames += w > 0.0 && same ? w * count : 0.0;
         all += same ? x[k & 3] * y[k >> 2] * open : AOB_TYPE_NOW(0.0);
     }
-    bool resampled = max(part.x, part.y) > 0.0;
     mean = turned(around && resampled ? in_range(all) : inner);
     return !within ? 0.0 : resampled ? min(frames, RESAMPLED) : frames;
 }
