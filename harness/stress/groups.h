@@ -6,7 +6,7 @@
 extern const struct aob_property aob_properties_projection[], aob_properties_numbers[], aob_properties_near[],
     aob_properties_normals[], aob_properties_resolution[], aob_properties_edges[], aob_properties_halos[],
     aob_properties_faces[], aob_properties_relations[], aob_properties_directions[], aob_properties_light[],
-    aob_properties_time[], aob_properties_instruments[];
+    aob_properties_time[], aob_properties_thrift[], aob_properties_instruments[];
 
 /* Excuses that several groups have. */
 const char *aob_excuse_no_divisor(const struct aob_subject *subject);

@@ -6,13 +6,11 @@
 #include "groups.h"
 
 const struct aob_property *const aob_property_tables[] = {
-    aob_properties_projection,  aob_properties_numbers,
-    aob_properties_near,        aob_properties_normals,
-    aob_properties_resolution,  aob_properties_edges,
-    aob_properties_halos,       aob_properties_faces,
-    aob_properties_relations,   aob_properties_directions,
-    aob_properties_light,       aob_properties_time,
-    aob_properties_instruments, NULL,
+    aob_properties_projection, aob_properties_numbers,     aob_properties_near,
+    aob_properties_normals,    aob_properties_resolution,  aob_properties_edges,
+    aob_properties_halos,      aob_properties_faces,       aob_properties_relations,
+    aob_properties_thrift,     aob_properties_directions,  aob_properties_light,
+    aob_properties_time,       aob_properties_instruments, NULL,
 };
 
 static const char *const group_names[AOB_GROUP_COUNT] = {
