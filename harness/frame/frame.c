@@ -185,8 +185,9 @@ static bool create_program(struct aob_frame *frame, int index, struct aob_error 
     aob_text_finish(&fragment);
     aob_text_finish(&vertex);
     if (!frame->programs[index] && pass->draw == AOB_TRIANGLES)
-        return aob_fail_in(error, "shaders '%s' (vertex) and '%s' (fragment)", pass->vertex, pass->shader);
-    return frame->programs[index] || aob_fail_in(error, "shader '%s'", pass->shader);
+        return aob_fail_in(error, "pass '%s', shaders '%s' (vertex) and '%s' (fragment)", pass->name,
+                           pass->vertex, pass->shader);
+    return frame->programs[index] || aob_fail_in(error, "pass '%s', shader '%s'", pass->name, pass->shader);
 }
 
 /* In its first form, or turned; the program is made with the first. */
@@ -216,11 +217,13 @@ static bool create_form(struct aob_frame *frame, int index, bool turned, struct 
     aob_graph_divided(view->width, view->height, aob_graph_target_divisor(&frame->graph, pass), &desc.width,
                       &desc.height);
     frame->unfit = !aob_gpu_pass_fits(frame->screen->gpu, &desc, error);
-    if (frame->unfit || !(frame->programs[index] || create_program(frame, index, error)))
+    if (frame->unfit)
+        return aob_fail_in(error, "pass '%s'", pass->name);
+    if (!frame->programs[index] && !create_program(frame, index, error))
         return false;
     desc.program = frame->programs[index];
     *into = aob_gpu_pass_create(frame->screen->gpu, &desc, error);
-    return *into;
+    return *into || aob_fail_in(error, "pass '%s'", pass->name);
 }
 
 /* Whether a pass reads or writes one of the textures that are kept. */
@@ -236,10 +239,8 @@ static bool turns(const struct aob_pass_graph *graph, const struct aob_graph_pas
 
 static bool create_pass(struct aob_frame *frame, int index, struct aob_error *error)
 {
-    const struct aob_graph_pass *pass = &frame->graph.passes[index];
-    return (create_form(frame, index, false, error) &&
-            (!turns(&frame->graph, pass) || create_form(frame, index, true, error))) ||
-           aob_fail_in(error, "pass '%s'", pass->name);
+    return create_form(frame, index, false, error) &&
+           (!turns(&frame->graph, &frame->graph.passes[index]) || create_form(frame, index, true, error));
 }
 
 bool aob_frame_init_desc(struct aob_frame *frame, struct aob_screen *screen,

@@ -64,7 +64,6 @@ static void test_the_chart(void **state)
     put("run.json", "{}");
     put("journal.jsonl", journal.data);
     read_rows(&rows);
-    aob_labels_make(&rows);
     aob_gallery_plan(&gallery, &rows);
     for (size_t i = 0; i < gallery.count; i++) {
         const json_t *series = json_object_get(gallery.figures[i].job, "series"), *second;
