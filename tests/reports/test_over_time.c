@@ -1,6 +1,5 @@
 /* The part of a page that is about sequences: its figures are those of the journal, beside the target that they are against. */
 #include "reports/page/gallery_plan.h"
-#include "reports/page/label.h"
 #include "run_text.h"
 
 /* A case whose own target is a radius of 1, the second of two. */
