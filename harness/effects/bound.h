@@ -7,14 +7,17 @@
 #include "seen.h"
 
 /* Relative to the root mean square of the truth, as lit_rmse is; 0: nothing at all; INFINITY: no rule bounds it. They hold of an
- * effect that is right:
+ * effect that is right, beside any of the others:
  *
  * multi_bounce: light gains f(V) - V by bounces at visibility V, f the fit of score/effect.h, and no direction shines brighter than
- *     the light's brightest.
+ *     the light's brightest. Of the lobe it stands in for what is closed, which specular may find more of.
  * bent_normal, directional: by Cauchy and Schwarz V times the open surface's light is off by at most sqrt(V (1 - V)) times the
- *     deviation of the light over the cosine's hemisphere, which is nothing where the light is the same from everywhere.
+ *     deviation of the light over the cosine's hemisphere, which is nothing where the light is the same from everywhere. Bounces multiply
+ *     it by f(V) / V.
  * specular: the open share of the lobe differs from V by at most the variation between lobe and cosine (lobe.h), where anything is
- *     closed; what it weighs is the mirrored light, or the bounced one that stands in for what is closed. */
+ *     closed; what it weighs is the mirrored light, or the bounced one that stands in for what is closed.
+ *
+ * V is known by few rays, so each surface counts with the larger of what its own rays and those of its neighbourhood say. */
 struct aob_effect_bounds {
     double most[AOB_EFFECT_COUNT];
 };

@@ -45,6 +45,7 @@ bool aob_effect_planner_see(struct aob_effect_planner *p, const json_t *records,
     char *image = find_image(p, records, 0, error);
     const struct aob_seen_desc desc = {image, &scene->camera, &scene->light};
     bool ok = image && aob_seen_read(&p->effects->seen, &desc, error);
+    p->effects->seen.spp = p->effects->spp;
     free(image);
     return ok;
 }
