@@ -110,8 +110,10 @@ enum aob_effect_why aob_effect_answer_why(const struct aob_effect_answer *answer
     if (answer->chosen < 0)
         return AOB_WHY_BUDGET;
     if (answer->no_truth && !aob_effect_has(answer->open, id))
-        return answer->bounds.most[id] <= aob_effect_ask_tolerance(&answer->ask) ? AOB_WHY_RULE
-                                                                                 : AOB_WHY_NO_DATA;
+        return aob_effect_has(aob_effect_bounds_open(&answer->bounds, aob_effect_ask_tolerance(&answer->ask)),
+                              id)
+                   ? AOB_WHY_NO_DATA
+                   : AOB_WHY_RULE;
     unsigned turned = aob_effect_turned(answer->candidates[answer->chosen].set, id);
     return aob_effect_has(answer->open, id) && aob_effect_answer_find(answer, turned) ? AOB_WHY_MEASURED
                                                                                       : AOB_WHY_RULE;

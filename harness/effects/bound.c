@@ -163,7 +163,7 @@ unsigned aob_effect_bounds_open(const struct aob_effect_bounds *bounds, double t
     static const enum aob_effect_id judged[] = {AOB_EFFECT_MULTI_BOUNCE, AOB_EFFECT_DIRECTIONAL,
                                                 AOB_EFFECT_SPECULAR};
     unsigned open = AOB_EFFECT_ALL;
-    double left = tolerance;
+    double left = AOB_EFFECT_RULED * tolerance;
     for (size_t round = 0; round < AOB_COUNT(judged); round++) {
         int least = -1;
         for (size_t i = 0; i < AOB_COUNT(judged); i++)

@@ -1,6 +1,6 @@
 /* What an effect can change in the lit image of a view at most, from the materials, the light and the true visibility: without a frame of
- * it. Two images that differ by a share of the light have errors that differ by no more, so an effect whose bound is within the
- * tolerance never pays. */
+ * it. Two images that differ by a share w of the light have errors that differ by w at most, so of the sets without an effect whose
+ * bound is w the best is within w of the best of all. */
 #ifndef AOB_EFFECTS_BOUND_H
 #define AOB_EFFECTS_BOUND_H
 #include "effect_row.h"
@@ -23,7 +23,9 @@ struct aob_effect_bounds {
 };
 void aob_effect_bounds_find(const struct aob_seen *seen, struct aob_effect_bounds *bounds);
 
-/* The effects that the bounds leave: those whose bounds add up to no more than the tolerance are taken out, the least first. Bent normal and
- * directional light count once, since no set has both. */
+/* The effects that the bounds leave: those whose bounds add up to no more than AOB_EFFECT_RULED of the tolerance are taken out, the least
+ * first. Bent normal and directional light count once, since no set has both. A set with one of these can be cheaper than the one taken only
+ * where that set without it misses the tolerance by no more than that share. */
+#define AOB_EFFECT_RULED 0.25
 unsigned aob_effect_bounds_open(const struct aob_effect_bounds *bounds, double tolerance);
 #endif

@@ -139,7 +139,7 @@ static unsigned open_at(double bounces, double light, double lobe, double tolera
     return aob_effect_bounds_open(&b, tolerance);
 }
 
-/* The least go first, as long as all that went change no more than the tolerance. */
+/* The least go first, as long as all that went change no more than a quarter of the tolerance. */
 static void test_open(void **state)
 {
     const unsigned bounces = AOB_EFFECT_BIT(AOB_EFFECT_MULTI_BOUNCE),
@@ -147,10 +147,11 @@ static void test_open(void **state)
                    light = AOB_EFFECT_BIT(AOB_EFFECT_DIRECTIONAL) | AOB_EFFECT_BIT(AOB_EFFECT_BENT_NORMAL);
     (void)state;
     assert_int_equal(open_at(0.5, 0.5, 0.5, 0.02), AOB_EFFECT_ALL);
+    assert_int_equal(open_at(0.5, 0.5, 0.0051, 0.02), AOB_EFFECT_ALL);
     assert_int_equal(open_at(0.5, 0, 0.5, 0), AOB_EFFECT_ALL & ~light);
-    assert_int_equal(open_at(0.015, 0, 0.012, 0.02), AOB_EFFECT_ALL & ~light & ~lobe);
-    assert_int_equal(open_at(0.007, 0, 0.012, 0.02), AOB_EFFECT_ALL & ~light & ~lobe & ~bounces);
-    assert_int_equal(open_at(0.007, 0.5, 0.012, 0.02), AOB_EFFECT_ALL & ~lobe & ~bounces);
+    assert_int_equal(open_at(0.004, 0, 0.003, 0.02), AOB_EFFECT_ALL & ~light & ~lobe);
+    assert_int_equal(open_at(0.0019, 0, 0.003, 0.02), AOB_EFFECT_ALL & ~light & ~lobe & ~bounces);
+    assert_int_equal(open_at(0.0019, 0.5, 0.003, 0.02), AOB_EFFECT_ALL & ~lobe & ~bounces);
 }
 
 int main(void)
