@@ -27,6 +27,7 @@ struct aob_effects {
     struct aob_sweep truth, images, times[2]; /* as measured; zero where there were none */
     json_t *truth_records, *image_records, *time_records[2];
     int spp;
+    bool unsupported; /* what failed is a frame that this device does not draw, or no device */
     double truth_s, images_s, times_s; /* wall time of the three measurements */
     struct aob_seen seen;
     struct aob_drawn

@@ -24,7 +24,8 @@ struct aob_effect_frames_desc aob_effect_planner_frames(const struct aob_effect_
                                            .folder = p->desc->folder,
                                            .sets = sets,
                                            .count = count,
-                                           .unlit = p->effects->answer.no_truth};
+                                           .unlit = p->effects->answer.no_truth,
+                                           .unsupported = &p->effects->unsupported};
 }
 
 /* The image of a measurement's record; free() it. NULL after a line. */
