@@ -123,9 +123,9 @@ static void explain_no_data(const struct aob_effect_answer *answer, enum aob_eff
                             struct aob_text *text)
 {
     if (id == AOB_EFFECT_MULTI_BOUNCE)
-        aob_text_add(text, "not known: a capture holds no base colour, which bounces depend on");
+        aob_text_add(text, "not known: the base colour of a capture is not read, and bounces depend on it");
     else if (id == AOB_EFFECT_SPECULAR)
-        aob_text_add(text, "not known: a capture holds neither roughness nor metalness");
+        aob_text_add(text, "not known: roughness and metalness of a capture are not read");
     else
         aob_text_add(text,
                      "not known: by its direction the light changes the image by %.2g %% at most, and a "
@@ -157,7 +157,8 @@ static void explain_rule(const struct aob_effect_answer *answer, enum aob_effect
         aob_text_add(text, "no: without any occlusion the image is off by %.2g %%, of a tolerance of %.3g %%",
                      100 * none->error.rmse, tolerance);
     else
-        aob_text_add(text, "no: nothing is occluded that it could improve on");
+        aob_text_add(
+            text, "no: it goes with visibility, and without any occlusion the image is within the tolerance");
 }
 
 static void explain_measured(const struct aob_effect_candidate *chosen,

@@ -34,7 +34,7 @@ struct aob_effect_answer { /* zero it first */
     int chosen;  /* candidate; -1: none fits the budget */
     int shrink;  /* pixels a side that became one for FLIP */
     bool
-        no_truth; /* a capture: errors are against its own visibility of full size, and materials are not known */
+        no_truth; /* a capture: errors are against its own visibility of full size, and materials are not read */
 };
 
 /* The tolerance that counts: 0.001 where there is a budget and no tolerance is asked for, which is a tie. */

@@ -36,6 +36,7 @@ expect_code 0 "all fits" "${small[@]}" --budget-ms 100000 --json fits.json
 check "then the least error is taken, but for a tie" jq -e '.chosen.rmse <= .least.rmse + 0.001 and all(.sets[]; .fits)' fits.json
 expect_code 0 "a device" "${small[@]}" --profile ps4 --json ps4.json
 check "its milliseconds are modelled" jq -e '.profile == "ps4" and all(.sets[]; .ms > 0 and .ms < 1)' ps4.json
+check "the tolerance that counts is told: a tie of a budget, else the default" test "$(jq .tolerance fits.json) $(jq .tolerance ps4.json)" = "0.001 0.02"
 check "the errors are those of here" jq -e --slurpfile own fits.json \
   '(.sets | length > 1) and all(.sets[]; . as $set | any($own[0].sets[]; .effects == $set.effects and .rmse == $set.rmse))' ps4.json
 
