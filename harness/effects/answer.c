@@ -27,6 +27,26 @@ static void judge(struct aob_effect_answer *answer)
     most = least + aob_effect_ask_tolerance(&answer->ask);
     for (size_t i = 0; i < answer->count; i++)
         answer->candidates[i].within = answer->candidates[i].error.rmse <= most;
+    answer->most = most;
+}
+
+/* Where nothing within the tolerance fits the budget, what cannot be told from the least error that fits is as good. */
+static void fall_back(struct aob_effect_answer *answer)
+{
+    double least = INFINITY;
+    for (size_t i = 0; i < answer->count; i++) {
+        const struct aob_effect_candidate *c = &answer->candidates[i];
+        if (c->fits && c->within)
+            return;
+        if (c->fits)
+            least = fmin(least, c->error.rmse);
+    }
+    answer->most = least + tie_error;
+}
+
+static bool may_be_taken(const struct aob_effect_answer *answer, const struct aob_effect_candidate *c)
+{
+    return c->fits && c->error.rmse <= answer->most;
 }
 
 /* Costs are measured to about the tie: of sets that it does not tell apart the nearer one is taken. */
@@ -35,7 +55,7 @@ static int nearest_of_ties(const struct aob_effect_answer *answer, int cheapest)
     const struct aob_effect_candidate *all = answer->candidates;
     int best = cheapest;
     for (int i = 0; i < (int)answer->count; i++)
-        if (all[i].fits && all[i].within && all[i].ms <= (1 + tie) * all[cheapest].ms &&
+        if (may_be_taken(answer, &all[i]) && all[i].ms <= (1 + tie) * all[cheapest].ms &&
             all[i].error.rmse < all[best].error.rmse)
             best = i;
     return best;
@@ -44,17 +64,13 @@ static int nearest_of_ties(const struct aob_effect_answer *answer, int cheapest)
 void aob_effect_answer_choose(struct aob_effect_answer *answer)
 {
     const struct aob_effect_candidate *all = answer->candidates;
-    int cheapest = -1, best = -1;
+    int cheapest = -1;
     judge(answer);
-    for (int i = 0; i < (int)answer->count; i++) {
-        if (!all[i].fits)
-            continue;
-        if (all[i].within && (cheapest < 0 || all[i].ms < all[cheapest].ms))
+    fall_back(answer);
+    for (int i = 0; i < (int)answer->count; i++)
+        if (may_be_taken(answer, &all[i]) && (cheapest < 0 || all[i].ms < all[cheapest].ms))
             cheapest = i;
-        if (best < 0 || all[i].error.rmse < all[best].error.rmse)
-            best = i;
-    }
-    answer->chosen = cheapest >= 0 ? nearest_of_ties(answer, cheapest) : best;
+    answer->chosen = cheapest < 0 ? -1 : nearest_of_ties(answer, cheapest);
 }
 
 const struct aob_effect_candidate *aob_effect_answer_find(const struct aob_effect_answer *answer,
@@ -71,7 +87,7 @@ bool aob_effect_answer_ties(const struct aob_effect_answer *answer,
 {
     const struct aob_effect_candidate *chosen =
         answer->chosen < 0 ? NULL : &answer->candidates[answer->chosen];
-    return chosen && candidate != chosen && candidate->fits && candidate->within == chosen->within &&
+    return chosen && candidate != chosen && may_be_taken(answer, candidate) &&
            candidate->ms <= (1 + tie) * chosen->ms;
 }
 
@@ -94,8 +110,10 @@ enum aob_effect_why aob_effect_answer_why(const struct aob_effect_answer *answer
     if (answer->chosen < 0)
         return AOB_WHY_BUDGET;
     if (answer->no_truth && !aob_effect_has(answer->open, id))
-        return answer->bounds.most[id] <= aob_effect_ask_tolerance(&answer->ask) ? AOB_WHY_RULE
-                                                                                 : AOB_WHY_NO_DATA;
+        return aob_effect_has(aob_effect_bounds_open(&answer->bounds, aob_effect_ask_tolerance(&answer->ask)),
+                              id)
+                   ? AOB_WHY_NO_DATA
+                   : AOB_WHY_RULE;
     unsigned turned = aob_effect_turned(answer->candidates[answer->chosen].set, id);
     return aob_effect_has(answer->open, id) && aob_effect_answer_find(answer, turned) ? AOB_WHY_MEASURED
                                                                                       : AOB_WHY_RULE;
@@ -105,9 +123,9 @@ static void explain_no_data(const struct aob_effect_answer *answer, enum aob_eff
                             struct aob_text *text)
 {
     if (id == AOB_EFFECT_MULTI_BOUNCE)
-        aob_text_add(text, "not known: a capture holds no base colour, which bounces depend on");
+        aob_text_add(text, "not known: the base colour of a capture is not read, and bounces depend on it");
     else if (id == AOB_EFFECT_SPECULAR)
-        aob_text_add(text, "not known: a capture holds neither roughness nor metalness");
+        aob_text_add(text, "not known: roughness and metalness of a capture are not read");
     else
         aob_text_add(text,
                      "not known: by its direction the light changes the image by %.2g %% at most, and a "
@@ -139,7 +157,8 @@ static void explain_rule(const struct aob_effect_answer *answer, enum aob_effect
         aob_text_add(text, "no: without any occlusion the image is off by %.2g %%, of a tolerance of %.3g %%",
                      100 * none->error.rmse, tolerance);
     else
-        aob_text_add(text, "no: nothing is occluded that it could improve on");
+        aob_text_add(
+            text, "no: it goes with visibility, and without any occlusion the image is within the tolerance");
 }
 
 static void explain_measured(const struct aob_effect_candidate *chosen,

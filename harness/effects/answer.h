@@ -29,25 +29,26 @@ struct aob_effect_answer { /* zero it first */
     unsigned open; /* the effects that no rule took out */
     struct aob_effect_candidate candidates[AOB_EFFECT_SETS];
     size_t count;
-    int least;  /* candidate of the least error */
-    int chosen; /* candidate; -1: none fits the budget */
-    int shrink; /* pixels a side that became one for FLIP */
+    double most; /* error that a set may have to be taken */
+    int least;   /* candidate of the least error */
+    int chosen;  /* candidate; -1: none fits the budget */
+    int shrink;  /* pixels a side that became one for FLIP */
     bool
-        no_truth; /* a capture: errors are against its own visibility of full size, and materials are not known */
+        no_truth; /* a capture: errors are against its own visibility of full size, and materials are not read */
 };
 
 /* The tolerance that counts: 0.001 where there is a budget and no tolerance is asked for, which is a tie. */
 double aob_effect_ask_tolerance(const struct aob_effect_ask *ask);
 
 /* Judges the candidates, and takes the cheapest within the tolerance that fits the budget, and of those as dear to 2 % the one of the least
- * error; where none does, the one of the least error that fits. */
+ * error; where none does, likewise of those within a tie (0.001) of the least error that fits. */
 void aob_effect_answer_choose(struct aob_effect_answer *answer);
 
 /* The candidate with just this set; NULL: it was not looked at. */
 const struct aob_effect_candidate *aob_effect_answer_find(const struct aob_effect_answer *answer,
                                                           unsigned set);
 
-/* A candidate as good as the chosen one: within the tolerance if that is, and as dear to 2 %. */
+/* A candidate as good as the chosen one: its error is one that may be taken too, and it is as dear to 2 %. */
 bool aob_effect_answer_ties(const struct aob_effect_answer *answer,
                             const struct aob_effect_candidate *candidate);
 

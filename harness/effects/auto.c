@@ -39,6 +39,19 @@ static bool judge(const struct aob_config *config, struct aob_error *error)
            has_one_value(config->techniques[entry].axes, config->techniques[entry].axis_count, error);
 }
 
+/* `none` where gtao is, whether or not the config has it somewhere; what is then there twice is one case. */
+static void add_none(struct aob_config *config)
+{
+    struct aob_technique_choice none = {.name.text = aob_strdup("none")};
+    const struct aob_backend_choice *own = &config->techniques[find_entry(config, technique)].backends;
+    for (size_t i = 0; i < own->count; i++) {
+        struct aob_value *name = AOB_PUSH(none.backends.names, none.backends.count, none.backends.capacity);
+        *name = own->names[i];
+        name->text = aob_strdup(own->names[i].text);
+    }
+    *AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity) = none;
+}
+
 /* All sets of gtao, and nothing. */
 static bool widen(void *user, struct aob_config *config, struct aob_error *error)
 {
@@ -46,11 +59,23 @@ static bool widen(void *user, struct aob_config *config, struct aob_error *error
     if (!judge(config, error))
         return false;
     aob_effect_frames_widen(config, (size_t)find_entry(config, technique), AOB_EFFECT_ALL, false);
-    chooser->adds_none = find_entry(config, "none") < 0;
-    if (chooser->adds_none)
-        AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity)->name.text =
-            aob_strdup("none");
+    add_none(config);
+    chooser->config_of = config;
     return true;
+}
+
+/* Whether the config itself wants `none` on a backend. */
+static bool names_none(const struct aob_config *config, const char *backend)
+{
+    for (size_t i = 0; i + 1 < config->technique_count; i++) {
+        const struct aob_backend_choice *there = aob_config_backends(config, &config->techniques[i]);
+        if (strcmp(config->techniques[i].name.text, "none") != 0)
+            continue;
+        for (size_t b = 0; b < there->count; b++)
+            if (strcmp(there->names[b].text, backend) == 0)
+                return true;
+    }
+    return false;
 }
 
 /* Which view of the config is planned. */
@@ -118,6 +143,16 @@ static void tell(const struct one *one, unsigned set)
     aob_text_finish(&name);
 }
 
+/* What has no device has no effects to choose: visibility stands for the view, and the run says of it why it could not be drawn. */
+static bool give_up(const struct one *one, struct aob_error *error)
+{
+    if (!one->chooser->quiet)
+        aob_note("%s/%s on %s is not planned: %s", one->c->scene->name, one->c->scene->view, one->c->backend,
+                 error->text);
+    *error = (struct aob_error){0};
+    return true;
+}
+
 static bool plan_view(struct one *one, unsigned *set, struct aob_error *error)
 {
     char folder[AOB_WORK_FOLDER];
@@ -128,10 +163,13 @@ static bool plan_view(struct one *one, unsigned *set, struct aob_error *error)
                                     .folder = folder};
     if (!aob_work_folder_create(folder, error))
         return false;
-    bool ok = aob_effects_plan(&desc, &effects, error) ||
-              aob_fail_in(error, "%s/%s", one->c->scene->name, one->c->scene->view);
+    bool ok = aob_effects_plan(&desc, &effects, error);
+    *set = ok ? effects.answer.candidates[effects.answer.chosen].set : AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY);
     if (ok)
-        tell(one, *set = effects.answer.candidates[effects.answer.chosen].set);
+        tell(one, *set);
+    else
+        ok = effects.unsupported ? give_up(one, error)
+                                 : aob_fail_in(error, "%s/%s", one->c->scene->name, one->c->scene->view);
     aob_effects_finish(&effects);
     aob_work_folder_remove(folder);
     return ok;
@@ -156,26 +194,42 @@ static bool is_kept(const struct aob_effects_auto *chooser, const struct aob_cas
     if (is_planned(c))
         return own == set;
     if (strcmp(c->technique->name, "none") == 0)
-        return own == 0 && (set == 0 || !chooser->adds_none);
+        return own == 0 && (set == 0 || names_none(chooser->config_of, c->backend));
     return (own & ~AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE)) == visible;
 }
 
-/* Every view once. */
+/* The first case of gtao that has the view of case i; NULL: gtao is not wanted there. */
+static const struct aob_case *first_planned(const struct aob_plan *plan, size_t i)
+{
+    for (size_t k = 0; k < plan->case_count; k++)
+        if (is_planned(&plan->cases[k]) && is_view(&plan->cases[k], &plan->cases[i]))
+            return &plan->cases[k];
+    return NULL;
+}
+
+/* The set of each case's view; each view with gtao is planned once. */
+static bool plan_views(struct aob_effects_auto *chooser, const struct aob_plan *plan, unsigned *sets,
+                       struct aob_error *error)
+{
+    bool ok = true;
+    for (size_t i = 0; i < plan->case_count && ok; i++) {
+        const struct aob_case *c = &plan->cases[i];
+        struct one one = {chooser, (size_t)(c->scene - plan->scenes), c};
+        if (first_planned(plan, i) == c)
+            ok = plan_view(&one, &sets[i], error);
+    }
+    for (size_t i = 0; i < plan->case_count; i++) {
+        const struct aob_case *first = first_planned(plan, i);
+        sets[i] = first ? sets[first - plan->cases] : AOB_EFFECT_ALL;
+    }
+    return ok;
+}
+
 static bool choose(void *user, struct aob_plan *plan, struct aob_error *error)
 {
     struct aob_effects_auto *chooser = user;
     unsigned *sets = AOB_NEW_ARRAY(unsigned, plan->case_count + 1);
-    bool ok = true;
-    for (size_t i = 0; i < plan->case_count && ok; i++) {
-        struct one one = {chooser, (size_t)(plan->cases[i].scene - plan->scenes), &plan->cases[i]};
-        size_t same = 0;
-        while (same < i && !is_view(&plan->cases[same], &plan->cases[i]))
-            same++;
-        if (same < i)
-            sets[i] = sets[same];
-        else
-            ok = plan_view(&one, &sets[i], error);
-    }
+    bool ok = plan_views(chooser, plan, sets, error);
     size_t kept = 0;
     for (size_t i = 0; i < plan->case_count; i++)
         if (is_kept(chooser, &plan->cases[i], sets[i]))

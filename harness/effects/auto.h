@@ -1,5 +1,6 @@
 /* `effects: auto` in a config: of gtao each view is drawn with the set of effects that it calls for, planned before the first case is
- * measured. The set is that of aob_effects_plan at the default tolerance; an empty one is the technique `none`. */
+ * measured. The set is that of aob_effects_plan at the default tolerance; an empty one is the technique `none`, on the
+ * backends of gtao. A view whose device is missing is left to the run, which calls it unsupported. */
 #ifndef AOB_EFFECTS_AUTO_H
 #define AOB_EFFECTS_AUTO_H
 #include "run/sweep.h"
@@ -8,7 +9,8 @@ struct aob_effects_auto {
     const struct aob_dispatch *dispatch;
     const char *config; /* path */
     bool quiet;         /* no note of what each view is planned to draw */
-    bool adds_none;     /* of its own: the config does not name `none` */
+    const struct aob_config
+        *config_of; /* set by the choice: the run's, with the choice's own entry of `none` last */
 };
 
 /* For a run (run.h); `chooser` must outlive it. A config fails with a line that has no entry of gtao, or several, that gives it or

@@ -4,7 +4,8 @@
 #include "lobe.h"
 #include "score/effect.h"
 
-enum { ROWS = 24, COLUMNS = 48, RINGS = 8, TURNS = 16, BRIGHT = 64 };
+/* A mean of ENOUGH rays is off by .04 at most. */
+enum { ROWS = 24, COLUMNS = 48, RINGS = 8, TURNS = 16, ENOUGH = 128 };
 static const double pi = 3.14159265358979323846;
 
 /* Of the light: its brightest radiance, and its deviation over the hemisphere about each of some normals. */
@@ -18,15 +19,15 @@ static struct aob_vec3 direction(double down, double turn)
     return aob_vec(sin(down) * cos(turn), cos(down), sin(down) * sin(turn));
 }
 
+/* The least of what is negated is the largest. */
 static void find_brightest(const struct aob_light *light, double brightest[3])
 {
-    for (int i = 0; i <= BRIGHT; i++)
-        for (int k = 0; k < 2 * BRIGHT; k++) {
-            double rgb[3];
-            aob_light_radiance(light, direction(pi * i / BRIGHT, pi * k / BRIGHT), rgb);
-            for (int c = 0; c < 3; c++)
-                brightest[c] = fmax(brightest[c], rgb[c]);
-        }
+    struct aob_light dark = *light;
+    for (int i = 0; i < 9; i++)
+        for (int c = 0; c < 3; c++)
+            dark.sh[i][c] = -light->sh[i][c];
+    for (int c = 0; c < 3; c++)
+        brightest[c] = fmax(-aob_light_least(&dark, c), 0);
 }
 
 /* Directions of equal shares of the cosine's hemisphere about n. */
@@ -71,30 +72,89 @@ static double deviation_at(const struct shape *shape, const float normal[3], int
     return most;
 }
 
-/* What each effect may change in a channel of a surface. */
-static void add_channel(const struct shape *shape, const struct aob_seen_surface *s, int c,
+/* The squares of what each effect may change in a channel of a surface whose visibility is v. Bounced light stands in for what is
+ * closed of the lobe: 1 - v, or as much more as the lobe lies apart. */
+static void find_channel(const struct shape *shape, const struct aob_seen_surface *s, int c, double v,
+                         double squares[AOB_EFFECT_COUNT])
+{
+    double diffuse = (double)s->diffuse[c], even = (double)s->even[c], apart = (double)s->apart,
+           bounced = aob_effect_bounced(v, diffuse), gained = shape->brightest[c] * fmax(bounced - v, 0),
+           closed = fmax(1 - v, 1.0 / 256), gain = fmax(bounced / fmax(v, 1.0 / 1024), 1),
+           stands_in = even * fmin(closed + apart, 1) / closed,
+           turned = (diffuse * gain + stands_in * (gain - 1)) * sqrt(v * (1 - v)) *
+                    deviation_at(shape, s->normal, c),
+           bounces = (diffuse + stands_in) * gained,
+           lobe = v < 1 ? apart * fmax((double)s->mirror[c], even * gained / closed) : 0;
+    squares[AOB_EFFECT_MULTI_BOUNCE] = bounces * bounces;
+    squares[AOB_EFFECT_DIRECTIONAL] = turned * turned;
+    squares[AOB_EFFECT_SPECULAR] = lobe * lobe;
+}
+
+static double own_of(const struct aob_seen_surface *s)
+{
+    return fmin(fmax((double)s->visible, 0), 1);
+}
+
+/* The larger of what the surface's own rays and what those about it say. */
+static void add_surface(const struct shape *shape, const struct aob_seen_surface *s, double about,
                         double sums[AOB_EFFECT_COUNT])
 {
-    double v = fmin(fmax((double)s->visible, 0), 1), diffuse = (double)s->diffuse[c],
-           even = (double)s->even[c], gained = shape->brightest[c] * (aob_effect_bounced(v, diffuse) - v),
-           turned = diffuse * sqrt(v * (1 - v)) * deviation_at(shape, s->normal, c),
-           lobe = v < 1 ? (double)s->apart * fmax((double)s->mirror[c], even * gained / (1 - v)) : 0;
-    sums[AOB_EFFECT_MULTI_BOUNCE] += pow((diffuse + even) * gained, 2);
-    sums[AOB_EFFECT_DIRECTIONAL] += turned * turned;
-    sums[AOB_EFFECT_SPECULAR] += lobe * lobe;
+    for (int c = 0; c < 3; c++) {
+        double one[AOB_EFFECT_COUNT] = {0}, other[AOB_EFFECT_COUNT] = {0};
+        find_channel(shape, s, c, own_of(s), one);
+        find_channel(shape, s, c, about, other);
+        for (int id = 0; id < AOB_EFFECT_COUNT; id++)
+            sums[id] += fmax(one[id], other[id]);
+    }
+}
+
+static size_t block_of(const struct aob_seen *seen, size_t i, size_t side)
+{
+    size_t width = (size_t)seen->width, x = seen->pixel[i] % width / side, y = seen->pixel[i] / width / side;
+    return y * (width / side + 1) + x;
+}
+
+/* Sets, for each surface, the mean of a block of pixels that together have enough rays. */
+static void find_means(const struct aob_seen *seen, size_t side, double *about)
+{
+    size_t blocks = ((size_t)seen->width / side + 1) * ((size_t)seen->height / side + 1);
+    double *sums = AOB_NEW_ARRAY(double, 2 * blocks);
+    for (size_t i = 0; i < seen->count; i++) {
+        size_t b = block_of(seen, i, side);
+        sums[2 * b] += own_of(&seen->surfaces[i]);
+        sums[2 * b + 1]++;
+    }
+    for (size_t i = 0; i < seen->count; i++) {
+        size_t b = block_of(seen, i, side);
+        about[i] = sums[2 * b] / sums[2 * b + 1];
+    }
+    free(sums);
+}
+
+/* The visibility about each surface; free() it. The few rays of one pixel call much open or closed that is neither, and of v (1 - v)
+ * n rays give a share of 1 - 1/n. */
+static double *find_about(const struct aob_seen *seen)
+{
+    double *about = AOB_NEW_ARRAY(double, seen->count + 1);
+    int side = seen->spp ? (int)ceil(sqrt((double)ENOUGH / seen->spp)) : 1;
+    for (size_t i = 0; i < seen->count; i++)
+        about[i] = own_of(&seen->surfaces[i]);
+    if (side > 1)
+        find_means(seen, (size_t)side, about);
+    return about;
 }
 
 void aob_effect_bounds_find(const struct aob_seen *seen, struct aob_effect_bounds *bounds)
 {
     struct shape *shape = find_shape(&seen->light);
-    double sums[AOB_EFFECT_COUNT] = {0};
+    double sums[AOB_EFFECT_COUNT] = {0}, *about = find_about(seen);
     for (size_t i = 0; i < seen->count; i++)
-        for (int c = 0; c < 3; c++)
-            add_channel(shape, &seen->surfaces[i], c, sums);
+        add_surface(shape, &seen->surfaces[i], about[i], sums);
     sums[AOB_EFFECT_BENT_NORMAL] = sums[AOB_EFFECT_DIRECTIONAL];
     for (int id = 0; id < AOB_EFFECT_COUNT; id++)
         bounds->most[id] = sqrt(sums[id] / (3 * (double)seen->count)) / seen->mean_light;
     bounds->most[AOB_EFFECT_VISIBILITY] = bounds->most[AOB_EFFECT_HALF_SIZE] = INFINITY;
+    free(about);
     free(shape);
 }
 
@@ -103,7 +163,7 @@ unsigned aob_effect_bounds_open(const struct aob_effect_bounds *bounds, double t
     static const enum aob_effect_id judged[] = {AOB_EFFECT_MULTI_BOUNCE, AOB_EFFECT_DIRECTIONAL,
                                                 AOB_EFFECT_SPECULAR};
     unsigned open = AOB_EFFECT_ALL;
-    double left = tolerance;
+    double left = AOB_EFFECT_RULED * tolerance;
     for (size_t round = 0; round < AOB_COUNT(judged); round++) {
         int least = -1;
         for (size_t i = 0; i < AOB_COUNT(judged); i++)

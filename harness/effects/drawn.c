@@ -95,22 +95,31 @@ void aob_drawn_light(const struct aob_seen *seen, const struct aob_drawn *drawn,
     }
 }
 
+/* Over channels what the difference from the truth has beside the truth's noise, squared; and the variance of that by the noise. With a
+ * noise of e and a difference d the square is off by 2 d e, and d se tells its mean square without bias, e's own share in d
+ * included. The channels of a pixel come from the same rays, so their noise adds up. */
+static double square_of(const struct aob_seen_surface *s, const double rgb[3], double *variance)
+{
+    double off = 0, deviation = 0;
+    for (int c = 0; c < 3; c++) {
+        double d = rgb[c] - (double)s->truth[c], se = (double)s->se[c];
+        off += d * d - se * se;
+        deviation += 2 * fabs(d) * se;
+    }
+    *variance = deviation * deviation;
+    return off;
+}
+
 struct aob_lit_error aob_drawn_error(const struct aob_seen *seen, const struct aob_drawn *drawn, unsigned set)
 {
-    double sum = 0, squares = 0, count = (double)seen->count;
+    double sum = 0, variance = 0, count = (double)seen->count;
     for (size_t i = 0; i < seen->count; i++) {
-        const struct aob_seen_surface *s = &seen->surfaces[i];
-        double rgb[3], off = 0;
+        double rgb[3], one;
         aob_drawn_light(seen, drawn, set, i, rgb);
-        for (int c = 0; c < 3; c++) {
-            double d = rgb[c] - (double)s->truth[c], se = (double)s->se[c];
-            off += d * d - se * se;
-        }
-        sum += off;
-        squares += off * off;
+        sum += square_of(&seen->surfaces[i], rgb, &one);
+        variance += one;
     }
-    double whole = 3 * count * seen->mean_light * seen->mean_light,
-           square_se = sqrt(fmax(squares - sum * sum / count, 0)) / whole,
+    double whole = 3 * count * seen->mean_light * seen->mean_light, square_se = sqrt(variance) / whole,
            rmse = sum > nothing * whole ? sqrt(sum / whole) : 0;
     /* The root of what may be nothing is as uncertain as the root of its error. */
     return (struct aob_lit_error){.rmse = rmse,

@@ -28,8 +28,9 @@ struct aob_lit_error {
     double
         rmse; /* relative, as metric lit_rmse, with the noise of the truth taken out: an estimate of what endless rays would
                       * give; 0 where it comes out below */
-    double rmse_se; /* its standard error */
-    double flip;    /* FLIP in colour of both images, made smaller until a pixel has enough rays */
+    double
+        rmse_se; /* its standard error by that noise; the noise of the mean light is left out, which counts less by the error */
+    double flip; /* FLIP in colour of both images, made smaller until a pixel has enough rays */
 };
 struct aob_lit_error aob_drawn_error(const struct aob_seen *seen, const struct aob_drawn *drawn,
                                      unsigned set);

@@ -1,11 +1,11 @@
 /* `aobudget effects`: which effects of ambient occlusion the lit image of a view calls for.
  *
  * The truth is traced once at the view's own size with few rays, and its noise, which two halves tell, is taken out of the
- * errors; so nothing has to be scaled from a smaller frame. Rules take out what cannot pay (bound.h). Of what is left two frames,
+ * errors; so nothing has to be scaled from a smaller frame. Rules take out what changes the image too little to count (bound.h). Of what is left two frames,
  * one at each size of occlusion, hold every output; the lit image of each set is made of them (drawn.h). Four frames at most are timed, and
  * the cost of a set is the sum of its passes (cost.h).
  *
- * A capture has neither materials nor surfaces to trace: it gets the answer that its depth and the light allow. */
+ * A capture has no surfaces to trace, and its materials are not read: it gets the answer that its depth and the light allow. */
 #ifndef AOB_EFFECTS_EFFECTS_H
 #define AOB_EFFECTS_EFFECTS_H
 #include "answer.h"
@@ -27,6 +27,7 @@ struct aob_effects {
     struct aob_sweep truth, images, times[2]; /* as measured; zero where there were none */
     json_t *truth_records, *image_records, *time_records[2];
     int spp;
+    bool unsupported; /* what failed is a frame that this device does not draw, or no device */
     double truth_s, images_s, times_s; /* wall time of the three measurements */
     struct aob_seen seen;
     struct aob_drawn

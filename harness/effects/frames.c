@@ -127,6 +127,8 @@ static void keep(void *user, size_t index, json_t *record)
     const struct aob_case *c = &keeper->plan->cases[index];
     const char *status = json_string_value(json_object_get(record, "status"));
     json_array_set(keeper->records, (size_t)place_of(keeper->desc, aob_effect_set_of(c)), record);
+    if (strcmp(status, "unsupported") == 0 && keeper->desc->unsupported)
+        *keeper->desc->unsupported = true;
     if (strcmp(status, "ok") != 0 && !*keeper->error->text)
         aob_fail(keeper->error, "%s: %s: %s", c->technique->name, status,
                  json_string_value(json_object_get(record, "reason")));

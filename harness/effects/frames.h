@@ -23,6 +23,7 @@ struct aob_effect_frames_desc {
     int spp;        /* rays a pixel of the lit truth; 0: there is none */
     double seconds; /* of timing a frame; 0: they are not timed */
     const char *profile; /* times are modelled on it; NULL: on none */
+    bool *unsupported;   /* set where a frame's record says so; NULL: nobody asks */
 };
 
 /* A journal's record for each set, in their order; NULL after a line if one of them is not ok. `sweep` is filled in, and to be

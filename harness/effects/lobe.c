@@ -2,7 +2,7 @@
 #include <math.h>
 #include "base/memory.h"
 
-enum { RINGS = 24, TURNS = 48 };
+enum { RINGS = 40, TURNS = 40 };
 static const double pi = 3.14159265358979323846, smoothest = 0.35;
 
 static double smith(double cosine, double alpha)
@@ -18,22 +18,31 @@ static double quotient(double sine, double cosine, double alpha, struct aob_vec3
     return 1 / (spread * spread) / (l.z * smith(cosine, alpha) + cosine * smith(l.z, alpha));
 }
 
-/* Over directions of which each has the same share of the cosine's hemisphere. */
+/* A direction and its share of the cosine's hemisphere. Rings lie close at the horizon, turns close at the mirrored direction, where the lobe of
+ * a grazing view is narrow; one half stands for both. */
+static double direction_at(int ring, int turn, struct aob_vec3 *l)
+{
+    double r = (ring + 0.5) / RINGS, t = (turn + 0.5) / TURNS, z = r * r, s = sqrt(1 - z * z),
+           away = pi * t * t * t;
+    *l = aob_vec(-s * cos(away), s * sin(away), z);
+    return 2 * z * 2 * r / RINGS * 3 * t * t / TURNS;
+}
+
 static double apart(double roughness, double cosine)
 {
-    double alpha = roughness * roughness, sine = sqrt(1 - cosine * cosine), sum = 0, away = 0,
-           shares[RINGS][TURNS];
+    double alpha = roughness * roughness, sine = sqrt(1 - cosine * cosine), sum = 0, whole = 0, away = 0,
+           lobe[RINGS][TURNS], even[RINGS][TURNS];
     if (roughness < smoothest)
         return 1;
     for (int r = 0; r < RINGS; r++)
         for (int t = 0; t < TURNS; t++) {
-            double s = sqrt((r + 0.5) / RINGS), turn = 2 * pi * (t + 0.5) / TURNS;
-            sum += shares[r][t] =
-                quotient(sine, cosine, alpha, aob_vec(s * cos(turn), s * sin(turn), sqrt(1 - s * s)));
+            struct aob_vec3 l;
+            whole += even[r][t] = direction_at(r, t, &l);
+            sum += lobe[r][t] = even[r][t] * quotient(sine, cosine, alpha, l);
         }
     for (int r = 0; r < RINGS; r++)
         for (int t = 0; t < TURNS; t++)
-            away += fabs(shares[r][t] / sum - 1.0 / (RINGS * TURNS)) / 2;
+            away += fabs(lobe[r][t] / sum - even[r][t] / whole) / 2;
     return away;
 }
 

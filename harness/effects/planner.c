@@ -24,7 +24,8 @@ struct aob_effect_frames_desc aob_effect_planner_frames(const struct aob_effect_
                                            .folder = p->desc->folder,
                                            .sets = sets,
                                            .count = count,
-                                           .unlit = p->effects->answer.no_truth};
+                                           .unlit = p->effects->answer.no_truth,
+                                           .unsupported = &p->effects->unsupported};
 }
 
 /* The image of a measurement's record; free() it. NULL after a line. */
@@ -45,6 +46,7 @@ bool aob_effect_planner_see(struct aob_effect_planner *p, const json_t *records,
     char *image = find_image(p, records, 0, error);
     const struct aob_seen_desc desc = {image, &scene->camera, &scene->light};
     bool ok = image && aob_seen_read(&p->effects->seen, &desc, error);
+    p->effects->seen.spp = p->effects->spp;
     free(image);
     return ok;
 }

@@ -19,6 +19,7 @@ struct aob_seen_surface {     /* light is in its own unit, linear R G B */
 };
 struct aob_seen {
     int width, height;
+    int spp;       /* rays a pixel that `visible` and the truth are of; 0: they have no noise */
     size_t count;  /* surfaces; the sky has none */
     size_t *pixel; /* of each, counted from the top left */
     struct aob_seen_surface *surfaces;

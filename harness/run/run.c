@@ -74,6 +74,8 @@ static bool apply_filter(struct run *run, struct aob_error *error)
         aob_plan_filter(&run->sweep.plan, run->desc->filter);
         aob_run_info_ask(run->info, &run->sweep.plan);
     }
+    if (!run->sweep.plan.case_count && !run->desc->filter)
+        return aob_fail(error, "no case of %s is left to measure", run->desc->config);
     return run->sweep.plan.case_count || aob_fail(error, "no case of %s matches '%s'; see: aobudget plan %s",
                                                   run->desc->config, run->desc->filter, run->desc->config);
 }

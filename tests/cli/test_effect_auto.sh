@@ -37,6 +37,25 @@ check "what a view calls for is told" grep -q 'open_sky/up 64x36 gl-egl calls fo
 config '{name: open_sky}' '{name: gtao}, {name: hbao}, {name: none}' >others.yaml
 check "beside others" "$program" run others.yaml --out others --quiet
 check "these are drawn as they stand" test "$(jq -s -c '[.[] | .technique] | sort' others/journal.jsonl)" = '["hbao","none"]'
+# The entry of gtao alone says where it is: `none` is drawn there too, where the config names it elsewhere as well.
+config '{name: open_sky}' '{name: gtao, backends: [gl-egl]}' >own.yaml
+sed -i '/^backends/d' own.yaml
+check "gtao's own backends" "$program" run own.yaml --out own --quiet
+check "nothing is called for, and drawn there" test "$(jq -c '[.technique, .backend]' own/journal.jsonl)" = '["none","gl-egl"]'
+config '{name: open_sky}' '{name: gtao, backends: [gl-egl]}, {name: none, backends: [gl-osmesa]}' >apart.yaml
+check "none has other backends" "$program" run apart.yaml --out apart --quiet
+check "it is drawn on both" test "$(jq -s -c '[.[] | [.technique, .backend]] | sort' apart/journal.jsonl)" = '[["none","gl-egl"],["none","gl-osmesa"]]'
+# What draws nothing is no view of gtao, so nothing is planned there.
+config '{name: open_sky}' '{name: gtao}, {name: hbao, backends: ["null"]}' >null.yaml
+check "hbao on a backend that draws nothing" "$program" run null.yaml --out null --quiet
+check "both are there" test "$(jq -s -c '[.[] | [.technique, .backend]] | sort' null/journal.jsonl)" = '[["hbao","null"],["none","gl-egl"]]'
+# A device that is missing leaves its views to the run.
+config '{name: open_sky}' '{name: gtao, backends: [gl-egl, vulkan]}' >missing.yaml
+code=0
+VK_ICD_FILENAMES=/nowhere.json VK_DRIVER_FILES=/nowhere.json "$program" run missing.yaml --out missing >told 2>&1 || code=$?
+check "a device is missing: code 3" test $code = 3
+check "the other views are planned" test "$(jq -s -c '[.[] | [.technique, .backend, .status]] | sort' missing/journal.jsonl)" = '[["gtao","vulkan","unsupported"],["none","gl-egl","ok"]]'
+check "it is told" grep -q 'open_sky/up on vulkan is not planned: ' told
 
 expect 2 "two.yaml:5:10: effects: auto is for \`aobudget run\` alone" "$program" plan two.yaml
 config '{name: corner}' '{name: hbao}' >none.yaml

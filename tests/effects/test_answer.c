@@ -74,6 +74,36 @@ static void test_ties(void **state)
     assert_false(aob_effect_answer_ties(&a, aob_effect_answer_find(&a, V | BOUNCES)));
 }
 
+/* Where nothing within the tolerance fits, only what is as near is as good: not the lit image without occlusion, which is cheaper. */
+static void test_ties_outside(void **state)
+{
+    struct aob_effect_answer a = answer_with(0.011, 8.5);
+    (void)state;
+    assert_false(a.candidates[a.chosen].within);
+    assert_false(aob_effect_answer_ties(&a, aob_effect_answer_find(&a, NOTHING)));
+    assert_false(aob_effect_answer_ties(&a, aob_effect_answer_find(&a, V)));
+    assert_true(
+        aob_effect_answer_ties(&a, aob_effect_answer_find(&a, V | BOUNCES | HALF))); /* .075 of .074 */
+}
+
+/* Of what fits outside of the tolerance the cheapest is taken that is as near as the nearest, not the nearest by a hair. */
+static void test_fallback(void **state)
+{
+    struct aob_effect_answer a = {.ask = {0.0001, 1.848, NULL}, .open = AOB_EFFECT_ALL};
+    (void)state;
+    put(&a, NOTHING, 0.2, 0.5);
+    put(&a, V | LIGHT, 0.05, 9);
+    put(&a, V | HALF, 0.1402, 1.27);
+    put(&a, V | BENT | HALF, 0.1400, 1.70);
+    put(&a, V | BOUNCES | HALF, 0.1415, 1.20);
+    aob_effect_answer_choose(&a);
+    assert_int_equal(a.candidates[a.chosen].set, V | HALF);
+    assert_false(aob_effect_answer_ties(&a, aob_effect_answer_find(&a, V | BOUNCES | HALF)));
+    a.ask.budget_ms = 0.1;
+    aob_effect_answer_choose(&a);
+    assert_int_equal(a.chosen, -1);
+}
+
 static void test_turned(void **state)
 {
     (void)state;
@@ -111,13 +141,26 @@ static void test_sentences(void **state)
     a.open = 0;
     check_says(&a, AOB_EFFECT_VISIBILITY,
                "no: without any occlusion the image is off by 20 %, of a tolerance of 30 %");
+    check_says(&a, AOB_EFFECT_MULTI_BOUNCE,
+               "no: it goes with visibility, and without any occlusion the image is within the tolerance");
+    check_says(&a, AOB_EFFECT_HALF_SIZE, "no: it goes with visibility");
+    a = answer_with(0.3, INFINITY);
+    a.no_truth = true;
+    a.open = V | HALF;
+    for (int id = 0; id < AOB_EFFECT_COUNT; id++)
+        a.bounds.most[id] = id == AOB_EFFECT_DIRECTIONAL ? 0.2 : INFINITY;
+    check_says(&a, AOB_EFFECT_MULTI_BOUNCE, "not known: the base colour of a capture is not read");
+    check_says(&a, AOB_EFFECT_SPECULAR, "not known: roughness and metalness of a capture are not read");
+    check_says(&a, AOB_EFFECT_DIRECTIONAL,
+               "not known: by its direction the light changes the image by 20 % at most");
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tolerance), cmocka_unit_test(test_budget),    cmocka_unit_test(test_ties),
-        cmocka_unit_test(test_turned),    cmocka_unit_test(test_sentences),
+        cmocka_unit_test(test_tolerance),    cmocka_unit_test(test_budget),   cmocka_unit_test(test_ties),
+        cmocka_unit_test(test_ties_outside), cmocka_unit_test(test_fallback), cmocka_unit_test(test_turned),
+        cmocka_unit_test(test_sentences),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

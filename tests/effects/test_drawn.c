@@ -56,10 +56,11 @@ static void test_sets(void **state)
     assert_near(lit(V | BOUNCES | LIGHT | LOBE), 0.5 * 0.6 + 0.25 * 0.2 + 0.75 * 0.1 * (0.2 / 0.5), 1e-6);
 }
 
-/* Surfaces that show .7 and whose truth is `right`, of two halves that scatter evenly by `spread`. */
-static void make(struct aob_seen *seen, size_t side, double right, double spread)
+/* Surfaces that show .7 and whose truth is `right` on the one and `other` on the next, of two halves that scatter evenly by `spread`, all
+ * channels by the same rays. */
+static void make_two(struct aob_seen *seen, size_t side, const double rights[2], double spread,
+                     uint32_t random)
 {
-    uint32_t random = 7;
     double sum = 0;
     *seen = (struct aob_seen){
         .width = (int)side, .height = (int)side, .count = side * side, .light = aob_light_uniform};
@@ -69,15 +70,46 @@ static void make(struct aob_seen *seen, size_t side, double right, double spread
         struct aob_seen_surface *s = &seen->surfaces[i];
         *s = plain_surface();
         seen->pixel[i] = i;
+        double a = rights[i % 2] + spread * (random_unit(&random) - 0.5),
+               b = rights[i % 2] + spread * (random_unit(&random) - 0.5);
         for (int c = 0; c < 3; c++) {
-            double a = right + spread * (random_unit(&random) - 0.5),
-                   b = right + spread * (random_unit(&random) - 0.5);
             s->truth[c] = (float)((a + b) / 2);
             s->se[c] = (float)(fabs(a - b) / 2);
             sum += (a + b) * (a + b) / 4 - (a - b) * (a - b) / 4;
         }
     }
     seen->mean_light = sqrt(sum / (3 * (double)seen->count));
+}
+
+static void make(struct aob_seen *seen, size_t side, double right, double spread)
+{
+    const double rights[2] = {right, right};
+    make_two(seen, side, rights, spread, 7);
+}
+
+/* The standard error is the scatter over truths of other rays, not that of the error over the image: half of it is off by .01 and half by .4. */
+static void test_scatter(void **state)
+{
+    enum { TRUTHS = 60 };
+    const double rights[2] = {0.69, 0.3}, spreads[] = {0, 0.2, 0.8};
+    (void)state;
+    for (size_t k = 0; k < 3; k++) {
+        double sum = 0, squares = 0, told = 0;
+        for (uint32_t t = 0; t < TRUTHS; t++) {
+            struct aob_seen seen;
+            make_two(&seen, 40, rights, spreads[k], 1 + 977 * t);
+            seen.mean_light = 0.5;
+            struct aob_lit_error e = aob_drawn_error(&seen, NULL, 0);
+            sum += e.rmse / TRUTHS;
+            squares += e.rmse * e.rmse / TRUTHS;
+            told += e.rmse_se / TRUTHS;
+            aob_seen_finish(&seen);
+        }
+        double scatter = sqrt(fmax(squares - sum * sum, 0) * TRUTHS / (TRUTHS - 1.0));
+        print_message("           scatters by %.5f of %.4f, says %.5f\n", scatter, sum, told);
+        assert_near(sum, sqrt((0.01 * 0.01 + 0.4 * 0.4) / 2) / 0.5, 0.002);
+        assert_true(told >= 0.7 * scatter - 1e-6 && told <= 1.35 * scatter + 1e-6);
+    }
 }
 
 /* The error that endless rays would give comes out, whatever the noise, within what the standard error says. */
@@ -145,10 +177,8 @@ static void test_small(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sets),
-        cmocka_unit_test(test_noise),
-        cmocka_unit_test(test_flip),
-        cmocka_unit_test(test_small),
+        cmocka_unit_test(test_sets), cmocka_unit_test(test_noise), cmocka_unit_test(test_scatter),
+        cmocka_unit_test(test_flip), cmocka_unit_test(test_small),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -82,8 +82,44 @@ static void test_lobes(void **state)
     free(table);
 }
 
+/* Fine in both turns: at a cosine of .02 the lobe is hundredths of a radian wide. */
+static double apart_of(double roughness, double cosine)
+{
+    enum { ROWS = 300, TURNS = 1500 };
+    double lobe = 0, apart = 0;
+    struct aob_vec3 v = aob_vec(sqrt(1 - cosine * cosine), 0, cosine);
+    for (int pass = 0; pass < 2; pass++)
+        for (int i = 0; i < ROWS; i++)
+            for (int k = 0; k < TURNS; k++) {
+                double z = pow((i + 0.5) / ROWS, 2), turn = pi * (k + 0.5) / TURNS, s = sqrt(1 - z * z),
+                       solid = 2 * sqrt(z) / ROWS * 2 * pi / TURNS;
+                struct aob_vec3 l = aob_vec(s * cos(turn), s * sin(turn), z);
+                double whole = reflected(l, v, roughness * roughness, 1) * solid;
+                lobe += pass ? 0 : whole;
+                apart += pass ? fabs(whole / lobe - z / pi * solid) / 2 : 0;
+            }
+    return apart;
+}
+
+/* A bound that is not below what it bounds where the view grazes. */
+static void test_grazing(void **state)
+{
+    static const double cosines[] = {0.02, 0.05, 0.1, 0.3}, roughnesses[] = {0.36, 0.5, 0.7, 1};
+    struct aob_lobe_table *table = aob_lobe_table_create();
+    (void)state;
+    for (size_t c = 0; c < 4; c++)
+        for (size_t r = 0; r < 4; r++) {
+            double right = apart_of(roughnesses[r], cosines[c]),
+                   apart = aob_lobe_apart(table, roughnesses[r], cosines[c]);
+            print_message("           %.2f %.2f: lies apart %.4f of %.4f\n", roughnesses[r], cosines[c],
+                          apart, right);
+            assert_true(apart >= right - 0.003 && apart <= right + 0.12);
+        }
+    free(table);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_lobes)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_lobes), cmocka_unit_test(test_grazing)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
