@@ -20,20 +20,13 @@ static size_t list_passes(const struct aob_frame *frame, bool turned, struct aob
     return count;
 }
 
-static void add_time(struct aob_gpu_time *sum, const struct aob_gpu_time *time)
-{
-    sum->wall_ns += time->wall_ns;
-    sum->cpu_ns += time->cpu_ns;
-    sum->device_ns += time->device_ns;
-}
-
 static void add_times(const struct aob_frame *frame, const struct aob_gpu_time *times, size_t frames,
                       struct aob_frame_time *sum)
 {
     for (size_t f = 0; f < frames; f++)
         for (int i = 0; i < frame->graph.pass_count; i++)
             if (frame->passes[i])
-                add_time(&sum->passes[i], times++);
+                aob_gpu_time_add(&sum->passes[i], times++);
 }
 
 bool aob_frame_run(struct aob_frame *frame, int repeats, struct aob_frame_time *time, struct aob_error *error)
@@ -51,7 +44,7 @@ bool aob_frame_run(struct aob_frame *frame, int repeats, struct aob_frame_time *
         const struct aob_gpu_run_desc desc = {passes, count, history && frames == 1 ? 1 : left / frames};
         if (!aob_gpu_run(frame->screen->gpu, &desc, times, &whole, error))
             return aob_fail_in(error, "%s", frame->graph.technique->name);
-        add_time(&sum.whole, &whole);
+        aob_gpu_time_add(&sum.whole, &whole);
         add_times(frame, times, (size_t)frames, &sum);
         left -= frames * desc.repeats;
         frame->turn = history && frame->turn == (frames == 2);

@@ -339,6 +339,8 @@ enum {
     AOB_GPU_SUBMIT_MAX = 512, /* passes in a submit */
 };
 
+void aob_gpu_time_add(struct aob_gpu_time *sum, const struct aob_gpu_time *time);
+
 /* A level's width or height in texels, from that of level 0: half of the one above, rounded down, at least 1. */
 int aob_gpu_level_side(int side, int level);
 size_t aob_gpu_level_bytes(const struct aob_gpu_texture *texture, int level);

@@ -1,6 +1,6 @@
 #include "backends.h"
 
-static void add(struct aob_gpu_time *sum, const struct aob_gpu_time *time)
+void aob_gpu_time_add(struct aob_gpu_time *sum, const struct aob_gpu_time *time)
 {
     sum->wall_ns += time->wall_ns;
     sum->cpu_ns += time->cpu_ns;
@@ -15,9 +15,9 @@ static bool submit(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, str
         return false;
     for (size_t i = 0; i < desc->count; i++) {
         desc->passes[i]->last_ns = 1 + time.wall_ns / desc->repeats / (int64_t)desc->count;
-        add(&times[i], &parts[i]);
+        aob_gpu_time_add(&times[i], &parts[i]);
     }
-    add(whole, &time);
+    aob_gpu_time_add(whole, &time);
     return true;
 }
 
@@ -30,8 +30,8 @@ static bool run_alone(struct aob_gpu *gpu, const struct aob_gpu_run_desc *desc, 
             struct aob_gpu_time sum = {0}, unused = {0};
             if (!submit(gpu, &one, &unused, &sum, error))
                 return false;
-            add(&times[i], &sum);
-            add(whole, &sum);
+            aob_gpu_time_add(&times[i], &sum);
+            aob_gpu_time_add(whole, &sum);
         }
     return true;
 }
