@@ -78,7 +78,9 @@ static bool write_config(const struct options *o, const struct aob_effects *effe
     struct aob_text scene = {0}, text = {0};
     if (!o->out || effects->answer.chosen < 0)
         return true;
-    aob_effects_scene_print(&o->frame, &scene);
+    unsigned set = effects->answer.candidates[effects->answer.chosen].set;
+    aob_effects_scene_print(&o->frame, aob_effect_has(set, AOB_EFFECT_TEMPORAL) ? AOB_EFFECT_HISTORY : 0,
+                            &scene);
     aob_effects_write_config(effects, scene.data, &text);
     bool ok = aob_file_write(o->out, text.data, text.size, error);
     aob_text_finish(&scene);

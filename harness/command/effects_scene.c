@@ -59,7 +59,20 @@ static void add_light(const char *light, struct aob_text *text)
         add_path("light", light, text);
 }
 
-void aob_effects_scene_print(const struct aob_single_flags *flags, struct aob_text *text)
+static void add_motion(const struct aob_single_flags *flags, int still_frames, struct aob_text *text)
+{
+    if (!flags->frames && !still_frames)
+        return;
+    if (flags->frames)
+        aob_text_add(text, ", motion: {frames: %s", flags->frames);
+    else
+        aob_text_add(text, ", motion: {frames: %d", still_frames);
+    add_list("eye", flags->last_eye, text);
+    add_list("target", flags->last_target, text);
+    aob_text_add(text, "}");
+}
+
+void aob_effects_scene_print(const struct aob_single_flags *flags, int still_frames, struct aob_text *text)
 {
     aob_text_add(text, "{");
     add_source(flags->scene, text);
@@ -78,5 +91,6 @@ void aob_effects_scene_print(const struct aob_single_flags *flags, struct aob_te
         else
             add_value(aob_convention_keys[key], flags->convention[key], text);
     add_light(flags->light, text);
+    add_motion(flags, still_frames, text);
     aob_text_add(text, "}");
 }

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "single.h"
 
-/* Adds "{name: gallery, view: hall}", with absolute paths. The flags have been read without an error (aob_single_config). */
-void aob_effects_scene_print(const struct aob_single_flags *flags, struct aob_text *text);
+/* Adds "{name: gallery, view: hall}", with absolute paths. The flags have been read without an error (aob_single_config). A view that
+ * they give no motion stands still for so many frames; 0: it is a picture. */
+void aob_effects_scene_print(const struct aob_single_flags *flags, int still_frames, struct aob_text *text);
 #endif

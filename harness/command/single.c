@@ -1,4 +1,5 @@
 #include "single.h"
+#include <math.h>
 #include <string.h>
 #include "base/file.h"
 #include "base/json.h"
@@ -63,6 +64,31 @@ static bool choose_camera(const struct aob_single_flags *o, struct aob_scene_cho
                              &scene->metres_per_unit, error);
 }
 
+static bool choose_motion(const struct aob_single_flags *o, struct aob_scene_choice *scene,
+                          struct aob_error *error)
+{
+    double frames = 0;
+    if (!o->last_eye != !o->last_target)
+        return aob_fail(error, "--last-eye and --last-target go together");
+    if (o->last_eye && !o->frames)
+        return aob_fail(error, "--last-eye is where a sequence ends: give --frames, how many there are");
+    if (!o->frames)
+        return true;
+    if (scene->capture)
+        return aob_fail(error, "a capture is one frame: leave --frames out");
+    if (scene->file && !o->eye)
+        return aob_fail(error, "the sequence of a mesh file needs its camera: give --eye and --target");
+    if (o->last_eye && !aob_parse_vec3(o->last_eye, scene->motion.last.eye))
+        return aob_fail(error, "--last-eye: '%s' is not x,y,z", o->last_eye);
+    if (o->last_target && !aob_parse_vec3(o->last_target, scene->motion.last.target))
+        return aob_fail(error, "--last-target: '%s' is not x,y,z", o->last_target);
+    if (!aob_single_number("frames", o->frames, AOB_CONFIG_MIN_FRAMES, AOB_CONFIG_MAX_FRAMES, &frames, error))
+        return false;
+    scene->motion.camera = o->last_eye;
+    scene->motion.frames = (int)frames;
+    return frames == floor(frames) || aob_fail(error, "--frames: %s is not a whole number", o->frames);
+}
+
 static bool choose_params(const struct aob_single_flags *o, struct aob_config *config,
                           struct aob_error *error)
 {
@@ -113,7 +139,7 @@ bool aob_single_config(const char *name, const struct aob_single_flags *o, struc
         AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity);
     technique->name.text = aob_strdup(o->technique);
     return choose_conventions(o, scene, error) && choose_camera(o, scene, error) &&
-           choose_params(o, config, error);
+           choose_motion(o, scene, error) && choose_params(o, config, error);
 }
 
 /* Before anything is traced for it. */

@@ -12,6 +12,7 @@ struct aob_single_flags {
     const char *technique, *scene; /* scene: a listed one, a mesh file or capture:FILE */
     const char *light;             /* a listed one or a probe's file */
     const char *view, *eye, *target, *fov, *ortho, *shift, *metres_per_unit, *size, *backend;
+    const char *frames, *last_eye, *last_target;  /* of a sequence */
     const char *convention[AOB_CONVENTION_COUNT]; /* of a capture, by enum aob_convention_key */
     struct aob_words params; /* "name=value": parameters of the technique and run options */
 };
@@ -35,6 +36,11 @@ struct aob_single_flags {
         AOB_FLAG_OF(type, member.fov, "fov", "DEG", "vertical field of view (60)"),                          \
         AOB_FLAG_OF(type, member.ortho, "ortho", "H", "orthographic, H scene units high"),                   \
         AOB_FLAG_OF(type, member.shift, "shift", "x,y", "image moved right, up; in its heights"),            \
+        AOB_FLAG_OF(type, member.frames, "frames", "N",                                                      \
+                    "a sequence of N frames, of which the last is looked at"),                               \
+        AOB_FLAG_OF(type, member.last_eye, "last-eye", "x,y,z",                                              \
+                    "where the camera is in the last of them (it stays)"),                                   \
+        AOB_FLAG_OF(type, member.last_target, "last-target", "x,y,z", "and what it looks at then"),          \
         AOB_FLAG_OF(type, member.metres_per_unit, "metres-per-unit", "M",                                    \
                     "of a mesh file or capture, for default lengths (1)"),                                   \
         AOB_FLAG_OF(type, member.light, "light", "NAME",                                                     \

@@ -10,27 +10,43 @@ double aob_effect_ask_tolerance(const struct aob_effect_ask *ask)
     return isfinite(ask->budget_ms) ? tie_error : AOB_EFFECT_TOLERANCE;
 }
 
-/* The least error of those that may be taken: of all sets, or with a budget alone of those that fit. */
-static void judge(struct aob_effect_answer *answer)
+/* The least that a set may be measured by: of all sets, or with a budget alone of those that fit. */
+struct least {
+    double rmse, flicker;
+};
+static struct least find_least(const struct aob_effect_answer *answer)
 {
     bool of_fitting = isnan(answer->ask.tolerance) && isfinite(answer->ask.budget_ms);
-    double least = INFINITY, most;
+    struct least least = {INFINITY, INFINITY};
+    for (size_t i = 0; i < answer->count; i++) {
+        const struct aob_effect_candidate *c = &answer->candidates[i];
+        if (!c->fits && of_fitting)
+            continue;
+        least.rmse = fmin(least.rmse, c->error.rmse);
+        least.flicker = fmin(least.flicker, c->flicker);
+    }
+    return least;
+}
+
+static void judge(struct aob_effect_answer *answer)
+{
     answer->least = 0;
     for (size_t i = 0; i < answer->count; i++) {
         struct aob_effect_candidate *c = &answer->candidates[i];
         c->fits = c->ms <= answer->ask.budget_ms;
         if (c->error.rmse < answer->candidates[answer->least].error.rmse)
             answer->least = (int)i;
-        if (c->fits || !of_fitting)
-            least = fmin(least, c->error.rmse);
     }
-    most = least + aob_effect_ask_tolerance(&answer->ask);
-    for (size_t i = 0; i < answer->count; i++)
-        answer->candidates[i].within = answer->candidates[i].error.rmse <= most;
-    answer->most = most;
+    const struct least least = find_least(answer);
+    answer->most = aob_effect_ask_tolerance(&answer->ask);
+    for (size_t i = 0; i < answer->count; i++) {
+        struct aob_effect_candidate *c = &answer->candidates[i];
+        c->loss = fmax(c->error.rmse - least.rmse, c->flicker - least.flicker); /* NAN counts for nothing */
+        c->within = c->loss <= answer->most;
+    }
 }
 
-/* Where nothing within the tolerance fits the budget, what cannot be told from the least error that fits is as good. */
+/* Where nothing within the tolerance fits the budget, what cannot be told from the least loss that fits is as good. */
 static void fall_back(struct aob_effect_answer *answer)
 {
     double least = INFINITY;
@@ -39,14 +55,14 @@ static void fall_back(struct aob_effect_answer *answer)
         if (c->fits && c->within)
             return;
         if (c->fits)
-            least = fmin(least, c->error.rmse);
+            least = fmin(least, c->loss);
     }
     answer->most = least + tie_error;
 }
 
 static bool may_be_taken(const struct aob_effect_answer *answer, const struct aob_effect_candidate *c)
 {
-    return c->fits && c->error.rmse <= answer->most;
+    return c->fits && c->loss <= answer->most;
 }
 
 /* Costs are measured to about the tie: of sets that it does not tell apart the nearer one is taken. */
@@ -56,7 +72,7 @@ static int nearest_of_ties(const struct aob_effect_answer *answer, int cheapest)
     int best = cheapest;
     for (int i = 0; i < (int)answer->count; i++)
         if (may_be_taken(answer, &all[i]) && all[i].ms <= (1 + tie) * all[cheapest].ms &&
-            all[i].error.rmse < all[best].error.rmse)
+            all[i].loss < all[best].loss)
             best = i;
     return best;
 }
@@ -109,6 +125,8 @@ enum aob_effect_why aob_effect_answer_why(const struct aob_effect_answer *answer
 {
     if (answer->chosen < 0)
         return AOB_WHY_BUDGET;
+    if (id == AOB_EFFECT_TEMPORAL && answer->no_sequence)
+        return AOB_WHY_NO_DATA;
     if (answer->no_truth && !aob_effect_has(answer->open, id))
         return aob_effect_has(aob_effect_bounds_open(&answer->bounds, aob_effect_ask_tolerance(&answer->ask)),
                               id)
@@ -122,7 +140,9 @@ enum aob_effect_why aob_effect_answer_why(const struct aob_effect_answer *answer
 static void explain_no_data(const struct aob_effect_answer *answer, enum aob_effect_id id,
                             struct aob_text *text)
 {
-    if (id == AOB_EFFECT_MULTI_BOUNCE)
+    if (id == AOB_EFFECT_TEMPORAL)
+        aob_text_add(text, "not known: %s", answer->no_sequence);
+    else if (id == AOB_EFFECT_MULTI_BOUNCE)
         aob_text_add(text, "not known: the base colour of a capture is not read, and bounces depend on it");
     else if (id == AOB_EFFECT_SPECULAR)
         aob_text_add(text, "not known: roughness and metalness of a capture are not read");
@@ -146,6 +166,8 @@ static void explain_rule(const struct aob_effect_answer *answer, enum aob_effect
             "the light is so even that what is closed by direction changes the image by",
         [AOB_EFFECT_SPECULAR] =
             "what these surfaces mirror is so little, or so wide, that its occlusion changes the image by",
+        [AOB_EFFECT_TEMPORAL] =
+            "nothing moves, and a frame has so little noise that a mean of many changes the image by",
     };
     const struct aob_effect_candidate *none = aob_effect_answer_find(answer, 0);
     double tolerance = 100 * aob_effect_ask_tolerance(&answer->ask);
@@ -161,15 +183,19 @@ static void explain_rule(const struct aob_effect_answer *answer, enum aob_effect
             text, "no: it goes with visibility, and without any occlusion the image is within the tolerance");
 }
 
+/* What the other set is like; flicker where it is another one. */
 static void explain_measured(const struct aob_effect_candidate *chosen,
                              const struct aob_effect_candidate *other, enum aob_effect_id id,
                              struct aob_text *text)
 {
     bool in = aob_effect_has(chosen->set, id);
     double own = 100 * chosen->error.rmse, turned = 100 * other->error.rmse, more = other->ms - chosen->ms;
-    aob_text_add(text, "%s: %s the image is off by %.3g %% in place of %.3g %%, and a frame takes %.3g ms %s",
-                 in ? "yes" : "no", in ? "without it" : "with it", turned, own, fabs(more),
-                 more > 0 ? "more" : "less");
+    aob_text_add(text, "%s: %s the image is off by %.3g %% in place of %.3g %%, ", in ? "yes" : "no",
+                 in ? "without it" : "with it", turned, own);
+    if (fabs(other->flicker - chosen->flicker) > 0)
+        aob_text_add(text, "flickers by %.2g %% in place of %.2g %%, ", 100 * other->flicker,
+                     100 * chosen->flicker);
+    aob_text_add(text, "and a frame takes %.3g ms %s", fabs(more), more > 0 ? "more" : "less");
 }
 
 void aob_effect_answer_explain(const struct aob_effect_answer *answer, enum aob_effect_id id,

@@ -4,7 +4,8 @@
 #include "bound.h"
 #include "drawn.h"
 
-/* What is asked. A set is within the tolerance if its error is at most that much above the least error of any set. */
+/* What is asked. A set is within the tolerance if its error is at most that much above the least error of any set, and its flicker above
+ * the least flicker. */
 struct aob_effect_ask {
     double tolerance;    /* 0..1, of lit_rmse; NAN: AOB_EFFECT_TOLERANCE, or none where there is a budget */
     double budget_ms;    /* of a frame; INFINITY: no budget */
@@ -16,6 +17,11 @@ struct aob_effect_ask {
 struct aob_effect_candidate {
     unsigned set;
     struct aob_lit_error error;
+    double
+        flicker; /* over a sequence, of visibility (score/flicker.h), 0..1: a share of an open surface's light, as the error is; NAN: of a
+                  * picture */
+    double
+        loss; /* set by the choice: how far error or flicker lies above the least of all sets, the larger of both */
     double ms;
     bool drawn;  /* its own frame was timed; else its passes are from other frames */
     bool within; /* the tolerance */
@@ -29,7 +35,10 @@ struct aob_effect_answer { /* zero it first */
     unsigned open; /* the effects that no rule took out */
     struct aob_effect_candidate candidates[AOB_EFFECT_SETS];
     size_t count;
-    double most; /* error that a set may have to be taken */
+    int frames; /* of the view's sequence; 0: it is a picture */
+    const char *
+        no_sequence; /* why frames before this one are not looked at, to stand behind "not known: "; NULL: they are */
+    double most; /* loss that a set may have to be taken */
     int least;   /* candidate of the least error */
     int chosen;  /* candidate; -1: none fits the budget */
     int shrink;  /* pixels a side that became one for FLIP */
@@ -41,14 +50,14 @@ struct aob_effect_answer { /* zero it first */
 double aob_effect_ask_tolerance(const struct aob_effect_ask *ask);
 
 /* Judges the candidates, and takes the cheapest within the tolerance that fits the budget, and of those as dear to 2 % the one of the least
- * error; where none does, likewise of those within a tie (0.001) of the least error that fits. */
+ * loss; where none does, likewise of those within a tie (0.001) of the least loss that fits. */
 void aob_effect_answer_choose(struct aob_effect_answer *answer);
 
 /* The candidate with just this set; NULL: it was not looked at. */
 const struct aob_effect_candidate *aob_effect_answer_find(const struct aob_effect_answer *answer,
                                                           unsigned set);
 
-/* A candidate as good as the chosen one: its error is one that may be taken too, and it is as dear to 2 %. */
+/* A candidate as good as the chosen one: its loss is one that may be taken too, and it is as dear to 2 %. */
 bool aob_effect_answer_ties(const struct aob_effect_answer *answer,
                             const struct aob_effect_candidate *candidate);
 

@@ -160,7 +160,8 @@ static bool plan_view(struct one *one, unsigned *set, struct aob_error *error)
     struct aob_effects_desc desc = {.dispatch = one->chooser->dispatch,
                                     .maker = {make, one},
                                     .ask = {NAN, INFINITY, NULL},
-                                    .folder = folder};
+                                    .folder = folder,
+                                    .picture = true};
     if (!aob_work_folder_create(folder, error))
         return false;
     bool ok = aob_effects_plan(&desc, &effects, error);

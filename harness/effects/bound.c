@@ -153,29 +153,42 @@ void aob_effect_bounds_find(const struct aob_seen *seen, struct aob_effect_bound
     sums[AOB_EFFECT_BENT_NORMAL] = sums[AOB_EFFECT_DIRECTIONAL];
     for (int id = 0; id < AOB_EFFECT_COUNT; id++)
         bounds->most[id] = sqrt(sums[id] / (3 * (double)seen->count)) / seen->mean_light;
-    bounds->most[AOB_EFFECT_VISIBILITY] = bounds->most[AOB_EFFECT_HALF_SIZE] = INFINITY;
+    bounds->most[AOB_EFFECT_VISIBILITY] = bounds->most[AOB_EFFECT_TEMPORAL] =
+        bounds->most[AOB_EFFECT_HALF_SIZE] = INFINITY;
     free(about);
     free(shape);
 }
 
-unsigned aob_effect_bounds_open(const struct aob_effect_bounds *bounds, double tolerance)
+/* Takes the least out, one after another; returns what is left of the share. */
+static double take_out(const struct aob_effect_bounds *bounds, double left, unsigned *open)
 {
     static const enum aob_effect_id judged[] = {AOB_EFFECT_MULTI_BOUNCE, AOB_EFFECT_DIRECTIONAL,
                                                 AOB_EFFECT_SPECULAR};
-    unsigned open = AOB_EFFECT_ALL;
-    double left = AOB_EFFECT_RULED * tolerance;
     for (size_t round = 0; round < AOB_COUNT(judged); round++) {
         int least = -1;
         for (size_t i = 0; i < AOB_COUNT(judged); i++)
-            if (aob_effect_has(open, judged[i]) &&
+            if (aob_effect_has(*open, judged[i]) &&
                 (least < 0 || bounds->most[judged[i]] < bounds->most[least]))
                 least = (int)judged[i];
         if (least < 0 || !(bounds->most[least] <= left))
             break;
         left -= bounds->most[least];
-        open &= ~AOB_EFFECT_BIT(least);
+        *open &= ~AOB_EFFECT_BIT(least);
         if (least == AOB_EFFECT_DIRECTIONAL)
-            open &= ~AOB_EFFECT_BIT(AOB_EFFECT_BENT_NORMAL);
+            *open &= ~AOB_EFFECT_BIT(AOB_EFFECT_BENT_NORMAL);
     }
+    return left;
+}
+
+unsigned aob_effect_bounds_open(const struct aob_effect_bounds *bounds, double tolerance)
+{
+    unsigned open = AOB_EFFECT_ALL;
+    take_out(bounds, AOB_EFFECT_RULED * tolerance, &open);
     return open;
+}
+
+double aob_effect_bounds_left(const struct aob_effect_bounds *bounds, double tolerance)
+{
+    unsigned open = AOB_EFFECT_ALL;
+    return take_out(bounds, AOB_EFFECT_RULED * tolerance, &open);
 }

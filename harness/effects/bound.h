@@ -17,6 +17,8 @@
  * specular: the open share of the lobe differs from V by at most the variation between lobe and cosine (lobe.h), where anything is
  *     closed; what it weighs is the mirrored light, or the bounced one that stands in for what is closed.
  *
+ * temporal: not from these; noise.h.
+ *
  * V is known by few rays, so each surface counts with the larger of what its own rays and those of its neighbourhood say. */
 struct aob_effect_bounds {
     double most[AOB_EFFECT_COUNT];
@@ -28,4 +30,7 @@ void aob_effect_bounds_find(const struct aob_seen *seen, struct aob_effect_bound
  * where that set without it misses the tolerance by no more than that share. */
 #define AOB_EFFECT_RULED 0.25
 unsigned aob_effect_bounds_open(const struct aob_effect_bounds *bounds, double tolerance);
+
+/* What those that were taken out leave of that share. */
+double aob_effect_bounds_left(const struct aob_effect_bounds *bounds, double tolerance);
 #endif

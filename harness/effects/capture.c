@@ -24,9 +24,11 @@ bool aob_effect_planner_capture(struct aob_effect_planner *p, struct aob_error *
                    half = AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE), sizes[2] = {visible, visible | half},
                    timed[3] = {0, visible, visible | half};
     struct aob_effect_answer *a = &p->effects->answer;
+    const struct aob_effect_turn turn = {.sets = sizes, .count = 2};
     a->no_truth = true;
+    a->no_sequence = "a capture is one frame";
     a->open = visible | half;
-    if (!aob_effect_planner_draw(p, sizes, error))
+    if (!aob_effect_planner_draw(p, &turn, error))
         return false;
     stand_in(p->effects);
     aob_effect_bounds_find(&p->effects->seen, &a->bounds);

@@ -6,9 +6,10 @@
 
 static const char composite[] = "lit_composite";
 
-static unsigned most_of(unsigned open)
+/* What of a set the composite reads: that is the same at both sizes, and of one frame or a mean of many. */
+static unsigned read_of(unsigned set)
 {
-    return open & ~AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE);
+    return set & ~(AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE) | AOB_EFFECT_BIT(AOB_EFFECT_TEMPORAL));
 }
 
 static void add_new(unsigned set, unsigned sets[AOB_EFFECT_FRAMES], size_t *count)
@@ -80,14 +81,27 @@ static double find_pass(const struct aob_effect_costs *costs, const struct aob_e
     return NAN;
 }
 
+/* What the frame's passes of an effect take; NAN where it has none of them. */
+static double effect_ms(const struct aob_effect_costs *costs, const struct aob_effect_frame *frame,
+                        const struct aob_effect_row *row)
+{
+    double sum = NAN;
+    for (const char *const *pass = row->passes; *pass; pass++) {
+        double ms = find_pass(costs, frame, *pass);
+        if (isfinite(ms))
+            sum = isfinite(sum) ? sum + ms : ms;
+    }
+    return sum;
+}
+
 /* The passes that make visibility, with what the rest of the frame takes besides its passes. */
 static double base_ms(const struct aob_effect_costs *costs, const struct aob_effect_frame *frame)
 {
     double rest = aob_effect_frame_ms(frame->record, costs->profile),
            own = find_pass(costs, frame, composite);
     for (int id = 0; id < AOB_EFFECT_COUNT; id++) {
-        double pass = aob_effect_rows[id].pass ? find_pass(costs, frame, aob_effect_rows[id].pass) : NAN;
-        rest -= isfinite(pass) ? pass : 0;
+        double passes = effect_ms(costs, frame, &aob_effect_rows[id]);
+        rest -= isfinite(passes) ? passes : 0;
     }
     return rest - own;
 }
@@ -128,12 +142,12 @@ static double visibility_ms(const struct aob_effect_costs *costs, unsigned set)
     return 4 * (find_base_ms(costs, bends, !half) - half_upsample_ms(costs, bends));
 }
 
-/* The mean over the frames that have the pass. */
-static double own_pass_ms(const struct aob_effect_costs *costs, const char *name)
+/* The mean over the frames that have passes of the effect. */
+static double mean_effect_ms(const struct aob_effect_costs *costs, const struct aob_effect_row *row)
 {
     double sum = 0, count = 0;
     for (size_t i = 0; i < costs->count; i++) {
-        double ms = find_pass(costs, &costs->frames[i], name);
+        double ms = effect_ms(costs, &costs->frames[i], row);
         sum += isfinite(ms) ? ms : 0;
         count += isfinite(ms);
     }
@@ -146,7 +160,7 @@ static double composite_with(const struct aob_effect_costs *costs, unsigned effe
 {
     double sum = 0, count = 0;
     for (size_t i = 0; i < costs->count; i++) {
-        unsigned set = most_of(costs->frames[i].set) | AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY);
+        unsigned set = read_of(costs->frames[i].set) | AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY);
         double ms = find_pass(costs, &costs->frames[i], composite);
         if (set == effects && isfinite(ms)) {
             sum += ms;
@@ -164,16 +178,16 @@ static int count_bits(unsigned bits)
 /* Where no frame has just these outputs, what lies between the plain one and that of most of them is shared evenly by the effects. */
 static double composite_ms(const struct aob_effect_costs *costs, unsigned set)
 {
-    unsigned visible = AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY), wanted = most_of(set), most = 0;
+    unsigned visible = AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY), wanted = read_of(set), most = 0;
     double exact = composite_with(costs, wanted), plain = composite_with(costs, visible);
     for (size_t i = 0; i < costs->count; i++)
-        if (count_bits(most_of(costs->frames[i].set)) > count_bits(most))
-            most = most_of(costs->frames[i].set);
+        if (count_bits(read_of(costs->frames[i].set)) > count_bits(most))
+            most = read_of(costs->frames[i].set);
     if (isfinite(exact) || most == visible)
         return isfinite(exact) ? exact : plain;
     unsigned known = 0, mosts = most & ~AOB_EFFECT_BIT(AOB_EFFECT_BENT_NORMAL);
     double sum = 0, all = composite_with(costs, most) - plain;
-    for (int id = AOB_EFFECT_MULTI_BOUNCE; id < AOB_EFFECT_HALF_SIZE; id++) {
+    for (int id = AOB_EFFECT_MULTI_BOUNCE; id <= AOB_EFFECT_SPECULAR; id++) {
         double alone = composite_with(costs, visible | AOB_EFFECT_BIT(id)) - plain;
         if (!isfinite(alone))
             continue;
@@ -192,7 +206,7 @@ double aob_effect_cost(const struct aob_effect_costs *costs, unsigned set)
             return aob_effect_frame_ms(costs->frames[i].record, costs->profile);
     double sum = visibility_ms(costs, set) + composite_ms(costs, set);
     for (int id = 0; id < AOB_EFFECT_COUNT; id++)
-        if (aob_effect_has(set, (enum aob_effect_id)id) && aob_effect_rows[id].pass)
-            sum += own_pass_ms(costs, aob_effect_rows[id].pass);
+        if (aob_effect_has(set, (enum aob_effect_id)id) && *aob_effect_rows[id].passes)
+            sum += mean_effect_ms(costs, &aob_effect_rows[id]);
     return sum;
 }

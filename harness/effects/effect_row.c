@@ -1,12 +1,29 @@
 #include "effect_row.h"
 
 const struct aob_effect_row aob_effect_rows[AOB_EFFECT_COUNT] = {
-    {"visibility", NULL, NULL, "what stands in the light's way within the radius"},
-    {"multi_bounce", "visibility_rgb", "bounces", "light that goes from surface to surface"},
-    {"bent_normal", "bent_normal", NULL, "the light looked up along the mean open direction"},
-    {"directional", "irradiance", "irradiance", "the light with what is closed taken out of it by direction"},
-    {"specular", "specular", "specular", "the open share of what a polished surface mirrors"},
-    {"half_size", NULL, NULL, "occlusion at half the image's width and height, sampled up"},
+    {.name = "visibility", .is = "what stands in the light's way within the radius"},
+    {.name = "multi_bounce",
+     .is = "light that goes from surface to surface",
+     .option = "visibility_rgb",
+     .passes = {"bounces"}},
+    {.name = "bent_normal",
+     .is = "the light looked up along the mean open direction",
+     .option = "bent_normal"},
+    {.name = "directional",
+     .is = "the light with what is closed taken out of it by direction",
+     .option = "irradiance",
+     .passes = {"irradiance"}},
+    {.name = "specular",
+     .is = "the open share of what a polished surface mirrors",
+     .option = "specular",
+     .passes = {"specular"}},
+    {.name = "temporal",
+     .is = "the mean over the frames before",
+     .param = {"history", "0", "16"},
+     .passes = {"changes", "change_groups", "changed", "change_spread", "temporal"}},
+    {.name = "half_size",
+     .is = "occlusion at half the image's width and height, sampled up",
+     .param = {"divisor", "1", "2"}},
 };
 
 bool aob_effect_has(unsigned set, enum aob_effect_id id)
@@ -18,6 +35,11 @@ bool aob_effect_set_bends(unsigned set)
 {
     return set & (AOB_EFFECT_BIT(AOB_EFFECT_BENT_NORMAL) | AOB_EFFECT_BIT(AOB_EFFECT_DIRECTIONAL) |
                   AOB_EFFECT_BIT(AOB_EFFECT_SPECULAR));
+}
+
+size_t aob_effect_image_of(unsigned set)
+{
+    return aob_effect_has(set, AOB_EFFECT_HALF_SIZE) + 2u * aob_effect_has(set, AOB_EFFECT_TEMPORAL);
 }
 
 static bool is_sound(unsigned set)

@@ -54,22 +54,31 @@ static bool trace_truth(struct aob_effect_planner *p, struct aob_error *error)
             aob_fail(error, "the view is black: its lit image has no error to speak of"));
 }
 
+/* Whether frames before this one are to be thought of. */
+static void look_at_sequence(struct aob_effect_planner *p)
+{
+    const struct aob_plan_scene *scene = p->effects->truth.plan.cases[0].scene;
+    struct aob_effect_answer *a = &p->effects->answer;
+    a->frames = scene->motion.frames;
+    if (!a->frames && p->desc->picture)
+        a->no_sequence = "the view is one picture; give it a motion";
+    else if (scene->framed)
+        a->no_sequence = "a sequence needs a camera; give --eye and --target";
+}
+
 /* Where nothing is off without any occlusion no other frame is needed: no set is cheaper than nothing. */
 static void apply_rules(struct aob_effect_planner *p)
 {
     struct aob_effect_answer *a = &p->effects->answer;
     double tolerance = aob_effect_ask_tolerance(&a->ask);
     struct aob_lit_error none = aob_drawn_error(&p->effects->seen, NULL, 0);
+    bool flickers = aob_effect_planner_flicker(p, 0) > tolerance;
     aob_effect_bounds_find(&p->effects->seen, &a->bounds);
-    a->open = none.rmse + 2 * none.rmse_se <= tolerance ? 0 : aob_effect_bounds_open(&a->bounds, tolerance);
-}
-
-/* Everything that is open, at each size of occlusion. */
-static bool draw_images(struct aob_effect_planner *p, struct aob_error *error)
-{
-    const unsigned open = p->effects->answer.open,
-                   sets[2] = {open & ~AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE), open};
-    return !open || aob_effect_planner_draw(p, sets, error);
+    a->open = none.rmse + 2 * none.rmse_se <= tolerance && !flickers
+                  ? 0
+                  : aob_effect_bounds_open(&a->bounds, tolerance);
+    if (a->no_sequence)
+        a->open &= ~AOB_EFFECT_BIT(AOB_EFFECT_TEMPORAL);
 }
 
 static bool time_frames(struct aob_effect_planner *p, struct aob_error *error)
@@ -102,27 +111,31 @@ bool aob_effects_plan(const struct aob_effects_desc *desc, struct aob_effects *e
         return aob_effect_planner_capture(&p, error);
     if (!trace_truth(&p, error))
         return false;
+    look_at_sequence(&p);
     apply_rules(&p);
-    return draw_images(&p, error) && time_frames(&p, error) && aob_effect_planner_judge(&p, error) &&
-           confirm(&p, error);
+    return aob_effect_planner_look(&p, error) && time_frames(&p, error) &&
+           aob_effect_planner_judge(&p, error) && confirm(&p, error);
 }
 
 const struct aob_sweep *aob_effects_sweep(const struct aob_effects *effects)
 {
-    return effects->truth.plan.case_count ? &effects->truth : &effects->images;
+    return effects->truth.plan.case_count ? &effects->truth : &effects->images[0];
 }
 
 void aob_effects_finish(struct aob_effects *e)
 {
     json_decref(e->truth_records);
-    json_decref(e->image_records);
+    json_decref(e->flicker_records);
     aob_seen_finish(&e->seen);
     for (int i = 0; i < 2; i++) {
-        aob_drawn_finish(&e->drawn[i]);
+        json_decref(e->image_records[i]);
+        aob_sweep_finish(&e->images[i]);
         json_decref(e->time_records[i]);
         aob_sweep_finish(&e->times[i]);
     }
+    for (size_t i = 0; i < AOB_EFFECT_IMAGES; i++)
+        aob_drawn_finish(&e->drawn[i]);
     aob_sweep_finish(&e->truth);
-    aob_sweep_finish(&e->images);
+    aob_sweep_finish(&e->flickers);
     *e = (struct aob_effects){0};
 }

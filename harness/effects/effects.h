@@ -5,6 +5,9 @@
  * one at each size of occlusion, hold every output; the lit image of each set is made of them (drawn.h). Four frames at most are timed, and
  * the cost of a set is the sum of its passes (cost.h).
  *
+ * The mean over time is a frame at each size more. Where the view is a sequence these end it, and the flicker of all four counts beside their
+ * errors. Where nothing moves, two frames tell the noise first (noise.h), and a sequence of AOB_EFFECT_HISTORY is drawn if that may matter.
+ *
  * A capture has no surfaces to trace, and its materials are not read: it gets the answer that its depth and the light allow. */
 #ifndef AOB_EFFECTS_EFFECTS_H
 #define AOB_EFFECTS_EFFECTS_H
@@ -17,6 +20,7 @@ struct aob_effects_desc {
     struct aob_effect_ask ask;
     const char *folder; /* for its frames; it exists */
     int spp;            /* rays a pixel of the truth; 0: as many as the size needs */
+    bool picture;       /* a view without motion is one picture: no frames before it are to be thought of */
     void (*on_work)(void *user, const char *work); /* before each step; NULL: nobody asks */
     void *user;
 };
@@ -24,14 +28,15 @@ struct aob_effects_desc {
 /* A plan of effects, of one view. aob_effects_finish frees. */
 struct aob_effects {
     struct aob_effect_answer answer;
-    struct aob_sweep truth, images, times[2]; /* as measured; zero where there were none */
-    json_t *truth_records, *image_records, *time_records[2];
+    /* As measured; zero where there were none. Images: a second time of longer sequences. */
+    struct aob_sweep truth, images[2], flickers, times[2];
+    json_t *truth_records, *image_records[2], *flicker_records, *time_records[2];
     int spp;
     bool unsupported; /* what failed is a frame that this device does not draw, or no device */
-    double truth_s, images_s, times_s; /* wall time of the three measurements */
+    double truth_s, images_s, times_s; /* wall time of the measurements; flicker counts as images */
     struct aob_seen seen;
-    struct aob_drawn
-        drawn[2]; /* at full and at half size, with every effect that is open; empty where none were */
+    struct aob_drawn drawn
+        [AOB_EFFECT_IMAGES]; /* by aob_effect_image_of, with every effect that is open; empty where none were */
 };
 
 /* False after a line. */

@@ -28,14 +28,15 @@ void aob_effect_frames_widen(struct aob_config *config, size_t entry, unsigned s
     if (!unlit)
         add_option(config, "lit", "on");
     for (int id = 0; id < AOB_EFFECT_COUNT; id++) {
+        const struct aob_effect_row *row = &aob_effect_rows[id];
         if (!aob_effect_has(some, (enum aob_effect_id)id))
             continue;
-        if (aob_effect_rows[id].option)
-            add_values(&config->options, &config->option_count, &config->option_capacity,
-                       aob_effect_rows[id].option, "off", "on");
-        if (id == AOB_EFFECT_HALF_SIZE)
-            add_values(&technique->axes, &technique->axis_count, &technique->axis_capacity, "divisor", "1",
-                       "2");
+        if (row->option)
+            add_values(&config->options, &config->option_count, &config->option_capacity, row->option, "off",
+                       "on");
+        if (row->param.name)
+            add_values(&technique->axes, &technique->axis_count, &technique->axis_capacity, row->param.name,
+                       row->param.off, row->param.on);
     }
 }
 
@@ -62,6 +63,8 @@ static bool configure(const struct aob_effect_frames_desc *desc, struct aob_conf
         return false;
     aob_effect_frames_widen(config, 0, some_of(desc), desc->unlit);
     add_none(config);
+    if (desc->still_frames && !config->scenes[0].motion.frames)
+        config->scenes[0].motion.frames = desc->still_frames;
     config->images = !(desc->seconds > 0) && !desc->profile;
     config->measure_time = desc->seconds > 0;
     config->measure_error = desc->spp > 0;
@@ -84,7 +87,7 @@ static double value_of(const struct aob_case *c, const char *name)
 
 unsigned aob_effect_set_of(const struct aob_case *c)
 {
-    const unsigned half = AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE);
+    const unsigned half = AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE), mean = AOB_EFFECT_BIT(AOB_EFFECT_TEMPORAL);
     struct aob_options o = aob_case_options(c);
     unsigned set = (o.visibility_rgb ? AOB_EFFECT_BIT(AOB_EFFECT_MULTI_BOUNCE) : 0) |
                    (o.bent_normal ? AOB_EFFECT_BIT(AOB_EFFECT_BENT_NORMAL) : 0) |
@@ -92,7 +95,8 @@ unsigned aob_effect_set_of(const struct aob_case *c)
                    (o.specular ? AOB_EFFECT_BIT(AOB_EFFECT_SPECULAR) : 0);
     if (strcmp(c->technique->name, "none") == 0)
         return set;
-    return set | AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY) | (value_of(c, "divisor") > 1 ? half : 0);
+    return set | AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY) | (value_of(c, "divisor") > 1 ? half : 0) |
+           (value_of(c, "history") > 1 ? mean : 0);
 }
 
 static int place_of(const struct aob_effect_frames_desc *desc, unsigned set)
@@ -191,7 +195,7 @@ json_t *aob_effect_frames_measure(const struct aob_effect_frames_desc *desc, str
     if (!*error->text)
         aob_fail(error,
                  "a plan of effects chooses these options itself: leave lit, visibility_rgb, bent_normal, "
-                 "irradiance, specular and divisor out");
+                 "irradiance, specular, history and divisor out");
     json_decref(records);
     return NULL;
 }

@@ -17,11 +17,12 @@ struct aob_effect_frames_desc {
     struct aob_effect_maker maker;
     const char *folder; /* that exists; images/ in it gets a picture of each frame that is not timed */
     const unsigned
-        *sets;      /* one frame each; more effects than a set may hold draw their outputs all the same */
-    size_t count;   /* AOB_BLOCK_MAX at most */
-    bool unlit;     /* no lit image is wanted, as of a capture */
-    int spp;        /* rays a pixel of the lit truth; 0: there is none */
-    double seconds; /* of timing a frame; 0: they are not timed */
+        *sets;        /* one frame each; more effects than a set may hold draw their outputs all the same */
+    size_t count;     /* AOB_BLOCK_MAX at most */
+    bool unlit;       /* no lit image is wanted, as of a capture */
+    int spp;          /* rays a pixel of the truth; 0: there is none */
+    int still_frames; /* of a sequence, where the view has no motion of its own; 0: one picture */
+    double seconds;   /* of timing a frame; 0: they are not timed */
     const char *profile; /* times are modelled on it; NULL: on none */
     bool *unsupported;   /* set where a frame's record says so; NULL: nobody asks */
 };

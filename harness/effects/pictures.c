@@ -15,8 +15,7 @@ static bool write_set(struct pictures *p, unsigned set, const char *name, struct
     const struct aob_effects *e = p->effects;
     struct aob_small small;
     char *path = aob_path_join(p->folder, name);
-    aob_small_init(&small, &e->seen, &e->drawn[aob_effect_has(set, AOB_EFFECT_HALF_SIZE)], set,
-                   e->answer.shrink);
+    aob_small_init(&small, &e->seen, &e->drawn[aob_effect_image_of(set)], set, e->answer.shrink);
     bool ok = aob_small_write(&small, path, error);
     aob_small_finish(&small);
     free(path);

@@ -51,22 +51,35 @@ bool aob_effect_planner_see(struct aob_effect_planner *p, const json_t *records,
     return ok;
 }
 
-bool aob_effect_planner_draw(struct aob_effect_planner *p, const unsigned sets[2], struct aob_error *error)
+static bool read_images(struct aob_effect_planner *p, const struct aob_effect_turn *turn,
+                        struct aob_error *error)
 {
     struct aob_effects *e = p->effects;
-    struct aob_effect_frames_desc desc = aob_effect_planner_frames(p, sets, 2);
-    int64_t start = aob_clock_wall_ns();
-    aob_effect_planner_say(p, "drawing frames");
-    e->image_records = aob_effect_frames_measure(&desc, &e->images, error);
-    e->images_s = (double)(aob_clock_wall_ns() - start) * 1e-9;
-    bool ok =
-        e->image_records && (e->seen.count || aob_effect_planner_see(p, e->image_records, &e->images, error));
-    for (size_t i = 0; i < 2 && ok; i++) {
-        char *image = find_image(p, e->image_records, i, error);
-        ok = image && aob_drawn_read(&e->drawn[i], &e->seen, image, error);
+    bool ok = true;
+    for (size_t i = 0; i < turn->count && ok; i++) {
+        struct aob_drawn *drawn = &e->drawn[aob_effect_image_of(turn->sets[i])];
+        char *image = find_image(p, e->image_records[turn->turn], i, error);
+        aob_drawn_finish(drawn);
+        ok = image && aob_drawn_read(drawn, &e->seen, image, error);
         free(image);
     }
     return ok;
+}
+
+bool aob_effect_planner_draw(struct aob_effect_planner *p, const struct aob_effect_turn *turn,
+                             struct aob_error *error)
+{
+    struct aob_effects *e = p->effects;
+    struct aob_effect_frames_desc desc = aob_effect_planner_frames(p, turn->sets, turn->count);
+    struct aob_sweep *sweep = &e->images[turn->turn];
+    json_t **records = &e->image_records[turn->turn];
+    int64_t start = aob_clock_wall_ns();
+    desc.still_frames = turn->still_frames;
+    aob_effect_planner_say(p, "drawing frames");
+    *records = aob_effect_frames_measure(&desc, sweep, error);
+    e->images_s += (double)(aob_clock_wall_ns() - start) * 1e-9;
+    return *records && (e->seen.count || aob_effect_planner_see(p, *records, sweep, error)) &&
+           read_images(p, turn, error);
 }
 
 bool aob_effect_planner_time(struct aob_effect_planner *p, int turn, const unsigned *sets, size_t count,
@@ -98,9 +111,10 @@ static bool is_timed(const struct aob_effect_planner *p, unsigned set)
 static struct aob_effect_candidate judge_set(const struct aob_effect_planner *p, unsigned set)
 {
     const struct aob_effects *e = p->effects;
-    const struct aob_drawn *drawn = &e->drawn[aob_effect_has(set, AOB_EFFECT_HALF_SIZE)];
+    const struct aob_drawn *drawn = &e->drawn[aob_effect_image_of(set)];
     struct aob_effect_candidate c = {.set = set,
                                      .error = aob_drawn_error(&e->seen, drawn, set),
+                                     .flicker = aob_effect_planner_flicker(p, set),
                                      .ms = aob_effect_cost(&p->costs, set),
                                      .drawn = is_timed(p, set)};
     struct aob_small small;

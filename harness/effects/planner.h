@@ -20,8 +20,22 @@ struct aob_effect_frames_desc aob_effect_planner_frames(const struct aob_effect_
 bool aob_effect_planner_see(struct aob_effect_planner *p, const json_t *records,
                             const struct aob_sweep *sweep, struct aob_error *error);
 
-/* Draws two sets, at full and at half size, and reads their images; the first time also what is seen, where that is not known. */
-bool aob_effect_planner_draw(struct aob_effect_planner *p, const unsigned sets[2], struct aob_error *error);
+/* Draws sets at the first turn (0) or the second, where nothing moves as the last of so many frames (0: one), and reads each image into
+ * its place; the first time also what is seen, where that is not known. */
+struct aob_effect_turn {
+    int turn, still_frames;
+    const unsigned *sets;
+    size_t count;
+};
+bool aob_effect_planner_draw(struct aob_effect_planner *p, const struct aob_effect_turn *turn,
+                             struct aob_error *error);
+
+/* Draws all that is open (look.c): each size of occlusion, of one frame and of the mean over frames, and measures the flicker of a
+ * sequence. Takes the mean out of what is open where nothing moves and the noise rules it out. */
+bool aob_effect_planner_look(struct aob_effect_planner *p, struct aob_error *error);
+
+/* The flicker of a set; NAN where the view is no sequence. */
+double aob_effect_planner_flicker(const struct aob_effect_planner *p, unsigned set);
 
 /* Times sets, at the first turn (0) or the second. */
 bool aob_effect_planner_time(struct aob_effect_planner *p, int turn, const unsigned *sets, size_t count,

@@ -33,10 +33,10 @@ static json_t *names_to_json(unsigned set)
 
 static json_t *candidate_to_json(const struct aob_effect_candidate *c)
 {
-    return c ? json_pack("{s:o, s:o, s:o, s:o, s:o, s:b, s:b, s:b}", "effects", names_to_json(c->set), "rmse",
-                         aob_json_number(c->error.rmse), "rmse_se", aob_json_number(c->error.rmse_se), "flip",
-                         aob_json_number(c->error.flip), "ms", aob_json_number(c->ms), "timed", c->drawn,
-                         "within", c->within, "fits", c->fits)
+    return c ? json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:b, s:b, s:b}", "effects", names_to_json(c->set),
+                         "rmse", aob_json_number(c->error.rmse), "rmse_se", aob_json_number(c->error.rmse_se),
+                         "flip", aob_json_number(c->error.flip), "flicker", aob_json_number(c->flicker), "ms",
+                         aob_json_number(c->ms), "timed", c->drawn, "within", c->within, "fits", c->fits)
              : json_null();
 }
 
@@ -82,14 +82,14 @@ json_t *aob_effects_to_json(const struct aob_effects *e)
     const struct aob_effect_ask *ask = &e->answer.ask;
     const struct aob_case *c = planned(e);
     const json_t *fingerprint = json_object_get(json_array_get(e->time_records[0], 0), "fingerprint");
-    json_t *document =
-        json_pack("{s:o, s:s, s:s, s:i, s:i, s:s, s:o, s:o, s:o, s:o, s:i, s:i}", "scene",
-                  aob_json_text(c->scene->name), "view", c->scene->view, "backend", c->backend, "width",
-                  c->width, "height", c->height, "light", c->scene->light_name, "radius",
-                  aob_json_number(radius_of(e)), "tolerance", aob_json_number(aob_effect_ask_tolerance(ask)),
-                  "budget_ms", isfinite(ask->budget_ms) ? json_real(ask->budget_ms) : json_null(), "profile",
-                  ask->profile ? aob_json_text(ask->profile) : json_null(), "spp", e->spp, "flip_shrink",
-                  e->answer.shrink);
+    json_t *document = json_pack("{s:o, s:s, s:s, s:i, s:i, s:i, s:s, s:o, s:o, s:o, s:o, s:i, s:i}", "scene",
+                                 aob_json_text(c->scene->name), "view", c->scene->view, "backend", c->backend,
+                                 "width", c->width, "height", c->height, "frames", e->answer.frames, "light",
+                                 c->scene->light_name, "radius", aob_json_number(radius_of(e)), "tolerance",
+                                 aob_json_number(aob_effect_ask_tolerance(ask)), "budget_ms",
+                                 isfinite(ask->budget_ms) ? json_real(ask->budget_ms) : json_null(),
+                                 "profile", ask->profile ? aob_json_text(ask->profile) : json_null(), "spp",
+                                 e->spp, "flip_shrink", e->answer.shrink);
     json_object_set_new(document, "materials", json_boolean(e->seen.has_material));
     json_object_set_new(
         document, "seconds",
@@ -101,13 +101,13 @@ json_t *aob_effects_to_json(const struct aob_effects *e)
     return document;
 }
 
-/* Whether another set is no worse in error and time, and better in one. */
+/* Whether another set is no worse in error, flicker and time, and better in one. */
 static bool is_beaten(const struct aob_effect_answer *a, const struct aob_effect_candidate *c)
 {
     for (size_t i = 0; i < a->count; i++) {
         const struct aob_effect_candidate *other = &a->candidates[i];
-        if (other->error.rmse <= c->error.rmse && other->ms <= c->ms &&
-            (other->error.rmse < c->error.rmse || other->ms < c->ms))
+        if (other->error.rmse <= c->error.rmse && other->ms <= c->ms && !(other->flicker > c->flicker) &&
+            (other->error.rmse < c->error.rmse || other->ms < c->ms || other->flicker < c->flicker))
             return true;
     }
     return false;
@@ -117,9 +117,12 @@ static void print_candidate(const struct aob_effects *e, const struct aob_effect
                             struct aob_text *out)
 {
     struct aob_text name = {0};
+    char flicker[16] = "";
     aob_effect_set_print(c->set, &name);
-    aob_text_add_line(out, "%s %-58s %7.2f +-%.2f %7.3f %9.3g%s", c == chosen_of(e) ? "*" : " ", name.data,
-                      100 * c->error.rmse, 200 * c->error.rmse_se, c->error.flip, c->ms,
+    if (isfinite(c->flicker))
+        snprintf(flicker, sizeof flicker, " %7.2f", 100 * c->flicker);
+    aob_text_add_line(out, "%s %-58s %7.2f +-%.2f %7.3f%s %9.3g%s", c == chosen_of(e) ? "*" : " ", name.data,
+                      100 * c->error.rmse, 200 * c->error.rmse_se, c->error.flip, flicker, c->ms,
                       aob_effect_answer_ties(&e->answer, c) ? "  as good as the chosen one" : "");
     aob_text_finish(&name);
 }
@@ -163,7 +166,7 @@ void aob_effects_print(const struct aob_effects *e, struct aob_text *out)
         aob_text_add_line(out, "%-13s %s", aob_effect_rows[id].name, sentence.data);
         aob_text_finish(&sentence);
     }
-    aob_text_add_line(out, "  %-58s %14s %7s %9s", "set", "off by, %", "FLIP",
+    aob_text_add_line(out, "  %-58s %14s %7s%s %9s", "set", "off by, %", "FLIP", a->frames ? " flick,%" : "",
                       a->ask.profile ? "model ms" : "ms");
     for (size_t i = 0; i < a->count; i++)
         if (&a->candidates[i] == chosen_of(e) || !is_beaten(a, &a->candidates[i]))
@@ -171,13 +174,32 @@ void aob_effects_print(const struct aob_effects *e, struct aob_text *out)
     print_choice(e, out);
 }
 
+static bool is_named(const char *own, const char *name)
+{
+    return own && strcmp(own, name) == 0;
+}
+
 /* What the plan itself chooses has its own line. */
 static bool is_own(const char *name)
 {
-    bool own = strcmp(name, "lit") == 0 || strcmp(name, "divisor") == 0;
+    bool own = strcmp(name, "lit") == 0;
     for (int id = 0; id < AOB_EFFECT_COUNT; id++)
-        own = own || (aob_effect_rows[id].option && strcmp(aob_effect_rows[id].option, name) == 0);
+        own = own || is_named(aob_effect_rows[id].option, name) ||
+              is_named(aob_effect_rows[id].param.name, name);
     return own;
+}
+
+static void add_params(unsigned set, struct aob_text *text)
+{
+    const char *between = "";
+    for (int id = 0; id < AOB_EFFECT_COUNT; id++) {
+        const struct aob_effect_row *row = &aob_effect_rows[id];
+        if (!row->param.name)
+            continue;
+        aob_text_add(text, "%s%s: %s", between, row->param.name,
+                     aob_effect_has(set, (enum aob_effect_id)id) ? row->param.on : row->param.off);
+        between = ", ";
+    }
 }
 
 static void add_axes(const struct aob_axis *axes, size_t count, const char *between, struct aob_text *text)
@@ -203,8 +225,8 @@ static void add_set(const struct aob_effects *e, unsigned set, struct aob_text *
         aob_text_add(text, "  - name: none\n");
         return;
     }
-    aob_text_add(text, "  - name: %s\n    params: {divisor: %d", config->techniques[0].name.text,
-                 aob_effect_has(set, AOB_EFFECT_HALF_SIZE) ? 2 : 1);
+    aob_text_add(text, "  - name: %s\n    params: {", config->techniques[0].name.text);
+    add_params(set, text);
     add_axes(config->techniques[0].axes, config->techniques[0].axis_count, ", ", text);
     aob_text_add(text, "}\n");
 }

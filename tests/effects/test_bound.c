@@ -34,7 +34,8 @@ static void test_even(void **state)
     assert_near(b.most[AOB_EFFECT_DIRECTIONAL], 0, 1e-6);
     assert_near(b.most[AOB_EFFECT_BENT_NORMAL], 0, 1e-6);
     assert_near(b.most[AOB_EFFECT_SPECULAR], 0.25 * 0.1 / 0.5, 1e-6);
-    assert_true(isinf(b.most[AOB_EFFECT_VISIBILITY]) && isinf(b.most[AOB_EFFECT_HALF_SIZE]));
+    assert_true(isinf(b.most[AOB_EFFECT_VISIBILITY]) && isinf(b.most[AOB_EFFECT_TEMPORAL]) &&
+                isinf(b.most[AOB_EFFECT_HALF_SIZE]));
     b = bounds_of(&dark, 1, &aob_light_uniform);
     assert_near(b.most[AOB_EFFECT_MULTI_BOUNCE], 0, 1e-6);
     b = bounds_of(&open, 1, &aob_light_uniform);
@@ -154,11 +155,25 @@ static void test_open(void **state)
     assert_int_equal(open_at(0.0019, 0.5, 0.003, 0.02), AOB_EFFECT_ALL & ~lobe & ~bounces);
 }
 
+/* What is left of a quarter of .02. */
+static void test_left(void **state)
+{
+    struct aob_effect_bounds b = {.most = {[AOB_EFFECT_MULTI_BOUNCE] = 0.0019,
+                                           [AOB_EFFECT_BENT_NORMAL] = 0.5,
+                                           [AOB_EFFECT_DIRECTIONAL] = 0.5,
+                                           [AOB_EFFECT_SPECULAR] = 0.003}};
+    (void)state;
+    assert_float_equal(aob_effect_bounds_left(&b, 0.02), 0.0001, 1e-12);
+    b.most[AOB_EFFECT_SPECULAR] = 0.0032; /* it stays in */
+    assert_float_equal(aob_effect_bounds_left(&b, 0.02), 0.0031, 1e-12);
+    assert_float_equal(aob_effect_bounds_left(&b, 0), 0, 1e-12);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_even), cmocka_unit_test(test_slanted), cmocka_unit_test(test_brightest),
-        cmocka_unit_test(test_rays), cmocka_unit_test(test_open),
+        cmocka_unit_test(test_rays), cmocka_unit_test(test_open),    cmocka_unit_test(test_left),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

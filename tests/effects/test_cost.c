@@ -10,6 +10,7 @@ enum {
     BENT = 1 << AOB_EFFECT_BENT_NORMAL,
     LIGHT = 1 << AOB_EFFECT_DIRECTIONAL,
     LOBE = 1 << AOB_EFFECT_SPECULAR,
+    MEAN = 1 << AOB_EFFECT_TEMPORAL,
     HALF = 1 << AOB_EFFECT_HALF_SIZE
 };
 static const double ref_ms = 20, rest = 0.01;
@@ -21,7 +22,7 @@ static double put(json_t *passes, const char *name, double ratio)
 }
 
 /* In fixed passes; visibility takes 3 at full size, bent normals a tenth more, both a quarter of it at half size and .4 to sample up. The composite takes
- * .6, and .05 more for each effect. */
+ * .6, and .05 more for each effect. The mean over time has four passes of its own. */
 static double known(unsigned set, json_t *passes)
 {
     bool bends = set & (BENT | LIGHT | LOBE);
@@ -36,6 +37,9 @@ static double known(unsigned set, json_t *passes)
         sum += put(passes, "irradiance", 0.5);
     if (set & LOBE)
         sum += put(passes, "specular", 0.6);
+    if (set & MEAN)
+        sum += put(passes, "changes", 0.3) + put(passes, "change_groups", 0.01) +
+               put(passes, "changed", 0.02) + put(passes, "temporal", 0.4);
     composite += set & BOUNCES ? 0.05 : 0;
     composite += set & (BENT | LIGHT) ? 0.05 : 0;
     composite += set & LOBE ? 0.05 : 0;
@@ -97,6 +101,8 @@ static void test_sums(void **state)
     check_all(V | BOUNCES | HALF, 0);
     check_all(V | HALF, 0);
     check_all(V | LOBE | HALF, 0);
+    check_all(V | MEAN | HALF, 0);
+    check_all(V | BOUNCES | MEAN | HALF, 0);
     check_all(V | BENT | LIGHT | HALF, 0);
     check_all(0, 0);
 }
@@ -107,6 +113,7 @@ static void test_full(void **state)
     struct aob_effect_costs costs = {0};
     (void)state;
     check_all(AOB_EFFECT_ALL, V | BENT);
+    check_all(AOB_EFFECT_ALL, V | BENT | MEAN);
     measure(AOB_EFFECT_ALL, &costs, V);
     assert_float_equal(aob_effect_cost(&costs, V), known_ms(V), 1e-9);
     assert_true(fabs(aob_effect_cost(&costs, V | LIGHT) / known_ms(V | LIGHT) - 1) < 0.02);

@@ -3,13 +3,13 @@
 #include <string.h>
 #include "effects/effect_row.h"
 
-/* Nothing; then visibility with or without bounces, specular and half size, and none or one of two ways to light. */
+/* Nothing; then visibility with or without bounces, specular, the mean over time and half size, and none or one of two ways to light. */
 static void test_all(void **state)
 {
     unsigned sets[AOB_EFFECT_SETS], seen[AOB_EFFECT_ALL + 1] = {0};
     size_t count = aob_effect_sets(AOB_EFFECT_ALL, sets);
     (void)state;
-    assert_int_equal(count, 1 + 2 * 2 * 2 * 3);
+    assert_int_equal(count, 1 + 2 * 2 * 2 * 2 * 3);
     assert_int_equal(sets[0], 0);
     for (size_t i = 0; i < count; i++) {
         assert_int_equal(seen[sets[i]]++, 0);
@@ -43,12 +43,27 @@ static void test_print(void **state)
     aob_text_finish(&text);
 }
 
+/* Each image holds the sets of its size and its frames, and no set lies in two. */
+static void test_images(void **state)
+{
+    const unsigned visible = AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY),
+                   half = AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE), mean = AOB_EFFECT_BIT(AOB_EFFECT_TEMPORAL),
+                   more = AOB_EFFECT_BIT(AOB_EFFECT_SPECULAR);
+    (void)state;
+    assert_int_equal(aob_effect_image_of(visible), 0);
+    assert_int_equal(aob_effect_image_of(visible | half), 1);
+    assert_int_equal(aob_effect_image_of(visible | mean), 2);
+    assert_int_equal(aob_effect_image_of(visible | mean | half), 3);
+    assert_int_equal(aob_effect_image_of(visible | mean | more), 2);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_all),
         cmocka_unit_test(test_some),
         cmocka_unit_test(test_print),
+        cmocka_unit_test(test_images),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,28 @@
+#include "noise.h"
+#include <math.h>
+
+/* The mean square of the difference that the second frame of the mean makes. */
+static double square_of(const struct aob_seen *seen, const struct aob_drawn *drawn, unsigned set)
+{
+    const unsigned mean = set | AOB_EFFECT_BIT(AOB_EFFECT_TEMPORAL);
+    double sum = 0;
+    for (size_t i = 0; i < seen->count; i++) {
+        double one[3], two[3];
+        aob_drawn_light(seen, &drawn[aob_effect_image_of(set)], set, i, one);
+        aob_drawn_light(seen, &drawn[aob_effect_image_of(mean)], mean, i, two);
+        for (int c = 0; c < 3; c++)
+            sum += (two[c] - one[c]) * (two[c] - one[c]);
+    }
+    return sum / (3 * (double)seen->count);
+}
+
+double aob_effect_noise(const struct aob_seen *seen, const struct aob_drawn *drawn, unsigned open)
+{
+    unsigned sets[AOB_EFFECT_SETS];
+    size_t count = aob_effect_sets(open & ~AOB_EFFECT_BIT(AOB_EFFECT_TEMPORAL), sets);
+    double most = 0;
+    for (size_t i = 0; i < count; i++)
+        if (sets[i])
+            most = fmax(most, square_of(seen, drawn, sets[i]));
+    return sqrt(2 * most) / seen->mean_light;
+}
