@@ -167,7 +167,7 @@ static void explain_rule(const struct aob_effect_answer *answer, enum aob_effect
         [AOB_EFFECT_SPECULAR] =
             "what these surfaces mirror is so little, or so wide, that its occlusion changes the image by",
         [AOB_EFFECT_TEMPORAL] =
-            "nothing moves, and a frame has so little noise that a mean of many changes the image by",
+            "nothing moves, and a frame has so little noise that a mean of many brings the image nearer by",
     };
     const struct aob_effect_candidate *none = aob_effect_answer_find(answer, 0);
     double tolerance = 100 * aob_effect_ask_tolerance(&answer->ask);

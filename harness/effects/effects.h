@@ -6,7 +6,7 @@
  * the cost of a set is the sum of its passes (cost.h).
  *
  * The mean over time is a frame at each size more. Where the view is a sequence these end it, and the flicker of all four counts beside their
- * errors. Where nothing moves, two frames tell the noise first (noise.h), and a sequence of AOB_EFFECT_HISTORY is drawn if that may matter.
+ * errors. Where nothing moves, two frames tell the noise first (mean_gain.h), and a sequence of AOB_EFFECT_HISTORY is drawn if that may matter.
  *
  * A capture has no surfaces to trace, and its materials are not read: it gets the answer that its depth and the light allow. */
 #ifndef AOB_EFFECTS_EFFECTS_H

@@ -1,13 +1,13 @@
 #include <math.h>
 #include "base/clock.h"
 #include "base/json.h"
-#include "noise.h"
+#include "mean_gain.h"
 #include "planner.h"
 
 static const unsigned half = AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE), mean = AOB_EFFECT_BIT(AOB_EFFECT_TEMPORAL),
                       visible = AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY);
 
-/* So many frames of the mean over time tell the noise of one. */
+/* The mean of so many frames tells the noise of one. */
 enum { FEW = 2 };
 
 /* Of visibility alone, which the flicker is of, whatever else a set has. */
@@ -43,7 +43,7 @@ static bool look_at_mean(struct aob_effect_planner *p, struct aob_error *error)
     struct aob_effect_answer *a = &p->effects->answer;
     const unsigned sets[2] = {a->open & ~half, a->open};
     const struct aob_effect_turn turn = {.turn = 1, AOB_EFFECT_HISTORY, sets, 2};
-    a->bounds.most[AOB_EFFECT_TEMPORAL] = aob_effect_noise(&p->effects->seen, p->effects->drawn, a->open);
+    a->bounds.most[AOB_EFFECT_TEMPORAL] = aob_effect_mean_gain(&p->effects->seen, p->effects->drawn, a->open);
     if (a->bounds.most[AOB_EFFECT_TEMPORAL] <=
         aob_effect_bounds_left(&a->bounds, aob_effect_ask_tolerance(&a->ask))) {
         a->open &= ~mean;
@@ -58,7 +58,8 @@ bool aob_effect_planner_look(struct aob_effect_planner *p, struct aob_error *err
     const unsigned open = a->open, plain = open & ~(half | mean),
                    sets[AOB_EFFECT_IMAGES] = {plain, plain | half, plain | mean, plain | half | mean};
     const bool means = open & mean;
-    const struct aob_effect_turn turn = {.still_frames = means ? FEW : 0, .sets = sets, .count = means ? 4 : 2};
+    const struct aob_effect_turn turn = {
+        .still_frames = means ? FEW : 0, .sets = sets, .count = means ? 4 : 2};
     if (!open)
         return true;
     if (!aob_effect_planner_draw(p, &turn, error) || (a->frames && !measure_flicker(p, error)))

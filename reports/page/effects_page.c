@@ -130,29 +130,42 @@ static void add_image(struct effects_page *page, const struct aob_figure *figure
     add_escaped(page, "<figcaption>", caption, "</figcaption></figure>\n");
 }
 
+static bool is_sequence(const struct effects_page *page)
+{
+    return aob_member_number(page->document, "frames") > 0;
+}
+
+static void add_cell(struct effects_page *page, const json_t *set, const char *member, double scale)
+{
+    double value = set ? scale * aob_member_number(set, member) : NAN;
+    char shown[32] = "\u2013";
+    if (isfinite(value))
+        snprintf(shown, sizeof shown, "%.3g", value);
+    aob_html_number_cell(&page->text, value, shown);
+}
+
 static void add_cells(struct effects_page *page, const json_t *set)
 {
-    static const struct {
-        const char *member, *format;
-        double scale;
-    } cells[] = {{"rmse", "%.2f", 100}, {"flip", "%.3f", 1}, {"ms", "%.3g", 1}};
-    for (size_t i = 0; i < AOB_COUNT(cells); i++) {
-        double value = set ? cells[i].scale * aob_member_number(set, cells[i].member) : NAN;
-        char shown[32] = "\u2013";
-        if (isfinite(value))
-            snprintf(shown, sizeof shown, i == 0 ? "%.2f" : i == 1 ? "%.3f" : "%.3g", value);
-        aob_html_number_cell(&page->text, value, shown);
-    }
+    add_cell(page, set, "rmse", 100);
+    if (is_sequence(page))
+        add_cell(page, set, "flicker", 100);
+    add_cell(page, set, "flip", 1);
+    add_cell(page, set, "ms", 1);
+}
+
+/* The heads of those cells. */
+static void add_cell_heads(struct effects_page *page, const char *error)
+{
+    aob_text_add(&page->text, "<th>%s, %%</th>%s<th>FLIP</th><th>ms</th></tr></thead><tbody>\n", error,
+                 is_sequence(page) ? "<th>flicker, %</th>" : "");
 }
 
 static void add_effects(struct effects_page *page)
 {
     const json_t *row;
-    aob_text_add(
-        &page->text,
-        "<section id=\"effects\"><h2>What the view calls for</h2>\n<div class=\"scroll "
-        "plain\"><table><thead><tr><th>effect</th><th>why</th><th>otherwise off by, %%</th><th>FLIP</th>"
-        "<th>ms</th></tr></thead><tbody>\n");
+    aob_text_add(&page->text, "<section id=\"effects\"><h2>What the view calls for</h2>\n<div class=\"scroll "
+                              "plain\"><table><thead><tr><th>effect</th><th>why</th>");
+    add_cell_heads(page, "otherwise off by");
     for (size_t i = 0; (row = json_array_get(page->effects, i)); i++) {
         bool called = json_is_true(json_object_get(row, "called"));
         aob_text_add(&page->text, "<tr><td><span class=\"chip %s\">", called ? "ok" : "unsupported");
@@ -190,9 +203,8 @@ static void add_gallery(struct effects_page *page)
 static void add_sets(struct effects_page *page)
 {
     const json_t *sets = json_object_get(page->document, "sets"), *set;
-    aob_text_add(&page->text,
-                 "<div class=\"scroll plain\"><table><thead><tr><th>set</th><th>off by, %%</th><th>FLIP</th>"
-                 "<th>ms</th></tr></thead><tbody>\n");
+    aob_text_add(&page->text, "<div class=\"scroll plain\"><table><thead><tr><th>set</th>");
+    add_cell_heads(page, "off by");
     for (size_t i = 0; (set = json_array_get(sets, i)); i++) {
         struct aob_text name = {0};
         name_set(set, &name);
@@ -214,8 +226,10 @@ static void add_facts(struct effects_page *page)
 {
     const json_t *d = page->document, *fingerprint = json_object_get(d, "fingerprint");
     struct aob_text size = {0}, truth = {0};
-    aob_text_add(&size, "%.0f x %.0f, radius %.4g, light %s", aob_member_number(d, "width"),
-                 aob_member_number(d, "height"), aob_member_number(d, "radius"), aob_member_text(d, "light"));
+    aob_text_add(&size, "%.0f x %.0f, ", aob_member_number(d, "width"), aob_member_number(d, "height"));
+    if (is_sequence(page))
+        aob_text_add(&size, "the last of %.0f frames, ", aob_member_number(d, "frames"));
+    aob_text_add(&size, "radius %.4g, light %s", aob_member_number(d, "radius"), aob_member_text(d, "light"));
     aob_text_add(&truth, "%.0f rays a pixel; %.0f pixels a side became one for the pictures and FLIP",
                  aob_member_number(d, "spp"), aob_member_number(d, "flip_shrink"));
     aob_text_add(&page->text, "<dl class=\"facts\">\n");

@@ -47,7 +47,7 @@ check "its pictures" test "$(ls page/figures/*.png | wc -l)" = "$pictures"
 check "none is missing" test "$(grep -c 'class="missing"' page/index.html)" = 0
 check "each stands in it" test "$(grep -o 'src="figures/[a-z_]*.png"' page/index.html | sort -u | wc -l)" = "$pictures"
 check "a chart of the sets" grep -q '</svg>' page/figures/sets.svg
-check "a row an effect and a set" test "$(grep -c '^<tr><td>' page/index.html)" = "$((6 + $(jq '.sets | length' page.json)))"
+check "a row an effect and a set" test "$(grep -c '^<tr><td>' page/index.html)" = "$((7 + $(jq '.sets | length' page.json)))"
 check "the picture of nothing is what no occlusion shows" test "$(jq -r '.effects[] | select(.name == "visibility") | .otherwise.image' page.json)" = images/set-0.exr
 check "nothing from elsewhere" test "$(grep -c '://' page/index.html)" = 0
 expect 2 "page.json" "$program" effects corner --size 64x36 --backend gl-egl --page page.json
@@ -57,6 +57,7 @@ expect 2 "page.json" "$program" effects corner --size 64x36 --backend gl-egl --p
 expect_code 3 "a capture" "$program" effects capture:frame.exr --fov 50 --backend gl-egl --json capture.json --out capture.yaml
 check "visibility is measured" measured capture visibility
 check "even light rules directions out" rule capture directional
+check "a capture has no frames before it" test "$(row capture temporal '[.by, .called]' | jq -c .)" = '["no data",false]'
 check "materials are missing" test "$(row capture multi_bounce .by) $(row capture specular .by)" = '"no data" "no data"'
 check "its config runs" "$program" run capture.yaml --out capture --quiet
 check "without a lit image" jq -e '.options.lit == "off" and .technique == "gtao"' capture/journal.jsonl
