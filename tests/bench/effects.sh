@@ -51,7 +51,7 @@ plan_best() {
 # loss_of FILE SET
 loss_of() {
   awk -v set="$2" 'NR == FNR { e = NR == 1 || $3 < e ? $3 : e; f = NR == 1 || $4 < f ? $4 : f; next }
-    $1 == set { print $3 - e > $4 - f ? $3 - e : $4 - f }' "$1" "$1"
+    $1 == set { print ($3 - e > $4 - f ? $3 - e : $4 - f) }' "$1" "$1"
 }
 
 plan_view() { # SCENE VIEW [FRAMES]
