@@ -56,6 +56,10 @@ check "and image" test "$(of moving far-3-frames '.[0].image_digest')" = "$(of m
 check "is another case" test "$(of moving far-3-frames '.[0] | [.key, .series]')" != "$(of moving camera '.[0] | [.key, .series]')"
 check "compares most points, whose truth hardly changes" jq -e '.sequence.compared > 0.9 and .sequence.compared < 1 and .sequence.truth_change < 0.01 and .sequence.flicker > 0' \
   <(of moving far-3-frames '.[0]')
+check "a shot of the same sequence" "$program" shot --technique gtao --scene corner --view far --frames 3 --last-eye 2.75,4,8 \
+  --last-target 0.25,1,0 --size 96x54 --backend gl-egl --target-radius 0.5,1 --reference-spp 16 --json shot.json
+check "is the run's case" test "$(jq -c '[.key, .error.rmse, .sequence.flicker, .image_digest]' shot.json)" = \
+  "$(of moving far-3-frames '.[0] | [.key, .error.rmse, .sequence.flicker, .image_digest]')"
 check "says where it came from" test "$(of moving far-3-frames '.[0] | [.motion.frames, .motion.eye[1], .camera.eye[1], .camera.previous.eye[1]]')" = '[3,4,4,4]'
 
 # A box moves: frames are shared with pictures, and velocities are in the image.
