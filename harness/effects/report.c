@@ -127,6 +127,15 @@ static void print_candidate(const struct aob_effects *e, const struct aob_effect
     aob_text_finish(&name);
 }
 
+/* What is wrong with a set that is taken all the same. */
+static const char *shortfall_of(const struct aob_effect_answer *a, const struct aob_effect_candidate *c)
+{
+    if (c->within)
+        return "";
+    return isfinite(a->ask.budget_ms) ? "; no set within the tolerance fits the budget"
+                                      : "; no set is within the tolerance in both error and flicker";
+}
+
 static void print_choice(const struct aob_effects *e, struct aob_text *out)
 {
     const struct aob_effect_answer *a = &e->answer;
@@ -135,7 +144,7 @@ static void print_choice(const struct aob_effects *e, struct aob_text *out)
     aob_effect_set_print(c ? c->set : 0, &name);
     if (c)
         aob_text_add_line(out, "take: %s: %.3g ms, off by %.3g %%%s", name.data, c->ms, 100 * c->error.rmse,
-                          c->within ? "" : "; no set within the tolerance fits the budget");
+                          shortfall_of(a, c));
     else
         aob_text_add_line(out, "nothing fits %g ms: the lit image without any occlusion takes %.3g ms",
                           a->ask.budget_ms, a->candidates[0].ms);

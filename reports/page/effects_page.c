@@ -106,8 +106,8 @@ static void add_chart(struct effects_page *page)
     json_array_append_new(series, series_of("taken", "points", 1, x[1], y[1]));
     add_figure(page, AOB_FIGURE_CHART, "sets.svg",
                json_pack("{s:s, s:s, s:o, s:o, s:o}", "kind", "chart", "title", "Sets of effects", "x",
-                         aob_chart_axis("ms a frame", across, 20), "y",
-                         aob_chart_axis("relative RMSE of the lit image", up, 20), "series", series));
+                         aob_chart_axis("time a frame (ms", across, 20), "y",
+                         aob_chart_axis("RMSE of the lit image (relative", up, 20), "series", series));
 }
 
 static void draw(struct effects_page *page)
@@ -256,8 +256,12 @@ static void add_head(struct effects_page *page)
     add_escaped(page, "", aob_member_text(page->document, "view"), " calls for</h1>\n");
     if (json_is_object(page->chosen)) {
         add_escaped(page, "<p>Taken: ", name.data, "");
-        aob_text_add(&page->text, ": %.3g ms a frame, off by %.3g %% of the light.</p>\n",
+        aob_text_add(&page->text, ": %.3g ms a frame, off by %.3g %% of the light",
                      aob_member_number(page->chosen, "ms"), 100 * aob_member_number(page->chosen, "rmse"));
+        if (is_sequence(page))
+            aob_text_add(&page->text, ", with a flicker of %.2g %%",
+                         100 * aob_member_number(page->chosen, "flicker"));
+        aob_text_add(&page->text, ".</p>\n");
     } else
         aob_text_add(&page->text, "<p>Nothing fits the budget.</p>\n");
     add_facts(page);
