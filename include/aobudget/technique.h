@@ -253,6 +253,8 @@ struct aob_graph {
  *   ivec2 aob_size              its pixels, guard band included
  *   float aob_view_z(ivec2 p)   depth of the surface in pixel p, scene units; AOB_SKY_Z where there is none
  *   bool  aob_is_sky(ivec2 p)                likewise
+ *   float aob_depth_error(float z)           how far the G-buffer's encoding may have rounded such a depth; 0 where it holds floats as
+ *                                            fine as a shader's own, and then AOB_DEPTH_EXACT is 1, else 0
  *   vec3  aob_position(ivec2 p)              view-space point of the surface in pixel p, at the pixel's centre
  *   vec3  aob_position_at(vec2 q, float z)   the same at image position q and depth z
  *   vec3  aob_normal(ivec2 p)                normal of the surface in pixel p, likewise
