@@ -184,9 +184,9 @@ static const struct aob_by_definition by_definition[] = {
     {0},
 };
 
-/* With the hemisphere a sample counts whole where nothing at its pixel rises above the tangent plane, by more than 1e-5 of how far it
- * is and 1e-6 of the depth: then a plane is 1, and so is what has no more before it, whatever the range check says. Of the whole
- * sphere the share depends on how the offsets fall, and on how steep the plane is. */
+/* With the hemisphere a sample counts whole where the surface at its pixel rises above the tangent plane by no more than 1e-5 of how far
+ * away it is and 1e-6 of the depth. So a plane is 1, whatever the range check says. Of the whole sphere a plane has no one value: its
+ * share depends on how the offsets fall in each pixel, and on how steep the plane is. */
 static struct aob_clearance clearance(const void *values)
 {
     const struct values *v = values;

@@ -209,8 +209,8 @@ static const struct aob_by_definition by_definition[] = {
     {0},
 };
 
-/* A sample is occluded only by what rises by more than epsilon above the tangent plane, at the pixel of the sample; of the small set
- * as well, so its radius must be within the other. */
+/* A sample is occluded only if the surface at its pixel rises by more than epsilon above the tangent plane. That holds of the small set
+ * as well, whose radius must be within the other. */
 static struct aob_clearance clearance(const void *values)
 {
     const struct values *v = values;

@@ -107,10 +107,10 @@ static const struct aob_by_definition by_definition[] = {
     {0},
 };
 
-/* A surface in front of the plane makes each line solid by no more than how far it is in front, and twice its factor of distance
- * covers that. The mean half line is .19 of the radius at least, from six lines on a disc of three pixels: a rise of 5e-4 of the
- * radius is a darkness of .0026 then. With fewer lines, or pixels, all of them may stand where the sphere is thin. Without normals
- * the whole sphere is asked, and what lies behind the plane counts above open: where that is no more than cut off, nothing shows. */
+/* A surface that comes in front of the plane makes each line solid by as much as it is in front. Six lines or more, on a disc of three
+ * pixels or more, have a mean half length of .19 of the radius at least, to whichever pixels they are rounded: so 5e-4 of the radius
+ * closes .0026. Fewer lines may all stand at the rim of the sphere, where it is thin. Without normals the whole sphere is asked, and
+ * what lies behind the plane makes it brighter than open: that shows unless it is cut off at once. */
 static struct aob_clearance clearance(const void *values)
 {
     const struct values *v = values;

@@ -74,7 +74,8 @@ static void test_gentle_slopes(void **state)
     for (size_t k = 0; k < AOB_COUNT(slopes) + AOB_COUNT(steps); k++) {
         struct aob_rig rig;
         bool steep = k < AOB_COUNT(slopes);
-        ramp_rig(&rig, steep ? slopes[k] : 0, steep ? 0 : steps[k - AOB_COUNT(slopes)], k % 2 ? &tele : &wide);
+        ramp_rig(&rig, steep ? slopes[k] : 0, steep ? 0 : steps[k - AOB_COUNT(slopes)],
+                 k % 2 ? &tele : &wide);
         worst = fmax(worst, worst_of(&rig, gpu, "radius=0.5"));
         aob_rig_finish(&rig);
     }
@@ -303,7 +304,8 @@ static void test_search(void **state)
         aob_rig_scene(&rig, views[k / 2][0], views[k / 2][1], W, H, 0);
         aob_rig_probe(&rig, gpu, &probe, &values, &(struct aob_options){.thrift = 1}, pixels);
         for (int i = 0; i < PIXELS; i++)
-            if (pixels[i] == 0 && radii[k % 2] / (rig.gbuffer.projection.sy * (double)rig.gbuffer.depth[i]) > 1) {
+            if (pixels[i] == 0 &&
+                radii[k % 2] / (rig.gbuffer.projection.sy * (double)rig.gbuffer.depth[i]) > 1) {
                 worst = fmax(worst, in_front(&rig, i % W, i / W, (double)values.radius));
                 clear++;
             }
@@ -320,20 +322,21 @@ static void test_who_takes_part(void **state)
 {
     static const struct {
         const char *technique, *params, *because;
-    } rows[] = {{"volumetric_obscurance", "", NULL},
-                {"volumetric_obscurance", "amplification=off", NULL},
-                {"volumetric_obscurance", "resolutions=one hemisphere=off", NULL},
-                {"volumetric_obscurance", "hemisphere=off", "brighter than open"},
-                {"volumetric_obscurance", "resolutions=one hemisphere=off amplification=off", "brighter than open"},
-                {"volumetric_obscurance", "samples=4", "fewer than six"},
-                {"starcraft2_ssao", "", NULL},
-                {"starcraft2_ssao", "epsilon=0", "epsilon is 0"},
-                {"starcraft2_ssao", "small_radius=0.6", "reaches farther"},
-                {"starcraft2_ssao", "small_radius=0.6 radii=one", NULL},
-                {"crytek_ssao", "hemisphere=on", NULL},
-                {"crytek_ssao", "", "hemisphere = on"},
-                {"crytek_ssao", "hemisphere=on size=screen", "another radius"},
-                {"ao_volumes", "", "triangles"}};
+    } rows[] = {
+        {"volumetric_obscurance", "", NULL},
+        {"volumetric_obscurance", "amplification=off", NULL},
+        {"volumetric_obscurance", "resolutions=one hemisphere=off", NULL},
+        {"volumetric_obscurance", "hemisphere=off", "brighter than open"},
+        {"volumetric_obscurance", "resolutions=one hemisphere=off amplification=off", "brighter than open"},
+        {"volumetric_obscurance", "samples=4", "fewer than six"},
+        {"starcraft2_ssao", "", NULL},
+        {"starcraft2_ssao", "epsilon=0", "epsilon is 0"},
+        {"starcraft2_ssao", "small_radius=0.6", "reaches farther"},
+        {"starcraft2_ssao", "small_radius=0.6 radii=one", NULL},
+        {"crytek_ssao", "hemisphere=on", NULL},
+        {"crytek_ssao", "", "hemisphere = on"},
+        {"crytek_ssao", "hemisphere=on size=screen", "another radius"},
+        {"ao_volumes", "", "triangles"}};
     (void)state;
     for (size_t i = 0; i < AOB_COUNT(rows); i++) {
         const struct aob_technique *technique = technique_of(rows[i].technique);
@@ -350,10 +353,15 @@ static void test_who_takes_part(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nothing_shows), cmocka_unit_test(test_gentle_slopes),
-        cmocka_unit_test(test_halos),         cmocka_unit_test(test_small_radii),
-        cmocka_unit_test(test_hostile_gbuffers), cmocka_unit_test(test_backends),
-        cmocka_unit_test(test_shares),        cmocka_unit_test(test_search), cmocka_unit_test(test_who_takes_part),
+        cmocka_unit_test(test_nothing_shows),
+        cmocka_unit_test(test_gentle_slopes),
+        cmocka_unit_test(test_halos),
+        cmocka_unit_test(test_small_radii),
+        cmocka_unit_test(test_hostile_gbuffers),
+        cmocka_unit_test(test_backends),
+        cmocka_unit_test(test_shares),
+        cmocka_unit_test(test_search),
+        cmocka_unit_test(test_who_takes_part),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -24,7 +24,7 @@ static inline const struct aob_technique *technique_of(const char *name)
 static inline void draw_both(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique,
                              const char *params, float *images[2])
 {
-    char text[256];
+    char text[512];
     for (int on = 0; on < 2; on++) {
         images[on] = AOB_NEW_ARRAY(float, PIXELS);
         snprintf(text, sizeof text, "%s thrift=%s", params, on ? "on" : "off");
@@ -59,9 +59,8 @@ static inline void draw_technique(const struct aob_rig *rig, struct aob_gpu *gpu
     struct aob_options options;
     struct aob_error error = {{0}};
     aob_rig_params(technique_of(technique), params, values, &options);
-    const struct aob_frame_desc desc = {.technique = technique_of(technique),
-                                        .values = values,
-                                        .wanted = aob_options_wanted(&options)};
+    const struct aob_frame_desc desc = {
+        .technique = technique_of(technique), .values = values, .wanted = aob_options_wanted(&options)};
     bool ok = aob_screen_init(&drawn->screen, gpu, &rig->gbuffer, &options, &error) &&
               aob_frame_init_desc(&drawn->frame, &drawn->screen, &desc, &error) &&
               aob_frame_run(&drawn->frame, 1, NULL, &error);
