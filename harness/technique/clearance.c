@@ -37,9 +37,10 @@ bool aob_clearance_lay(struct aob_pass_graph *graph, const void *values)
     const struct aob_clearance way = aob_clearance_of(graph->technique, values);
     const bool in_front = way.occluders == AOB_OCCLUDERS_IN_FRONT;
     struct aob_graph *g = &graph->interface;
-    graph->unclear = way.because;
-    if (millionths(way.sine) == 0 || (way.rise > 0 && millionths(way.rise) == 0))
+    if (millionths(way.sine) == 0 || (way.rise > 0 && millionths(way.rise) == 0)) {
+        graph->unclear = way.because;
         return true;
+    }
     graph->shaders = aob_shaders_clearance;
     aob_tex plane = aob_texture(g, .name = "clearance_plane", .format = AOB_RGBA32F,
                                 .divisor = AOB_CLEARANCE_TILE),

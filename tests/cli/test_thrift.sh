@@ -19,8 +19,8 @@ config '{name: gtao, params: {radius: 0.5}}, {name: hbao}, {name: ray_march}, {n
 config '{name: crytek_ssao}, {name: ao_volumes}, {name: none}, {name: starcraft2_ssao, params: {epsilon: 0}}' 'thrift: on' >none.yaml
 config '{name: gtao, params: {radius: 0.5}}' '' >plain.yaml
 check "a run of seven that leave something out" "$program" run thrift.yaml --out thrift --quiet
-"$program" run none.yaml --out none --quiet >/dev/null
-check "a run of those that leave nothing out" test $? -eq 3
+"$program" run none.yaml --out none --quiet >/dev/null 2>&1
+check "a run of those that leave nothing out" test $? -eq 2
 check "a run without the option" "$program" run plain.yaml --out plain --quiet
 # of TECHNIQUE THRIFT FILTER
 of() { jq -s "map(select(.technique == \"$1\" and .options.thrift == \"$2\"))[0] | $3" thrift/journal.jsonl; }
@@ -30,17 +30,18 @@ check "on it is in both" test "$(of gtao on '[.key, .series] | sort')" != "$(of 
 check "its passes come first" test "$(of gtao on '[.time.passes[].name] | join(" ")')" = '"clearance_tiles clearance_groups clearance horizon blur_x1 blur_y1"'
 check "off there are none, and nothing is said to be left out" test "$(of gtao off '[(.time.passes | length), has("left_out")]' | jq -c .)" = "[3,false]"
 image() { echo "thrift/$(of "$1" "$2" .image | tr -d '"')"; }
-while read -r technique least; do
+while read -r technique least most; do
   check "$technique leaves much of a plain out" jq -e ".left_out > $least and .left_out < 1" <(of $technique on .)
-  check "$technique draws the same image" test "$("$AOBUDGET_BUILD/image_rmse" "$(image $technique on)" technique.AO "$(image $technique off)" technique.AO)" = 0
+  rmse=$("$AOBUDGET_BUILD/image_rmse" "$(image $technique on)" technique.AO "$(image $technique off)" technique.AO)
+  check "$technique draws the same image, to the last bit of a half float" awk "BEGIN { exit !($rmse <= $most) }"
 done <<'TECHNIQUES'
-gtao 0.5
-hbao 0.5
-ray_march 0.5
-alchemy 0.5
-volumetric_obscurance 0.5
-starcraft2_ssao 0.5
-crytek_ssao 0.2
+gtao 0.5 0
+hbao 0.5 0
+ray_march 0.5 0
+alchemy 0.5 0
+volumetric_obscurance 0.2 0.0005
+starcraft2_ssao 0.5 0
+crytek_ssao 0.1 0
 TECHNIQUES
 # says TECHNIQUE REASON
 says() { check "$1 says that it leaves nothing out" test "$(jq -r "select(.technique == \"$1\") | .reason" none/journal.jsonl)" = "$1 leaves nothing out$2: leave the option thrift off for it"; }

@@ -210,7 +210,7 @@ static void test_foreign_files_are_refused(void **state)
     (void)state;
     char *old = module_path("tests/modules/old_abi.so"), *twice = module_path("tests/modules/twice.so");
     refused(twice, "twice.so: two of its techniques are named 'twice'");
-    refused(old, "made for module interface 3, this program has 10: build it again");
+    refused(old, "made for module interface 3, this program has 11: build it again");
     refused("/nonexistent/x.so", "cannot open");
     refused("/tmp", "is it a file?");
     refused("/etc/passwd", "cannot load");
