@@ -17,6 +17,7 @@ struct aob_plan_scene {                /* one view of one scene */
     char *name;                        /* "corner", one of the user's folder, or the file's path */
     char *file;                        /* mesh file to load, or NULL for a procedural scene */
     const char *gbuffer;               /* of a capture: its G-buffer in the cache, of this size; else NULL */
+    unsigned materials;                /* of a capture: bits AOB_MATERIAL_BIT of what its file has */
     int width, height;
     char *
         view; /* "front", "camera", "camera-2", "capture" or "framed" (from the mesh's box, once it is loaded);

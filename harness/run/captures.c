@@ -39,6 +39,7 @@ static void take_answer(void *user, const json_t *object)
     choice->ortho_height = answer.ortho_height;
     choice->ortho = answer.ortho_height > 0;
     choice->has_camera = true;
+    choice->materials = answer.materials;
     memcpy(choice->eye, answer.eye, sizeof choice->eye);
     memcpy(choice->target, answer.target, sizeof choice->target);
 }
