@@ -32,9 +32,6 @@ static bool judge(const struct aob_config *config, struct aob_error *error)
         entries += strcmp(config->techniques[i].name.text, technique) == 0;
     if (entries != 1)
         return aob_fail(error, "effects: auto needs one entry of %s, and there are %d", technique, entries);
-    for (size_t i = 0; i < config->scene_count; i++)
-        if (config->scenes[i].capture)
-            return aob_fail(error, "effects: auto is for scenes: a capture has no lit image");
     return has_one_value(config->options, config->option_count, error) &&
            has_one_value(config->techniques[entry].axes, config->techniques[entry].axis_count, error);
 }
@@ -155,14 +152,14 @@ static bool give_up(const struct one *one, struct aob_error *error)
 
 static bool plan_view(struct one *one, unsigned *set, struct aob_error *error)
 {
-    char folder[AOB_WORK_FOLDER];
+    struct aob_work_folder folder;
     struct aob_effects effects = {0};
     struct aob_effects_desc desc = {.dispatch = one->chooser->dispatch,
                                     .maker = {make, one},
-                                    .ask = {NAN, INFINITY, NULL},
-                                    .folder = folder};
-    if (!aob_work_folder_create(folder, error))
+                                    .ask = {NAN, INFINITY, NULL}};
+    if (!aob_work_folder_create(&folder, error))
         return false;
+    desc.folder = folder.path;
     bool ok = aob_effects_plan(&desc, &effects, error);
     *set = ok ? effects.answer.candidates[effects.answer.chosen].set : AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY);
     if (ok)
@@ -171,7 +168,7 @@ static bool plan_view(struct one *one, unsigned *set, struct aob_error *error)
         ok = effects.unsupported ? give_up(one, error)
                                  : aob_fail_in(error, "%s/%s", one->c->scene->name, one->c->scene->view);
     aob_effects_finish(&effects);
-    aob_work_folder_remove(folder);
+    aob_work_folder_remove(&folder);
     return ok;
 }
 
