@@ -59,7 +59,8 @@ bool aob_effect_planner_capture(struct aob_effect_planner *p, unsigned materials
     a->materials = materials;
     a->lacks = lacks_of(materials);
     a->unlit = a->lacks;
-    const unsigned known = AOB_EFFECT_ALL & ~a->lacks, sizes[2] = {known & ~AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE), known};
+    const unsigned known = AOB_EFFECT_ALL & ~a->lacks,
+                   sizes[2] = {known & ~AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE), known};
     if (!aob_effect_planner_draw(p, sizes, error))
         return false;
     apply_rules(p->effects);

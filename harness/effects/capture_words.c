@@ -26,7 +26,9 @@ void aob_effect_against(const struct aob_effect_answer *answer, int spp, struct 
 void aob_effect_explain_lack(enum aob_effect_id id, struct aob_text *text)
 {
     if (id == AOB_EFFECT_SPECULAR)
-        aob_text_add(text, "not known: the file has no roughness, and how wide a surface mirrors depends on it");
+        aob_text_add(text,
+                     "not known: the file has no roughness, and how wide a surface mirrors depends on it");
     else
-        aob_text_add(text, "not known: the file has no base colour (albedo.R .G .B), and bounces depend on it");
+        aob_text_add(text,
+                     "not known: the file has no base colour (albedo.R .G .B), and bounces depend on it");
 }

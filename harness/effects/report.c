@@ -169,8 +169,7 @@ void aob_effects_print(const struct aob_effects *e, struct aob_text *out)
         aob_text_add_line(out, "%-13s %s", aob_effect_rows[id].name, sentence.data);
         aob_text_finish(&sentence);
     }
-    aob_text_add_line(out, "  %-58s %14s %7s %9s", "set",
-                      a->no_truth ? "differs by, %" : "off by, %", "FLIP",
+    aob_text_add_line(out, "  %-58s %14s %7s %9s", "set", a->no_truth ? "differs by, %" : "off by, %", "FLIP",
                       a->ask.profile ? "model ms" : "ms");
     for (size_t i = 0; i < a->count; i++)
         if (&a->candidates[i] == chosen_of(e) || !is_beaten(a, &a->candidates[i]))
@@ -235,10 +234,10 @@ void aob_effects_write_config(const struct aob_effects *e, const char *scene, st
     struct aob_text name = {0};
     aob_effect_set_print(chosen->set, &name);
     aob_text_add(
-        text,
-        "# Written by `aobudget effects`: %s.\n# %.3g ms a frame%s%s; the lit image %s by %.3g %%%s.\n",
+        text, "# Written by `aobudget effects`: %s.\n# %.3g ms a frame%s%s; the lit image %s by %.3g %%%s.\n",
         name.data, chosen->ms, profile ? " modelled on " : "", profile ? profile : "",
-        e->answer.no_truth ? "differs" : "is off", 100 * chosen->error.rmse, e->answer.no_truth ? " from its own of full size" : "");
+        e->answer.no_truth ? "differs" : "is off", 100 * chosen->error.rmse,
+        e->answer.no_truth ? " from its own of full size" : "");
     aob_text_finish(&name);
     aob_text_add(text, "name: effects\nscenes: [%s]\nresolutions: [%dx%d]\nbackends: [\"%s\"]\n", scene,
                  c->width, c->height, c->backend);

@@ -81,8 +81,9 @@ bool aob_work_folder_create(struct aob_work_folder *folder, struct aob_error *er
     if (!folder->path)
         folder->path = make_in("/tmp");
     if (!folder->path)
-        return aob_fail(error, "/tmp: cannot create a folder for the frames: %s; set TMPDIR to one that can be written",
-                        strerror(errno));
+        return aob_fail(
+            error, "/tmp: cannot create a folder for the frames: %s; set TMPDIR to one that can be written",
+            strerror(errno));
     start_keeper(folder);
     return true;
 }

@@ -8,7 +8,7 @@
 
 struct aob_work_folder {
     char *path;
-    int alive;    /* a pipe's end that closes with the last process of this program; -1: nobody keeps the folder */
+    int alive; /* a pipe's end that closes with the last process of this program; -1: nobody keeps the folder */
     pid_t keeper; /* who waits for that */
 };
 

@@ -39,7 +39,7 @@ struct search {
     const char *layer;
     enum aob_material_channel which;
     struct candidate best, second; /* rank NONE: there is none */
-    int lacking;                   /* a channel of a base colour that lacks another of its three; else AOB_CHANNEL_NONE */
+    int lacking; /* a channel of a base colour that lacks another of its three; else AOB_CHANNEL_NONE */
 };
 
 /* The place of the word in the name, and its rank; -1: there is none. */
@@ -154,8 +154,7 @@ static bool take_named(const struct search *search, const char *wanted,
     const char *what = aob_material_channel_names[search->which];
     if (search->which != AOB_MATERIAL_ALBEDO) {
         channel->at[0] = find_name(search, wanted);
-        return channel->at[0] >= 0 ||
-               aob_fail(error, "%s_channel: it has no channel '%s'", what, wanted);
+        return channel->at[0] >= 0 || aob_fail(error, "%s_channel: it has no channel '%s'", what, wanted);
     }
     for (int c = 0; c < 3; c++)
         channel->at[c] =

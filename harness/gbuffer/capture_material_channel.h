@@ -15,7 +15,8 @@
 #include "capture_channel.h"
 
 struct aob_capture_material_channel {
-    int at[3];  /* indexes among the names: R G B of the base colour, else the first alone; AOB_CHANNEL_NONE: there is none */
+    int at
+        [3]; /* indexes among the names: R G B of the base colour, else the first alone; AOB_CHANNEL_NONE: there is none */
     int other;  /* another of the same layer that would do as well; else AOB_CHANNEL_NONE */
     bool mixed; /* it is of another layer than the depth, and the convention does not name it */
 };

@@ -61,11 +61,12 @@ static void add_picture(struct effects_page *page, const char *file, const char 
     char *image = aob_path_join(page->desc->out, aob_member_text(set, "image"));
     struct aob_text name = {0};
     name_set(set, &name);
-    json_t *job = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:f}", "kind",
-                            "triptych", "title", title, "subtitle", name.data, "image", image, "technique",
-                            "technique.lit", "reference", "reference.lit", "error", "error.lit", "quantity",
-                            "the lit image", "reference_name", is_own(page) ? "Full size" : "Reference", "limit_group", "lit", "colour", 1,
-                            "exposure", aob_member_number(page->document, "exposure"));
+    json_t *job =
+        json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:f}", "kind", "triptych", "title",
+                  title, "subtitle", name.data, "image", image, "technique", "technique.lit", "reference",
+                  "reference.lit", "error", "error.lit", "quantity", "the lit image", "reference_name",
+                  is_own(page) ? "Full size" : "Reference", "limit_group", "lit", "colour", 1, "exposure",
+                  aob_member_number(page->document, "exposure"));
     add_figure(page, AOB_FIGURE_OUTPUT, file, job ? job : json_object());
     aob_text_finish(&name);
     free(image);
@@ -257,7 +258,8 @@ static void add_head(struct effects_page *page)
     if (json_is_object(page->chosen)) {
         add_escaped(page, "<p>Taken: ", name.data, "");
         aob_text_add(&page->text, ": %.3g ms a frame, %s by %.3g %% of the light.</p>\n",
-                     aob_member_number(page->chosen, "ms"), off(page), 100 * aob_member_number(page->chosen, "rmse"));
+                     aob_member_number(page->chosen, "ms"), off(page),
+                     100 * aob_member_number(page->chosen, "rmse"));
     } else
         aob_text_add(&page->text, "<p>Nothing fits the budget.</p>\n");
     add_facts(page);

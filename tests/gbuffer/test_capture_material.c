@@ -58,7 +58,8 @@ static void check_texels(const struct aob_capture *capture, unsigned which)
 {
     static const unsigned char plain[5] = {228, 228, 228, 255, 0}; /* sqrt(.8), 1 and 0 */
     struct aob_gbuffer gbuffer = store_and_load(capture);
-    unsigned char *albedo = aob_material_albedo_texels(&gbuffer), *shine = aob_material_shine_texels(&gbuffer);
+    unsigned char *albedo = aob_material_albedo_texels(&gbuffer),
+                  *shine = aob_material_shine_texels(&gbuffer);
     for (int i = 0; i < COUNT; i++)
         for (int c = 0; c < 5; c++) {
             int got = c < 3 ? albedo[4 * i + c] : shine[2 * i + c - 3];
@@ -86,7 +87,8 @@ static void test_texels(void **state)
         assert_int_equal(capture.materials, files[k].materials);
         assert_int_equal(capture.warning_count, files[k].warnings);
         if (files[k].warnings)
-            assert_contains(capture.warnings[0].text, "it has no metalness, so all of it is taken for no metal");
+            assert_contains(capture.warnings[0].text,
+                            "it has no metalness, so all of it is taken for no metal");
         check_texels(&capture, files[k].which);
         aob_capture_finish(&capture);
     }
@@ -142,7 +144,8 @@ static void test_refused(void **state)
     p->values[4][W + 5] = INFINITY;
     expect_refusal(&file, &desc, "its metalness is inf");
     file = make_file(p, 31 - 4);
-    expect_refusal(&file, &desc, "its base colour has albedo.R, and not all of .R .G .B: write the three, or");
+    expect_refusal(&file, &desc,
+                   "its base colour has albedo.R, and not all of .R .G .B: write the three, or");
     p->values[4][W + 5] = 0;
     for (int i = 0; i < COUNT; i++)
         p->values[3][i] = (float)(i % 256);

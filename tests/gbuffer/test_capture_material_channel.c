@@ -5,8 +5,8 @@
 
 enum { MOST = 16 };
 struct choice {
-    const char *names[MOST]; /* in the order of a file */
-    const char *layer;       /* of the depth */
+    const char *names[MOST];                                                 /* in the order of a file */
+    const char *layer;                                                       /* of the depth */
     const char *found[AOB_MATERIAL_CHANNELS], *other[AOB_MATERIAL_CHANNELS]; /* NULL: none */
     bool mixed;                                                              /* the base colour */
     const char *named[AOB_MATERIAL_CHANNELS];                                /* by the user; NULL: not */

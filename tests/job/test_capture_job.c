@@ -72,7 +72,8 @@ static void a_capture_job_that_lacks_a_field(void **state)
     struct aob_error error = {{0}};
     (void)state;
     for (size_t i = 0; i < sizeof needed / sizeof *needed; i++) {
-        json_t *message = send(aob_capture_job_to_json(&(struct aob_capture_job){.file = "F.exr", .out = "g"}));
+        json_t *message =
+            send(aob_capture_job_to_json(&(struct aob_capture_job){.file = "F.exr", .out = "g"}));
         assert_true(aob_capture_job_from_json(message, &job, &error));
         json_object_del(message, needed[i]);
         assert_false(aob_capture_job_from_json(message, &job, &error));
