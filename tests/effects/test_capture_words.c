@@ -86,9 +86,10 @@ static void test_sentences(void **state)
                "not known: the file has no base colour (albedo.R .G .B), and bounces depend on it");
     check_says(&bare, AOB_EFFECT_SPECULAR, AOB_WHY_NO_DATA,
                "not known: the file has no roughness, and how wide a surface mirrors depends on it");
-    check_says(&rough, AOB_EFFECT_SPECULAR, AOB_WHY_RULE,
-               "no: what these surfaces mirror is so little, or so wide, that its occlusion changes the image "
-               "by 0.3 % at most, of a tolerance of 2 %");
+    check_says(
+        &rough, AOB_EFFECT_SPECULAR, AOB_WHY_RULE,
+        "no: what these surfaces mirror is so little, or so wide, that its occlusion changes the image "
+        "by 0.3 % at most, of a tolerance of 2 %");
     check_says(&bare, AOB_EFFECT_HALF_SIZE, AOB_WHY_MEASURED,
                "no: with it the image differs by 5 % in place of 1 %, and a frame takes 1 ms less");
     check_says(&bare, AOB_EFFECT_DIRECTIONAL, AOB_WHY_MEASURED,
