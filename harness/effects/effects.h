@@ -5,7 +5,7 @@
  * one at each size of occlusion, hold every output; the lit image of each set is made of them (drawn.h). Four frames at most are timed, and
  * the cost of a set is the sum of its passes (cost.h).
  *
- * A capture has no surfaces to trace, and its materials are not read: it gets the answer that its depth and the light allow. */
+ * A capture has no surfaces to trace: its own image of full size stands for the truth, with the effects that its materials allow. */
 #ifndef AOB_EFFECTS_EFFECTS_H
 #define AOB_EFFECTS_EFFECTS_H
 #include "answer.h"
