@@ -25,7 +25,8 @@ void aob_reel_init(struct aob_reel *reel, const struct aob_rig *rig, struct aob_
     const struct aob_frame_desc desc = {.technique = found,
                                         .values = reel->values,
                                         .fetch = (enum aob_fetch)options.fetch,
-                                        .wanted = aob_options_wanted(&options)};
+                                        .wanted = aob_options_wanted(&options),
+                                        .readable = true};
     judge(aob_screen_init(&reel->screen, gpu, &rig->gbuffer, &options, &error) &&
               aob_frame_init_desc(&reel->frame, &reel->screen, &desc, &error),
           &error);

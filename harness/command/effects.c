@@ -122,12 +122,12 @@ static void show(void *user, const char *work)
 static enum aob_exit plan(struct options *o, struct aob_effects_desc *desc, struct aob_error *error)
 {
     struct aob_effects effects = {0};
-    char folder[AOB_WORK_FOLDER];
-    if (!aob_work_folder_create(folder, error))
+    struct aob_work_folder folder;
+    if (!aob_work_folder_create(&folder, error))
         return AOB_EXIT_USAGE;
     struct aob_progress progress;
     aob_progress_init(&progress, STEPS, o->common.quiet);
-    desc->folder = folder;
+    desc->folder = folder.path;
     desc->on_work = show;
     desc->user = &progress;
     bool ok = aob_effects_plan(desc, &effects, error);
@@ -135,10 +135,10 @@ static enum aob_exit plan(struct options *o, struct aob_effects_desc *desc, stru
     ok = ok && write_config(o, &effects, error) && tell(o, &effects, error);
     enum aob_exit code = !ok                         ? AOB_EXIT_USAGE
                          : effects.answer.chosen < 0 ? AOB_EXIT_BAD
-                         : effects.answer.no_truth   ? AOB_EXIT_PART
+                         : effects.answer.lacks      ? AOB_EXIT_PART
                                                      : AOB_EXIT_OK;
     aob_effects_finish(&effects);
-    aob_work_folder_remove(folder);
+    aob_work_folder_remove(&folder);
     return code;
 }
 

@@ -64,7 +64,15 @@ struct aob_single_flags {
         AOB_FLAG_OF(type, member.convention[AOB_CONVENTION_DEPTH_CHANNEL], "depth-channel", "NAME",          \
                     "of a capture, where it is not found by its name"),                                      \
         AOB_FLAG_OF(type, member.convention[AOB_CONVENTION_NORMAL_CHANNEL], "normal-channel", "NAME",        \
-                    "the same of its normals, without .X .Y .Z")
+                    "the same of its normals, without .X .Y .Z"),                                            \
+        AOB_FLAG_OF(type, member.convention[AOB_CONVENTION_MATERIALS], "materials", "WHOSE",                 \
+                    "of a capture: file or none (file)"),                                                    \
+        AOB_FLAG_OF(type, member.convention[AOB_CONVENTION_ALBEDO_CHANNEL], "albedo-channel", "NAME",        \
+                    "of a capture's base colour, without .R .G .B"),                                         \
+        AOB_FLAG_OF(type, member.convention[AOB_CONVENTION_ROUGHNESS_CHANNEL], "roughness-channel", "NAME",  \
+                    "the same of its roughness"),                                                            \
+        AOB_FLAG_OF(type, member.convention[AOB_CONVENTION_METALNESS_CHANNEL], "metalness-channel", "NAME",  \
+                    "the same of its metalness")
 
 /* The flags as a config of one case for the command `name`. The caller chooses what is measured. False after a line; the
  * config is to be finished either way, and with it the words of the flags (aob_words_finish). */

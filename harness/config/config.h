@@ -76,9 +76,11 @@ struct aob_scene_choice {
     struct aob_convention convention; /* of a capture */
     char *light; /* a listed light, or a probe's path as the current folder sees it; NULL: the scene's */
     bool is_probe;
-    double sh[27];     /* of a probe once it is loaded (probes.h): nine coefficients of R, G, B each */
-    int width, height; /* of a capture once it is loaded (captures.h), before the plan is made; */
-    char *gbuffer;     /* its file in the cache, known as late, */
+    double sh[27];      /* of a probe once it is loaded (probes.h): nine coefficients of R, G, B each */
+    bool told;          /* of a capture: what there is to warn of has been said. No key of a file */
+    unsigned materials; /* bits AOB_MATERIAL_BIT of what a capture has, once it is loaded (captures.h) */
+    int width, height;  /* of a capture once it is loaded (captures.h), before the plan is made; */
+    char *gbuffer;      /* its file in the cache, known as late, */
     char geometry[AOB_KEY_SIZE]; /* and what it was made of: the file and what is stated of it; */
     char digest[AOB_KEY_SIZE];   /* with the version of its reader */
     int line, column;

@@ -131,11 +131,33 @@ void aob_config_take_light(struct aob_scene_choice *choice, const char *text)
     choice->is_probe = strpbrk(text, "/.");
 }
 
-static const char *const keys[] = {
-    "name",           "file",    "capture",         "view",   "views",    "eye",
-    "target",         "fov_deg", "ortho_height",    "shift",  "previous", "depth",
-    "near",           "far",     "normals",         "handed", "up",       "depth_channel",
-    "normal_channel", "light",   "metres_per_unit", "motion", NULL};
+static const char *const keys[] = {"name",
+                                   "file",
+                                   "capture",
+                                   "view",
+                                   "views",
+                                   "eye",
+                                   "target",
+                                   "fov_deg",
+                                   "ortho_height",
+                                   "shift",
+                                   "previous",
+                                   "depth",
+                                   "near",
+                                   "far",
+                                   "normals",
+                                   "handed",
+                                   "up",
+                                   "depth_channel",
+                                   "normal_channel",
+                                   "light",
+                                   "metres_per_unit",
+                                   "motion",
+                                   "materials",
+                                   "albedo_channel",
+                                   "roughness_channel",
+                                   "metalness_channel",
+                                   NULL};
 
 bool aob_config_read_scene(struct aob_yaml *yaml, yaml_node_t *node, void *user)
 {

@@ -4,12 +4,25 @@
 #include <string.h>
 #include "base/memory.h"
 
-const char *const aob_convention_keys[AOB_CONVENTION_COUNT + 1] = {
-    "depth", "near", "far", "normals", "handed", "up", "depth_channel", "normal_channel", NULL};
+const char *const aob_convention_keys[AOB_CONVENTION_COUNT + 1] = {"depth",
+                                                                   "near",
+                                                                   "far",
+                                                                   "normals",
+                                                                   "handed",
+                                                                   "up",
+                                                                   "depth_channel",
+                                                                   "normal_channel",
+                                                                   "materials",
+                                                                   "albedo_channel",
+                                                                   "roughness_channel",
+                                                                   "metalness_channel",
+                                                                   NULL};
+const char *const aob_material_channel_names[AOB_MATERIAL_CHANNELS] = {"albedo", "roughness", "metalness"};
 
 static const char *const depths[] = {"planar", "distance", "device", "device_reversed", NULL};
 static const char *const normals[] = {"view", "world", "derived", NULL};
 static const char *const hands[] = {"right", "left", NULL};
+static const char *const materials[] = {"file", "none", NULL};
 
 /* -1 after a line if it is none of them. */
 static int choose(const char *key, const char *const *words, const char *text, struct aob_error *error)
@@ -75,8 +88,13 @@ bool aob_convention_set(struct aob_convention *c, enum aob_convention_key key, c
         return set_up(text, c->up, error);
     case AOB_CONVENTION_DEPTH_CHANNEL:
         return set_name(name, text, c->depth_channel, error);
-    default:
+    case AOB_CONVENTION_NORMAL_CHANNEL:
         return set_name(name, text, c->normal_channel, error);
+    case AOB_CONVENTION_MATERIALS:
+        c->no_materials = (at = choose(name, materials, text, error)) > 0;
+        return at >= 0;
+    default:
+        return set_name(name, text, c->material_channels[key - AOB_CONVENTION_ALBEDO_CHANNEL], error);
     }
 }
 
@@ -89,6 +107,10 @@ bool aob_convention_check(const struct aob_convention *c, struct aob_error *erro
         return aob_fail(error, "near goes with depth device or device_reversed");
     if (c->normals == AOB_NORMALS_DERIVED && *c->normal_channel)
         return aob_fail(error, "give normal_channel or normals derived, not both");
+    for (int m = 0; m < AOB_MATERIAL_CHANNELS && c->no_materials; m++)
+        if (*c->material_channels[m])
+            return aob_fail(error, "give %s_channel or materials none, not both",
+                            aob_material_channel_names[m]);
     return true;
 }
 
@@ -98,6 +120,11 @@ void aob_convention_print(const struct aob_convention *c, struct aob_text *text)
                  depths[c->depth], c->near, c->far, normals[c->normals], hands[c->left_handed], c->up[0],
                  c->up[1], c->up[2]);
     aob_text_add(text, " depth_channel=%s normal_channel=%s", c->depth_channel, c->normal_channel);
+    if (c->no_materials)
+        aob_text_add(text, " materials=none");
+    for (int m = 0; m < AOB_MATERIAL_CHANNELS; m++)
+        if (*c->material_channels[m])
+            aob_text_add(text, " %s_channel=%s", aob_material_channel_names[m], c->material_channels[m]);
 }
 
 const char *aob_capture_file(const char *scene)

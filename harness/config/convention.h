@@ -9,7 +9,9 @@
  *   handed     right: view space looks along -Z; left: along +Z, and the world is left-handed too
  *   up         the world's up, for normals in world space
  *   depth_channel, normal_channel   names within the file, where they are not found by themselves; of the normal
- *              without its last part: "ViewLayer.Normal" */
+ *              without its last part: "ViewLayer.Normal"
+ *   materials  file: those that the file has; none: they are not read
+ *   albedo_channel, roughness_channel, metalness_channel   likewise; of the albedo without its last part */
 #ifndef AOB_CONFIG_CONVENTION_H
 #define AOB_CONFIG_CONVENTION_H
 #include <stdbool.h>
@@ -25,10 +27,24 @@ enum aob_convention_key {
     AOB_CONVENTION_UP,
     AOB_CONVENTION_DEPTH_CHANNEL,
     AOB_CONVENTION_NORMAL_CHANNEL,
+    AOB_CONVENTION_MATERIALS,
+    AOB_CONVENTION_ALBEDO_CHANNEL,
+    AOB_CONVENTION_ROUGHNESS_CHANNEL,
+    AOB_CONVENTION_METALNESS_CHANNEL,
     AOB_CONVENTION_COUNT
 };
 /* "depth", "depth_channel"; as a flag with - for _. NULL-ended. */
 extern const char *const aob_convention_keys[AOB_CONVENTION_COUNT + 1];
+
+/* What a capture may say of a surface's material. */
+enum aob_material_channel {
+    AOB_MATERIAL_ALBEDO, /* three: the base colour */
+    AOB_MATERIAL_ROUGHNESS,
+    AOB_MATERIAL_METALNESS,
+    AOB_MATERIAL_CHANNELS
+};
+#define AOB_MATERIAL_BIT(channel) (1u << (channel))
+extern const char *const aob_material_channel_names[AOB_MATERIAL_CHANNELS]; /* "albedo" */
 
 struct aob_convention {
     bool depth_stated; /* else planar is assumed, and doubted where the values look like no lengths */
@@ -38,6 +54,8 @@ struct aob_convention {
     bool left_handed;
     double up[3]; /* 0 0 0: not stated, +Y */
     char depth_channel[64], normal_channel[64];
+    bool no_materials;
+    char material_channels[AOB_MATERIAL_CHANNELS][64]; /* by enum aob_material_channel */
 };
 
 /* What follows "capture:" in a scene's name; NULL: it is no capture. */

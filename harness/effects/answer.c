@@ -1,5 +1,6 @@
 #include "answer.h"
 #include <math.h>
+#include "capture_words.h"
 
 static const double tie = 0.02, tie_error = 0.001;
 
@@ -125,13 +126,8 @@ enum aob_effect_why aob_effect_answer_why(const struct aob_effect_answer *answer
 {
     if (answer->chosen < 0)
         return AOB_WHY_BUDGET;
-    if (id == AOB_EFFECT_TEMPORAL && answer->no_sequence)
+    if (aob_effect_has(answer->lacks, id) || (id == AOB_EFFECT_TEMPORAL && answer->no_sequence))
         return AOB_WHY_NO_DATA;
-    if (answer->no_truth && !aob_effect_has(answer->open, id))
-        return aob_effect_has(aob_effect_bounds_open(&answer->bounds, aob_effect_ask_tolerance(&answer->ask)),
-                              id)
-                   ? AOB_WHY_NO_DATA
-                   : AOB_WHY_RULE;
     unsigned turned = aob_effect_turned(answer->candidates[answer->chosen].set, id);
     return aob_effect_has(answer->open, id) && aob_effect_answer_find(answer, turned) ? AOB_WHY_MEASURED
                                                                                       : AOB_WHY_RULE;
@@ -142,18 +138,11 @@ static void explain_no_data(const struct aob_effect_answer *answer, enum aob_eff
 {
     if (id == AOB_EFFECT_TEMPORAL)
         aob_text_add(text, "not known: %s", answer->no_sequence);
-    else if (id == AOB_EFFECT_MULTI_BOUNCE)
-        aob_text_add(text, "not known: the base colour of a capture is not read, and bounces depend on it");
-    else if (id == AOB_EFFECT_SPECULAR)
-        aob_text_add(text, "not known: roughness and metalness of a capture are not read");
     else
-        aob_text_add(text,
-                     "not known: by its direction the light changes the image by %.2g %% at most, and a "
-                     "capture has no "
-                     "truth that tells what of it is gained",
-                     100 * answer->bounds.most[id]);
+        aob_effect_explain_lack(id, text);
 }
 
+/* What the other set is like; flicker where it is another one. */
 /* What a rule says, with its bound. */
 static void explain_rule(const struct aob_effect_answer *answer, enum aob_effect_id id, struct aob_text *text)
 {
@@ -183,15 +172,15 @@ static void explain_rule(const struct aob_effect_answer *answer, enum aob_effect
             text, "no: it goes with visibility, and without any occlusion the image is within the tolerance");
 }
 
-/* What the other set is like; flicker where it is another one. */
-static void explain_measured(const struct aob_effect_candidate *chosen,
-                             const struct aob_effect_candidate *other, enum aob_effect_id id,
-                             struct aob_text *text)
+static void explain_measured(const struct aob_effect_answer *answer, const struct aob_effect_candidate *other,
+                             enum aob_effect_id id, struct aob_text *text)
 {
+    const struct aob_effect_candidate *chosen = &answer->candidates[answer->chosen];
+    const char *is = answer->no_truth ? "differs by" : "is off by";
     bool in = aob_effect_has(chosen->set, id);
     double own = 100 * chosen->error.rmse, turned = 100 * other->error.rmse, more = other->ms - chosen->ms;
-    aob_text_add(text, "%s: %s the image is off by %.3g %% in place of %.3g %%, ", in ? "yes" : "no",
-                 in ? "without it" : "with it", turned, own);
+    aob_text_add(text, "%s: %s the image %s %.3g %% in place of %.3g %%, ", in ? "yes" : "no",
+                 in ? "without it" : "with it", is, turned, own);
     if (fabs(other->flicker - chosen->flicker) > 0)
         aob_text_add(text, "flickers by %.2g %% in place of %.2g %%, ", 100 * other->flicker,
                      100 * chosen->flicker);
@@ -210,7 +199,7 @@ void aob_effect_answer_explain(const struct aob_effect_answer *answer, enum aob_
         explain_no_data(answer, id, text);
     else {
         const struct aob_effect_candidate *chosen = &answer->candidates[answer->chosen];
-        explain_measured(chosen, aob_effect_answer_find(answer, aob_effect_turned(chosen->set, id)), id,
+        explain_measured(answer, aob_effect_answer_find(answer, aob_effect_turned(chosen->set, id)), id,
                          text);
     }
 }

@@ -42,8 +42,11 @@ struct aob_effect_answer { /* zero it first */
     int least;   /* candidate of the least error */
     int chosen;  /* candidate; -1: none fits the budget */
     int shrink;  /* pixels a side that became one for FLIP */
-    bool
-        no_truth; /* a capture: errors are against its own visibility of full size, and materials are not read */
+    /* Of a capture: there is no truth, and errors are against its own image of full size with the effects of `reference`. */
+    bool no_truth;
+    unsigned reference, materials; /* materials: bits AOB_MATERIAL_BIT of what its file has */
+    unsigned lacks;                /* effects that depend on what it has not */
+    bool unlit;                    /* so its frames have no lit image of the device's */
 };
 
 /* The tolerance that counts: 0.001 where there is a budget and no tolerance is asked for, which is a tie. */

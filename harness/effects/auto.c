@@ -8,6 +8,7 @@
 #include "work_folder.h"
 
 static const char technique[] = "gtao";
+static const unsigned no_set = ~0U; /* of a view that nobody asks about */
 
 static int find_entry(const struct aob_config *config, const char *name)
 {
@@ -32,9 +33,6 @@ static bool judge(const struct aob_config *config, struct aob_error *error)
         entries += strcmp(config->techniques[i].name.text, technique) == 0;
     if (entries != 1)
         return aob_fail(error, "effects: auto needs one entry of %s, and there are %d", technique, entries);
-    for (size_t i = 0; i < config->scene_count; i++)
-        if (config->scenes[i].capture)
-            return aob_fail(error, "effects: auto is for scenes: a capture has no lit image");
     return has_one_value(config->options, config->option_count, error) &&
            has_one_value(config->techniques[entry].axes, config->techniques[entry].axis_count, error);
 }
@@ -112,7 +110,25 @@ static void keep_backend(struct aob_backend_choice *backends, const char *name)
     backends->count = backends->count ? 1 : 0;
 }
 
-/* The config once more, of that view alone; its radius is the target, and what it measures is the planner's. */
+/* A config of captures alone may have none. */
+static void keep_size(struct aob_config *config, const struct aob_case *c)
+{
+    if (!config->size_count)
+        AOB_PUSH(config->sizes, config->size_count, config->size_capacity);
+    config->sizes[0] = (struct aob_size){.width = c->width, .height = c->height};
+    config->size_count = 1;
+}
+
+/* The lit truth has the radius that the case is compared at; a weighting is of visibility alone. */
+static void keep_target(struct aob_config *config, const struct aob_case *c)
+{
+    if (!config->target_count)
+        return;
+    config->targets[0] = (struct aob_target){.radius = config->targets[aob_case_own_target(c)].radius};
+    config->target_count = 1;
+}
+
+/* The config once more, of that view alone; without a target its radius is that, and what it measures is the planner's. */
 static bool make(void *user, struct aob_config *config, struct aob_error *error)
 {
     const struct one *one = user;
@@ -127,9 +143,9 @@ static bool make(void *user, struct aob_config *config, struct aob_error *error)
         AOB_PUSH(config->backends.names, config->backends.count, config->backends.capacity);
     keep_backend(&config->backends, one->c->backend);
     keep_backend(&config->techniques[0].backends, one->c->backend);
-    config->sizes[0] = (struct aob_size){.width = one->c->width, .height = one->c->height};
-    config->size_count = 1;
-    config->target_count = 0;
+    keep_size(config, one->c);
+    keep_target(config, one->c);
+    config->scenes[0].told = true;
     return true;
 }
 
@@ -155,15 +171,15 @@ static bool give_up(const struct one *one, struct aob_error *error)
 
 static bool plan_view(struct one *one, unsigned *set, struct aob_error *error)
 {
-    char folder[AOB_WORK_FOLDER];
+    struct aob_work_folder folder;
     struct aob_effects effects = {0};
     struct aob_effects_desc desc = {.dispatch = one->chooser->dispatch,
                                     .maker = {make, one},
                                     .ask = {NAN, INFINITY, NULL},
-                                    .folder = folder,
                                     .picture = true};
-    if (!aob_work_folder_create(folder, error))
+    if (!aob_work_folder_create(&folder, error))
         return false;
+    desc.folder = folder.path;
     bool ok = aob_effects_plan(&desc, &effects, error);
     *set = ok ? effects.answer.candidates[effects.answer.chosen].set : AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY);
     if (ok)
@@ -172,7 +188,7 @@ static bool plan_view(struct one *one, unsigned *set, struct aob_error *error)
         ok = effects.unsupported ? give_up(one, error)
                                  : aob_fail_in(error, "%s/%s", one->c->scene->name, one->c->scene->view);
     aob_effects_finish(&effects);
-    aob_work_folder_remove(folder);
+    aob_work_folder_remove(&folder);
     return ok;
 }
 
@@ -208,29 +224,47 @@ static const struct aob_case *first_planned(const struct aob_plan *plan, size_t 
     return NULL;
 }
 
-/* The set of each case's view; each view with gtao is planned once. */
-static bool plan_views(struct aob_effects_auto *chooser, const struct aob_plan *plan, unsigned *sets,
-                       struct aob_error *error)
+/* Of these the plan of a view decides. */
+static bool is_chosen(const struct aob_case *c)
+{
+    return is_planned(c) || strcmp(c->technique->name, "none") == 0;
+}
+
+/* Whether the filter leaves anything of the view of case i that the plan decides. */
+static bool is_asked(const struct aob_plan *plan, size_t i, const char *filter)
+{
+    for (size_t k = 0; k < plan->case_count; k++)
+        if (is_chosen(&plan->cases[k]) && is_view(&plan->cases[k], &plan->cases[i]) &&
+            (!filter || aob_plan_matches(plan, &plan->cases[k], filter)))
+            return true;
+    return false;
+}
+
+/* The set of each case's view; each view with gtao is planned once, where it is asked for. */
+static bool plan_views(struct aob_effects_auto *chooser, const struct aob_plan *plan, const char *filter,
+                       unsigned *sets, struct aob_error *error)
 {
     bool ok = true;
     for (size_t i = 0; i < plan->case_count && ok; i++) {
         const struct aob_case *c = &plan->cases[i];
         struct one one = {chooser, (size_t)(c->scene - plan->scenes), c};
-        if (first_planned(plan, i) == c)
+        if (first_planned(plan, i) == c && is_asked(plan, i, filter))
             ok = plan_view(&one, &sets[i], error);
+        else
+            sets[i] = no_set;
     }
     for (size_t i = 0; i < plan->case_count; i++) {
         const struct aob_case *first = first_planned(plan, i);
-        sets[i] = first ? sets[first - plan->cases] : AOB_EFFECT_ALL;
+        sets[i] = first ? sets[first - plan->cases] : no_set;
     }
     return ok;
 }
 
-static bool choose(void *user, struct aob_plan *plan, struct aob_error *error)
+static bool choose(void *user, struct aob_plan *plan, const char *filter, struct aob_error *error)
 {
     struct aob_effects_auto *chooser = user;
     unsigned *sets = AOB_NEW_ARRAY(unsigned, plan->case_count + 1);
-    bool ok = plan_views(chooser, plan, sets, error);
+    bool ok = plan_views(chooser, plan, filter, sets, error);
     size_t kept = 0;
     for (size_t i = 0; i < plan->case_count; i++)
         if (is_kept(chooser, &plan->cases[i], sets[i]))

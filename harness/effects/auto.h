@@ -14,6 +14,7 @@ struct aob_effects_auto {
 };
 
 /* For a run (run.h); `chooser` must outlive it. A config fails with a line that has no entry of gtao, or several, that gives it or
- * a run option several values, that chooses itself what is planned (lit, an output, divisor), or that has a capture. */
+ * a run option several values, that chooses itself what is planned (lit, an output, divisor), or that has a capture without the materials of a lit image. The truth of a plan has the radius
+ * of the config's target. A view of which a filter leaves nothing that its plan decides is not planned. */
 struct aob_sweep_choice aob_effects_auto_choice(struct aob_effects_auto *chooser);
 #endif

@@ -98,7 +98,7 @@ static double effect_ms(const struct aob_effect_costs *costs, const struct aob_e
 static double base_ms(const struct aob_effect_costs *costs, const struct aob_effect_frame *frame)
 {
     double rest = aob_effect_frame_ms(frame->record, costs->profile),
-           own = find_pass(costs, frame, composite);
+           own = costs->unlit ? 0 : find_pass(costs, frame, composite);
     for (int id = 0; id < AOB_EFFECT_COUNT; id++) {
         double passes = effect_ms(costs, frame, &aob_effect_rows[id]);
         rest -= isfinite(passes) ? passes : 0;
@@ -178,6 +178,8 @@ static int count_bits(unsigned bits)
 /* Where no frame has just these outputs, what lies between the plain one and that of most of them is shared evenly by the effects. */
 static double composite_ms(const struct aob_effect_costs *costs, unsigned set)
 {
+    if (costs->unlit)
+        return 0;
     unsigned visible = AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY), wanted = read_of(set), most = 0;
     double exact = composite_with(costs, wanted), plain = composite_with(costs, visible);
     for (size_t i = 0; i < costs->count; i++)

@@ -13,6 +13,7 @@ struct aob_effect_frame {
 struct aob_effect_costs {
     struct aob_effect_frame frames[AOB_EFFECT_FRAMES];
     size_t count;
+    bool unlit;          /* the frames have no lit image */
     const char *profile; /* times modelled on it count, not measured ones; NULL: measured ones */
 };
 

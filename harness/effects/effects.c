@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/clock.h"
 #include "planner.h"
+#include "run/captures.h"
 
 /* So many rays tell a relative error of .02 from its noise. */
 static const double enough_rays = 1.8e6;
@@ -28,11 +29,13 @@ static bool judge_options(const struct aob_config *config, struct aob_error *err
 }
 
 /* What the view is of: how many rays its size needs, and whether it has surfaces to trace. */
-static bool look(struct aob_effect_planner *p, bool *captured, struct aob_error *error)
+static bool look(struct aob_effect_planner *p, bool *captured, unsigned *materials, struct aob_error *error)
 {
     struct aob_config config = {0};
     bool ok = p->desc->maker.make(p->desc->maker.user, &config, error) && judge_options(&config, error);
     *captured = ok && config.scenes[0].capture;
+    ok = ok && (!*captured || aob_captures_load(&config, p->desc->dispatch, error));
+    *materials = ok ? config.scenes[0].materials : 0;
     if (ok && !*captured)
         p->effects->spp = p->desc->spp ? p->desc->spp : choose_spp(&config);
     aob_config_finish(&config);
@@ -99,22 +102,26 @@ static bool confirm(struct aob_effect_planner *p, struct aob_error *error)
     return aob_effect_planner_time(p, 1, &set, 1, error) && aob_effect_planner_judge(p, error);
 }
 
+static bool draw_scene(struct aob_effect_planner *p, struct aob_error *error)
+{
+    if (!trace_truth(p, error))
+        return false;
+    look_at_sequence(p);
+    apply_rules(p);
+    return aob_effect_planner_look(p, error);
+}
+
 bool aob_effects_plan(const struct aob_effects_desc *desc, struct aob_effects *effects,
                       struct aob_error *error)
 {
     struct aob_effect_planner p = {.desc = desc, .effects = effects};
     bool captured;
+    unsigned materials;
     effects->answer.ask = desc->ask;
-    if (!look(&p, &captured, error))
+    if (!look(&p, &captured, &materials, error) ||
+        !(captured ? aob_effect_planner_capture(&p, materials, error) : draw_scene(&p, error)))
         return false;
-    if (captured)
-        return aob_effect_planner_capture(&p, error);
-    if (!trace_truth(&p, error))
-        return false;
-    look_at_sequence(&p);
-    apply_rules(&p);
-    return aob_effect_planner_look(&p, error) && time_frames(&p, error) &&
-           aob_effect_planner_judge(&p, error) && confirm(&p, error);
+    return time_frames(&p, error) && aob_effect_planner_judge(&p, error) && confirm(&p, error);
 }
 
 const struct aob_sweep *aob_effects_sweep(const struct aob_effects *effects)

@@ -8,7 +8,8 @@
  * The mean over time is a frame at each size more. Where the view is a sequence these end it, and the flicker of all four counts beside their
  * errors. Where nothing moves, two frames tell the noise first (mean_gain.h), and a sequence of AOB_EFFECT_HISTORY is drawn if that may matter.
  *
- * A capture has no surfaces to trace, and its materials are not read: it gets the answer that its depth and the light allow. */
+ * A capture has no surfaces to trace: its own image of full size stands for the truth, with the effects that its materials allow. It is one
+ * frame, so it has no mean over time. */
 #ifndef AOB_EFFECTS_EFFECTS_H
 #define AOB_EFFECTS_EFFECTS_H
 #include "answer.h"

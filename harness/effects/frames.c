@@ -61,6 +61,7 @@ static bool configure(const struct aob_effect_frames_desc *desc, struct aob_conf
 {
     if (!desc->maker.make(desc->maker.user, config, error))
         return false;
+    config->scenes[0].told = true; /* the planner has looked at it before */
     aob_effect_frames_widen(config, 0, some_of(desc), desc->unlit);
     add_none(config);
     if (desc->still_frames && !config->scenes[0].motion.frames)

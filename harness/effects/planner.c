@@ -7,8 +7,8 @@
 /* Wall time of timing a frame: three processes of a tenth of a second. */
 static const double timing_s = 0.3;
 
-/* FLIP looks at pixels of so many rays. */
-enum { PIXEL_RAYS = 128 };
+/* FLIP looks at pixels of so many rays, or without rays at about so many pixels. */
+enum { PIXEL_RAYS = 128, PIXELS = 60000 };
 
 void aob_effect_planner_say(const struct aob_effect_planner *p, const char *work)
 {
@@ -24,7 +24,7 @@ struct aob_effect_frames_desc aob_effect_planner_frames(const struct aob_effect_
                                            .folder = p->desc->folder,
                                            .sets = sets,
                                            .count = count,
-                                           .unlit = p->effects->answer.no_truth,
+                                           .unlit = p->effects->answer.unlit,
                                            .unsupported = &p->effects->unsupported};
 }
 
@@ -94,6 +94,7 @@ bool aob_effect_planner_time(struct aob_effect_planner *p, int turn, const unsig
     e->time_records[turn] = aob_effect_frames_measure(&desc, &e->times[turn], error);
     e->times_s += (double)(aob_clock_wall_ns() - start) * 1e-9;
     p->costs.profile = desc.profile;
+    p->costs.unlit = desc.unlit;
     for (size_t i = 0; i < count; i++)
         p->costs.frames[p->costs.count++] =
             (struct aob_effect_frame){sets[i], json_array_get(e->time_records[turn], i)};
@@ -124,12 +125,19 @@ static struct aob_effect_candidate judge_set(const struct aob_effect_planner *p,
     return c;
 }
 
+/* Without noise only so far that a large image does not take long. */
+static int choose_shrink(const struct aob_effects *e)
+{
+    double pixels = (double)e->seen.width * e->seen.height;
+    return (int)ceil(sqrt(e->spp ? (double)PIXEL_RAYS / e->spp : fmax(pixels / PIXELS, 1)));
+}
+
 bool aob_effect_planner_judge(struct aob_effect_planner *p, struct aob_error *error)
 {
     struct aob_effect_answer *a = &p->effects->answer;
     unsigned sets[AOB_EFFECT_SETS];
     a->count = aob_effect_sets(a->open, sets);
-    a->shrink = p->effects->spp ? (int)ceil(sqrt((double)PIXEL_RAYS / p->effects->spp)) : 1;
+    a->shrink = choose_shrink(p->effects);
     for (size_t i = 0; i < a->count; i++) {
         a->candidates[i] = judge_set(p, sets[i]);
         if (!isfinite(a->candidates[i].ms))

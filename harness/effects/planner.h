@@ -44,7 +44,7 @@ bool aob_effect_planner_time(struct aob_effect_planner *p, int turn, const unsig
 /* Errors and costs of all sets that are open, and the choice. */
 bool aob_effect_planner_judge(struct aob_effect_planner *p, struct aob_error *error);
 
-/* The whole plan of a capture (capture.c), which has no truth and whose materials are not read: what its depth and the light tell. The
- * image that visibility of full size gives stands for the truth, in one material. */
-bool aob_effect_planner_capture(struct aob_effect_planner *p, struct aob_error *error);
+/* Draws and looks at a capture (capture.c), which has no truth, and some materials or none: bits AOB_MATERIAL_BIT. Its own image of full size
+ * with all that is open stands for the truth. */
+bool aob_effect_planner_capture(struct aob_effect_planner *p, unsigned materials, struct aob_error *error);
 #endif

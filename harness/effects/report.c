@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/json.h"
+#include "capture_words.h"
 #include "plan/plan.h"
 
 static const struct aob_case *planned(const struct aob_effects *e)
@@ -90,6 +91,13 @@ json_t *aob_effects_to_json(const struct aob_effects *e)
                                  isfinite(ask->budget_ms) ? json_real(ask->budget_ms) : json_null(),
                                  "profile", ask->profile ? aob_json_text(ask->profile) : json_null(), "spp",
                                  e->spp, "flip_shrink", e->answer.shrink);
+    struct aob_text against = {0};
+    aob_effect_against(&e->answer, e->spp, &against);
+    json_object_set_new(document, "reference", json_string(e->answer.no_truth ? "own" : "ray-traced"));
+    json_object_set_new(document, "reference_effects",
+                        e->answer.no_truth ? names_to_json(e->answer.reference) : json_null());
+    json_object_set_new(document, "against", json_string(against.data));
+    aob_text_finish(&against);
     json_object_set_new(document, "materials", json_boolean(e->seen.has_material));
     json_object_set_new(
         document, "seconds",
@@ -143,8 +151,8 @@ static void print_choice(const struct aob_effects *e, struct aob_text *out)
     struct aob_text name = {0};
     aob_effect_set_print(c ? c->set : 0, &name);
     if (c)
-        aob_text_add_line(out, "take: %s: %.3g ms, off by %.3g %%%s", name.data, c->ms, 100 * c->error.rmse,
-                          shortfall_of(a, c));
+        aob_text_add_line(out, "take: %s: %.3g ms, %s by %.3g %%%s", name.data, c->ms,
+                          a->no_truth ? "differs" : "off", 100 * c->error.rmse, shortfall_of(a, c));
     else
         aob_text_add_line(out, "nothing fits %g ms: the lit image without any occlusion takes %.3g ms",
                           a->ask.budget_ms, a->candidates[0].ms);
@@ -155,10 +163,7 @@ static void print_head(const struct aob_effects *e, struct aob_text *out)
 {
     const struct aob_case *c = planned(e);
     struct aob_text against = {0};
-    if (e->answer.no_truth)
-        aob_text_add(&against, "in one white material, against its own visibility of full size");
-    else
-        aob_text_add(&against, "against %d rays a pixel", e->spp);
+    aob_effect_against(&e->answer, e->spp, &against);
     aob_text_add_line(out, "%s/%s, %dx%d, %s, light %s, radius %.4g: the lit image %s", c->scene->name,
                       c->scene->view, c->width, c->height, c->backend, c->scene->light_name, radius_of(e),
                       against.data);
@@ -175,8 +180,8 @@ void aob_effects_print(const struct aob_effects *e, struct aob_text *out)
         aob_text_add_line(out, "%-13s %s", aob_effect_rows[id].name, sentence.data);
         aob_text_finish(&sentence);
     }
-    aob_text_add_line(out, "  %-58s %14s %7s%s %9s", "set", "off by, %", "FLIP", a->frames ? " flick,%" : "",
-                      a->ask.profile ? "model ms" : "ms");
+    aob_text_add_line(out, "  %-58s %14s %7s%s %9s", "set", a->no_truth ? "differs by, %" : "off by, %",
+                      "FLIP", a->frames ? " flick,%" : "", a->ask.profile ? "model ms" : "ms");
     for (size_t i = 0; i < a->count; i++)
         if (&a->candidates[i] == chosen_of(e) || !is_beaten(a, &a->candidates[i]))
             print_candidate(e, &a->candidates[i], out);
@@ -224,7 +229,7 @@ static void add_axes(const struct aob_axis *axes, size_t count, const char *betw
 static void add_set(const struct aob_effects *e, unsigned set, struct aob_text *text)
 {
     const struct aob_config *config = &aob_effects_sweep(e)->config;
-    aob_text_add(text, "options: {lit: %s", e->answer.no_truth ? "off" : "on");
+    aob_text_add(text, "options: {lit: %s", e->answer.unlit ? "off" : "on");
     for (int id = 0; id < AOB_EFFECT_COUNT; id++)
         if (aob_effect_rows[id].option && aob_effect_has(set, (enum aob_effect_id)id))
             aob_text_add(text, ", %s: on", aob_effect_rows[id].option);
@@ -259,10 +264,10 @@ void aob_effects_write_config(const struct aob_effects *e, const char *scene, st
     struct aob_text name = {0};
     aob_effect_set_print(chosen->set, &name);
     aob_text_add(
-        text,
-        "# Written by `aobudget effects`: %s.\n# %.3g ms a frame%s%s; the lit image is off by %.3g %%%s.\n",
+        text, "# Written by `aobudget effects`: %s.\n# %.3g ms a frame%s%s; the lit image %s by %.3g %%%s.\n",
         name.data, chosen->ms, profile ? " modelled on " : "", profile ? profile : "",
-        100 * chosen->error.rmse, e->answer.no_truth ? " against visibility of full size" : "");
+        e->answer.no_truth ? "differs" : "is off", 100 * chosen->error.rmse,
+        e->answer.no_truth ? " from its own of full size" : "");
     aob_text_finish(&name);
     aob_text_add(text, "name: effects\nscenes: [%s]\nresolutions: [%dx%d]\nbackends: [\"%s\"]\n", scene,
                  c->width, c->height, c->backend);

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
+#include "past.h"
 #include "shader/blocks.h"
 #include "shader/counters.h"
 #include "shader/optimise.h"
@@ -16,6 +17,7 @@ struct counted_text { /* of a pass */
 struct aob_counting {
     struct aob_gpu *gpu;
     struct aob_gpu_buffer *buffer;
+    struct aob_first first; /* where no past is given */
     uint64_t limit;
     struct counted_text texts[AOB_MAX_PASS]; /* by index in the graph, as the next */
     struct aob_gpu_rewrite rewrites[AOB_MAX_PASS];
@@ -72,13 +74,19 @@ static bool create_frame(struct aob_count *count, const struct aob_count_desc *d
     struct aob_counting *counting = count->counting;
     for (int i = 0; i < AOB_MAX_PASS; i++)
         counting->rewrites[i] = (struct aob_gpu_rewrite){&counting->texts[i], count_words};
-    const struct aob_frame_desc frame = {.technique = desc->technique,
-                                         .values = desc->values,
-                                         .fetch = desc->fetch,
-                                         .wanted = desc->wanted,
-                                         .readable = true,
-                                         .rewrites = counting->rewrites,
-                                         .storage = counting->buffer};
+    struct aob_frame_desc frame = {.technique = desc->technique,
+                                   .values = desc->values,
+                                   .fetch = desc->fetch,
+                                   .wanted = desc->wanted,
+                                   .readable = true,
+                                   .past = desc->past,
+                                   .rewrites = counting->rewrites,
+                                   .storage = counting->buffer};
+    if (!frame.past && !aob_first_init(&counting->first, desc->screen, &frame, error)) {
+        count->unfit = counting->first.unfit;
+        return false;
+    }
+    frame.past = frame.past ? frame.past : aob_first_past(&counting->first);
     bool ok = aob_frame_init_desc(&count->frame, desc->screen, &frame, error);
     count->unfit = count->frame.unfit;
     for (int i = 0; i < AOB_MAX_PASS; i++)
@@ -106,6 +114,7 @@ void aob_count_finish(struct aob_count *count)
     if (!counting)
         return;
     aob_frame_finish(&count->frame);
+    aob_first_finish(&counting->first);
     aob_gpu_buffer_destroy(counting->gpu, counting->buffer);
     for (int i = 0; i < AOB_MAX_PASS; i++)
         aob_blocks_finish(&counting->texts[i].blocks);

@@ -3,6 +3,8 @@
  * a block's operations (shader/blocks.h) times its runs are what was executed. Loops and branches count as they went in each
  * pixel. Threads: as the device's.
  *
+ * Of a technique that keeps a history the counted frame is one that has a frame before it, as of a trace (trace.h).
+ *
  * The vertex text of a pass of triangles is not counted, and neither is it traced (trace.h). */
 #ifndef AOB_FRAME_COUNT_H
 #define AOB_FRAME_COUNT_H
@@ -14,7 +16,8 @@ struct aob_count_desc {
     const struct aob_technique *technique;
     const void *values;
     enum aob_fetch fetch;
-    uint32_t wanted; /* as of a frame (struct aob_frame_desc) */
+    uint32_t wanted;             /* as of a frame (struct aob_frame_desc) */
+    const struct aob_past *past; /* as of a trace (struct aob_trace_desc) */
     uint64_t
         limit; /* runs that a counter can hold: a pass of more is drawn in parts; 0: 2^32, and it is that at most */
 };

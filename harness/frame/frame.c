@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
+#include "past.h"
 #include "planes.h"
 #include "prelude.h"
 #include "programs.h"
@@ -84,13 +85,15 @@ static bool create_texture(struct aob_frame *frame, int index, struct aob_gpu_te
     return true;
 }
 
-static bool create_textures(struct aob_frame *frame, struct aob_error *error)
+static bool create_textures(struct aob_frame *frame, const struct aob_past *past, struct aob_error *error)
 {
     for (int i = 0; i < frame->graph.texture_count; i++) {
         const struct aob_graph_texture *texture = &frame->graph.textures[i];
         if ((texture->used && !create_texture(frame, i, &frame->textures[i], error)) ||
-            (texture->kept && !create_texture(frame, i, &frame->earlier[i], error)))
+            (texture->kept && !frame->follows && !create_texture(frame, i, &frame->earlier[i], error)))
             return false;
+        if (frame->follows)
+            frame->earlier[i] = past->left[i];
     }
     return true;
 }
@@ -240,7 +243,8 @@ static bool turns(const struct aob_pass_graph *graph, const struct aob_graph_pas
 static bool create_pass(struct aob_frame *frame, int index, struct aob_error *error)
 {
     return create_form(frame, index, false, error) &&
-           (!turns(&frame->graph, &frame->graph.passes[index]) || create_form(frame, index, true, error));
+           (frame->follows || !turns(&frame->graph, &frame->graph.passes[index]) ||
+            create_form(frame, index, true, error));
 }
 
 bool aob_frame_init_desc(struct aob_frame *frame, struct aob_screen *screen,
@@ -257,6 +261,8 @@ bool aob_frame_init_desc(struct aob_frame *frame, struct aob_screen *screen,
     memcpy(frame->values, desc->values, technique->values_size);
     if (!aob_graph_build(&frame->graph, technique, desc->values, desc->wanted, error))
         return false;
+    frame->follows = desc->past && aob_graph_keeps_history(&frame->graph);
+    frame->number = frame->follows ? desc->past->number + 1 : 0;
     bool ok = aob_geometry_serves(screen->geometry, &frame->graph, &screen->gbuffer->projection, error);
     frame->unfit = !ok;
     if (ok) {
@@ -264,7 +270,7 @@ bool aob_frame_init_desc(struct aob_frame *frame, struct aob_screen *screen,
         frame->unfit = screen->unfit;
     }
     ok = ok && (!frame->planes || aob_planes_init(frame->planes, &frame->graph, screen, error));
-    ok = ok && create_textures(frame, error);
+    ok = ok && create_textures(frame, desc->past, error);
     for (int i = 0; ok && i < frame->graph.pass_count; i++)
         if (frame->graph.passes[i].live)
             ok = create_pass(frame, i, error);
@@ -296,7 +302,8 @@ void aob_frame_finish(struct aob_frame *frame)
     }
     for (int i = 0; i < AOB_MAX_TEXTURE; i++) {
         aob_gpu_texture_destroy(gpu, frame->textures[i]);
-        aob_gpu_texture_destroy(gpu, frame->earlier[i]);
+        if (!frame->follows)
+            aob_gpu_texture_destroy(gpu, frame->earlier[i]);
     }
     frame->screen = NULL;
 }

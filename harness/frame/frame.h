@@ -7,6 +7,7 @@
 #include "technique/graph.h"
 #include "technique/option.h"
 
+struct aob_past;
 struct aob_planes;
 struct aob_programs;
 struct aob_frame {
@@ -17,6 +18,7 @@ struct aob_frame {
     struct aob_gpu_texture *textures[AOB_MAX_TEXTURE]; /* NULL where unused */
     struct aob_gpu_texture
         *earlier[AOB_MAX_TEXTURE]; /* the other one of what is kept from frame to frame, else NULL */
+    bool follows; /* those are another frame's: this one reads them whenever it is drawn, and turns nothing */
     struct aob_gpu_program *programs[AOB_MAX_PASS];
     struct aob_programs *lender;               /* whose they are; NULL: the frame's own */
     struct aob_gpu_pass *passes[AOB_MAX_PASS]; /* NULL where pruned */
@@ -43,6 +45,9 @@ struct aob_frame_desc {
     bool readable;   /* as above */
     struct aob_programs
         *programs; /* frame/programs.h; borrowed from, must outlive the frame. NULL: it compiles its own */
+    /* frame/past.h: what another frame of the same technique, values and screen has left. Of a technique that keeps a history this is
+     * then the frame after it, however often it is drawn; it must outlive this one. NULL: frames follow each other here. */
+    const struct aob_past *past;
     /* For frame/trace.c and frame/count.c. Each pass can be drawn in parts, and writes down what it does in `storage`: what
      * it reads, with `planes`, which are filled in and outlive the frame; or what its rewrite makes it write. There is a
      * rewrite for each pass, by its index in the graph. */
@@ -59,7 +64,7 @@ bool aob_frame_init(struct aob_frame *frame, struct aob_screen *screen, const st
                     const void *values, enum aob_fetch fetch, struct aob_error *error);
 void aob_frame_finish(struct aob_frame *frame);
 
-/* What the next runs see: the frame's number (`aob_frame` in GLSL, 0 after aob_frame_init), the values of the uniform
+/* What the next runs see: the frame's number (`aob_frame` in GLSL, 0 after aob_frame_init, but with a past), the values of the uniform
  * parameters, and what its screen shows (aob_screen_show). Frame 0 forgets what earlier frames left. No program or texture is made
  * again; tables keep what they were filled with. False, and nothing changed, if a parameter that is no uniform has
  * another value than the frame was built with, or if check() refuses the values or build() lays other passes for them;

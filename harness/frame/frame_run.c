@@ -4,9 +4,15 @@
 #include "base/memory.h"
 #include "frame.h"
 
+/* Whether what one frame writes is what the next one reads as previous. */
+static bool takes_turns(const struct aob_frame *frame)
+{
+    return aob_graph_keeps_history(&frame->graph) && !frame->follows;
+}
+
 const struct aob_gpu_texture *aob_frame_texture(const struct aob_frame *frame, int index)
 {
-    bool turned = aob_graph_keeps_history(&frame->graph) && !frame->turn;
+    bool turned = takes_turns(frame) && !frame->turn;
     return turned && frame->earlier[index] ? frame->earlier[index] : frame->textures[index];
 }
 
@@ -34,7 +40,7 @@ bool aob_frame_run(struct aob_frame *frame, int repeats, struct aob_frame_time *
     struct aob_gpu_pass *passes[AOB_GPU_MAX_LIST];
     struct aob_gpu_time times[AOB_GPU_MAX_LIST], whole;
     struct aob_frame_time sum = {0};
-    bool history = aob_graph_keeps_history(&frame->graph);
+    bool history = takes_turns(frame);
     int left = repeats;
     do {
         int frames = history && left > 1 ? 2 : 1; /* of the list */

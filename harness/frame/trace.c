@@ -65,13 +65,20 @@ static bool learn(struct aob_trace *trace, struct aob_error *error)
 
 static bool create_frame(struct aob_trace *trace, const struct aob_trace_desc *desc, struct aob_error *error)
 {
-    const struct aob_frame_desc frame = {.technique = desc->technique,
-                                         .values = desc->values,
-                                         .fetch = desc->fetch,
-                                         .wanted = desc->wanted,
-                                         .readable = true,
-                                         .planes = &trace->capture->planes,
-                                         .storage = trace->capture->buffer};
+    struct aob_first *first = &trace->capture->first;
+    struct aob_frame_desc frame = {.technique = desc->technique,
+                                   .values = desc->values,
+                                   .fetch = desc->fetch,
+                                   .wanted = desc->wanted,
+                                   .readable = true,
+                                   .past = desc->past,
+                                   .planes = &trace->capture->planes,
+                                   .storage = trace->capture->buffer};
+    if (!frame.past && !aob_first_init(first, desc->screen, &frame, error)) {
+        trace->unfit = first->unfit;
+        return false;
+    }
+    frame.past = frame.past ? frame.past : aob_first_past(first);
     bool ok = aob_frame_init_desc(&trace->frame, desc->screen, &frame, error);
     trace->unfit = trace->frame.unfit;
     trace->textures = trace->capture->planes.frame;
@@ -98,6 +105,7 @@ void aob_trace_finish(struct aob_trace *trace)
     if (!trace->capture)
         return;
     aob_frame_finish(&trace->frame);
+    aob_first_finish(&trace->capture->first);
     aob_gpu_buffer_destroy(trace->capture->gpu, trace->capture->buffer);
     free(trace->capture);
     *trace = (struct aob_trace){0};

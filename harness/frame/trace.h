@@ -3,6 +3,8 @@
  * how texels are numbered), in a storage buffer of the device. Pass by pass, the frame is drawn in strips whose words fit
  * into that buffer, and they are handed on in bands. Threads: as the device's.
  *
+ * Of a technique that keeps a history the traced frame is one that has a frame before it, as the frames that are timed have.
+ *
  * What is written down is what the texts ask for, so the same texel twice where a text asks twice; a driver may merge
  * such reads. The vertex text of a pass of triangles is not traced. */
 #ifndef AOB_FRAME_TRACE_H
@@ -19,6 +21,9 @@ struct aob_trace_desc {
     const void *values;
     enum aob_fetch fetch;
     uint32_t wanted; /* as of a frame (struct aob_frame_desc) */
+    const struct aob_past *
+        past; /* what the frame before left (past.h), which must outlive the trace; NULL: of a technique with a history
+                 the frame 0 is drawn here, by plain programs, and frame 1 is traced */
     size_t
         device_bytes; /* of the buffer, at most; 0: AOB_TRACE_DEVICE_BYTES. A device with less has its own limit */
     size_t host_bytes; /* of the words held here at one time, at most; 0: AOB_TRACE_HOST_BYTES */
@@ -50,7 +55,7 @@ void aob_trace_finish(struct aob_trace *trace);
 bool aob_trace_run(struct aob_trace *trace, const struct aob_trace_sink *sink, struct aob_error *error);
 
 /* How many texels differ, in any bit, between the traced frame and a plain one of the same technique, values and screen
- * that has been run: over all targets of all live passes that can be read back in both. 0 is what shall be: a driver
+ * that has been run last for the same frame number: over all targets of all live passes that can be read back in both. 0 is what shall be: a driver
  * that optimises the two texts differently traces another image than it draws. */
 bool aob_trace_compare(struct aob_trace *trace, const struct aob_frame *plain, size_t *differ,
                        struct aob_error *error);

@@ -1,6 +1,7 @@
 /* One draw of a part of a traced pass: what the host tells it, and what it tells the host. For frame/trace*.c. */
 #ifndef AOB_FRAME_TRACE_DRAW_H
 #define AOB_FRAME_TRACE_DRAW_H
+#include "past.h"
 #include "planes.h"
 #include "trace.h"
 
@@ -9,6 +10,7 @@ enum { AOB_TRACE_HEAD_BYTES = 32 }; /* of the buffer: trace.glsl's members befor
 struct aob_trace_capture {
     struct aob_gpu *gpu;
     struct aob_planes planes;
+    struct aob_first first;        /* where no past is given */
     struct aob_gpu_buffer *buffer; /* a head (trace.glsl), then words */
     size_t words, host_words;      /* that fit into the buffer, and that may be held here */
     struct aob_trace_counts {      /* of a pass, by its index in the graph */

@@ -5,14 +5,16 @@
 #include <string.h>
 #include "base/memory.h"
 #include "capture_channel.h"
+#include "capture_material_channel.h"
 #include "store/image.h"
 
-const char aob_capture_version[] = "capture 2";
+const char aob_capture_version[] = "capture 3";
 
 struct chosen {
     const struct aob_capture_desc *desc;
     struct aob_capture *capture;
     char depth[64], normal[3][64];
+    char material[AOB_MATERIAL_CHANNELS][3][64]; /* empty: the file has none */
     bool has_normal;
 };
 
@@ -52,6 +54,42 @@ static void warn_mix(struct chosen *chosen, const char *const *names,
         chosen->desc->file, a, b);
 }
 
+static void warn_materials(struct chosen *chosen, const char *const *names,
+                           const struct aob_capture_channels *channels,
+                           const struct aob_capture_material_channels *materials)
+{
+    char depth[64], own[64];
+    for (int m = 0; m < AOB_MATERIAL_CHANNELS; m++) {
+        const struct aob_capture_material_channel *channel = &materials->of[m];
+        const char *what = aob_material_channel_names[m];
+        warn_other(chosen, what, names, channel->at[0], channel->other);
+        if (!channel->mixed)
+            continue;
+        aob_capture_channel_print(names[channels->depth], depth, sizeof depth);
+        aob_capture_channel_print(names[channel->at[0]], own, sizeof own);
+        aob_capture_warn(chosen->capture,
+                         "%s: its depth %s and its %s %s are of different layers: choose by %s_channel, or "
+                         "state materials none",
+                         chosen->desc->file, depth, what, own, what);
+    }
+}
+
+static bool choose_materials(struct chosen *chosen, const char *const *names, size_t count, bool *wanted,
+                             const struct aob_capture_channels *channels, struct aob_error *error)
+{
+    struct aob_capture_material_channels materials;
+    if (!aob_capture_materials_choose(&materials, names, count, channels->layer, &chosen->desc->convention,
+                                      error))
+        return aob_fail_in(error, "%s", chosen->desc->file);
+    for (int m = 0; m < AOB_MATERIAL_CHANNELS; m++)
+        for (int c = 0; c < 3 && materials.of[m].at[c] >= 0; c++) {
+            wanted[materials.of[m].at[c]] = true;
+            strcpy(chosen->material[m][c], names[materials.of[m].at[c]]);
+        }
+    warn_materials(chosen, names, channels, &materials);
+    return true;
+}
+
 static bool choose_channels(void *user, const char *const *names, size_t count, bool *wanted,
                             struct aob_error *error)
 {
@@ -69,7 +107,7 @@ static bool choose_channels(void *user, const char *const *names, size_t count, 
     warn_other(chosen, "depth", names, channels.depth, channels.other_depth);
     warn_other(chosen, "normal", names, channels.normal[0], channels.other_normal);
     warn_mix(chosen, names, &channels);
-    return true;
+    return choose_materials(chosen, names, count, wanted, &channels, error);
 }
 
 static const struct aob_attribute *find_attribute(const struct aob_image *image, const char *name, int count)
@@ -130,17 +168,21 @@ bool aob_capture_read(struct aob_capture *capture, const struct aob_capture_desc
 {
     struct chosen chosen = {.desc = desc, .capture = capture};
     struct aob_image image;
-    const float *normal[3] = {NULL};
+    const float *normal[3] = {NULL}, *materials[AOB_MATERIAL_CHANNELS][3] = {{NULL}};
     bool known;
     *capture = (struct aob_capture){0};
     if (!aob_image_read_layers(&image, desc->file, choose_channels, &chosen, error))
         return false;
     for (int c = 0; c < 3 && chosen.has_normal; c++)
         normal[c] = aob_image_channel(&image, chosen.normal[c]);
+    for (int m = 0; m < AOB_MATERIAL_CHANNELS; m++)
+        for (int c = 0; c < 3 && *chosen.material[m][c]; c++)
+            materials[m][c] = aob_image_channel(&image, chosen.material[m][c]);
     allocate(&capture->hits, &image);
     bool ok = find_camera(capture, desc, &image, &known, error) &&
               aob_capture_depth(capture, desc, aob_image_channel(&image, chosen.depth), error) &&
-              aob_capture_normals(capture, desc, normal, known, error);
+              aob_capture_normals(capture, desc, normal, known, error) &&
+              aob_capture_materials(capture, desc, materials, error);
     aob_image_finish(&image);
     if (!ok)
         aob_capture_finish(capture);
@@ -150,5 +192,7 @@ bool aob_capture_read(struct aob_capture *capture, const struct aob_capture_desc
 void aob_capture_finish(struct aob_capture *capture)
 {
     aob_hits_finish(&capture->hits);
+    free(capture->albedo);
+    free(capture->shine);
     *capture = (struct aob_capture){0};
 }

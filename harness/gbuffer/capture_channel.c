@@ -1,52 +1,14 @@
 #include "capture_channel.h"
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include "base/memory.h"
 #include "base/text.h"
-
-enum { NAME_SIZE = 64, PARTS = NAME_SIZE / 2 + 1, WORST = 99 };
-
-/* A channel's name in parts: lower case, letters and digits only. */
-struct name {
-    char text[NAME_SIZE + PARTS];
-    const char *parts[PARTS];
-    int count;
-};
-
-static void add_part(struct name *name, size_t *used, const char *from, const char *end)
-{
-    name->parts[name->count++] = name->text + *used;
-    for (; from < end; from++)
-        if (isalnum((unsigned char)*from))
-            name->text[(*used)++] = (char)tolower((unsigned char)*from);
-    name->text[(*used)++] = '\0';
-}
-
-/* False if the name is too long for a channel of an image. */
-static bool split(struct name *name, const char *text)
-{
-    size_t used = 0;
-    name->count = 0;
-    if (strlen(text) >= NAME_SIZE)
-        return false;
-    for (const char *dot; name->count < PARTS - 1 && (dot = strchr(text, '.')); text = dot + 1)
-        add_part(name, &used, text, dot);
-    add_part(name, &used, text, text + strlen(text));
-    return true;
-}
-
-static bool ends_with(const char *text, const char *end)
-{
-    size_t size = strlen(text), tail = strlen(end);
-    return size >= tail && strcmp(text + size - tail, end) == 0;
-}
+#include "capture_name.h"
 
 /* What has such a word anywhere in its name is no depth: Blender's mist, an inverse of the depth, or a pass that is
  * smoothed for a denoiser. */
-static bool is_other(const struct name *name)
+static bool is_other(const struct aob_capture_name *name)
 {
     static const char *const words[] = {"mist", "inv", "recip", "dispar", "denois"};
     for (int i = 0; i < name->count; i++)
@@ -58,7 +20,7 @@ static bool is_other(const struct name *name)
 
 static bool is_depth(const char *word)
 {
-    return strcmp(word, "z") == 0 || ends_with(word, "depth");
+    return strcmp(word, "z") == 0 || aob_capture_name_ends(word, "depth");
 }
 
 static bool is_plain_normal(const char *word)
@@ -72,58 +34,16 @@ static bool is_plain_normal(const char *word)
 
 static bool is_normal(const char *word)
 {
-    bool tail = ends_with(word, "normal") || ends_with(word, "normals");
+    bool tail = aob_capture_name_ends(word, "normal") || aob_capture_name_ends(word, "normals");
     return is_plain_normal(word) || (tail && !strstr(word, "denois"));
 }
 
-/* The place of the last part but one that is such a word, or of one before it; -1: there is none. */
-static int find_word(const struct name *name, bool (*is)(const char *word))
-{
-    int at = name->count - 2;
-    while (at >= 0 && !is(name->parts[at]))
-        at--;
-    return at;
-}
-
-static int compare_parts(const void *a, const void *b)
-{
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
-}
-
-/* All parts but the last and the word's, in one order whatever theirs is. */
-static void print_layer(const struct name *name, int word, char layer[NAME_SIZE])
-{
-    const char *parts[PARTS];
-    size_t count = 0, used = 0;
-    for (int i = 0; i + 1 < name->count; i++)
-        if (i != word)
-            parts[count++] = name->parts[i];
-    qsort(parts, count, sizeof *parts, compare_parts);
-    layer[0] = '\0';
-    for (size_t i = 0; i < count; i++)
-        used += (size_t)snprintf(layer + used, NAME_SIZE - used, "%s.", parts[i]);
-}
-
-static size_t stem_of(const char *name)
-{
-    const char *dot = strrchr(name, '.');
-    return dot ? (size_t)(dot - name) : 0;
-}
-
-/* The channel with the same parts but this last one, or AOB_CHANNEL_NONE. */
-static int sibling(const char *const *names, size_t count, const char *name, size_t stem, const char *last)
-{
-    for (size_t i = 0; i < count; i++)
-        if (strncmp(names[i], name, stem) == 0 && names[i][stem] == '.' && strlen(names[i]) < NAME_SIZE &&
-            strcasecmp(names[i] + stem + 1, last) == 0)
-            return (int)i;
-    return AOB_CHANNEL_NONE;
-}
+enum { WORST = 99 };
 
 /* A depth, or a normal by its X. */
 struct candidate {
     int at, rank, normal[3];
-    char layer[NAME_SIZE];
+    char layer[AOB_CAPTURE_NAME];
 };
 struct candidates {
     struct candidate *all;
@@ -131,7 +51,7 @@ struct candidates {
 };
 
 /* Names that end in Z. A vector's Z is none. */
-static int rank_z(const struct name *name, int word, bool vector)
+static int rank_z(const struct aob_capture_name *name, int word, bool vector)
 {
     if (name->count == 1)
         return 1;
@@ -142,21 +62,24 @@ static int rank_z(const struct name *name, int word, bool vector)
     return word >= 0 ? 3 : 4;
 }
 
-static int rank_depth(const char *const *names, size_t count, size_t at, const struct name *name, int word)
+static int rank_depth(const char *const *names, size_t count, size_t at, const struct aob_capture_name *name,
+                      int word)
 {
     const char *last = name->parts[name->count - 1];
-    size_t stem = stem_of(names[at]);
+    size_t stem = aob_capture_name_stem(names[at]);
     if (is_other(name))
         return WORST;
     if (strcmp(last, "z") == 0)
-        return rank_z(name, word, stem && sibling(names, count, names[at], stem, "X") >= 0);
+        return rank_z(name, word, stem && aob_capture_name_sibling(names, count, names[at], stem, "X") >= 0);
     if (is_depth(last))
         return 7;
     if (word < 0 || strlen(last) != 1 || !strchr("vryx", *last))
         return WORST;
     if (word == name->count - 2)
         return strchr("vr", *last) ? 5 : 6;
-    return sibling(names, count, names[at], stem, "G") < 0 ? 8 : WORST; /* a colour below DEPTH is none */
+    return aob_capture_name_sibling(names, count, names[at], stem, "G") < 0
+               ? 8
+               : WORST; /* a colour below DEPTH is none */
 }
 
 static bool take_normal(const char *const *names, size_t count, const char *name, size_t stem, int normal[3])
@@ -164,7 +87,7 @@ static bool take_normal(const char *const *names, size_t count, const char *name
     static const char *const lasts[2][3] = {{"X", "Y", "Z"}, {"R", "G", "B"}};
     for (int k = 0; k < 2; k++) {
         for (int c = 0; c < 3; c++)
-            normal[c] = sibling(names, count, name, stem, lasts[k][c]);
+            normal[c] = aob_capture_name_sibling(names, count, name, stem, lasts[k][c]);
         if (normal[0] >= 0 && normal[1] >= 0 && normal[2] >= 0)
             return true;
     }
@@ -172,7 +95,7 @@ static bool take_normal(const char *const *names, size_t count, const char *name
     return false;
 }
 
-static int rank_normal(const struct name *name, int word)
+static int rank_normal(const struct aob_capture_name *name, int word)
 {
     if (word < 0)
         return WORST;
@@ -183,13 +106,13 @@ static int rank_normal(const struct name *name, int word)
 
 static void list_depths(struct candidates *list, const char *const *names, size_t count)
 {
-    struct name name;
+    struct aob_capture_name name;
     for (size_t i = 0; i < count; i++) {
-        if (!split(&name, names[i]))
+        if (!aob_capture_name_split(&name, names[i]))
             continue;
-        int word = find_word(&name, is_depth);
+        int word = aob_capture_name_find(&name, is_depth);
         struct candidate c = {.at = (int)i, .rank = rank_depth(names, count, i, &name, word)};
-        print_layer(&name, word, c.layer);
+        aob_capture_name_layer(&name, word, c.layer);
         if (c.rank < WORST)
             *AOB_PUSH(list->all, list->count, list->capacity) = c;
     }
@@ -197,14 +120,15 @@ static void list_depths(struct candidates *list, const char *const *names, size_
 
 static void list_normals(struct candidates *list, const char *const *names, size_t count)
 {
-    struct name name;
+    struct aob_capture_name name;
     for (size_t i = 0; i < count; i++) {
-        if (!split(&name, names[i]))
+        if (!aob_capture_name_split(&name, names[i]))
             continue;
-        int word = find_word(&name, is_normal);
+        int word = aob_capture_name_find(&name, is_normal);
         struct candidate c = {.at = (int)i, .rank = rank_normal(&name, word)};
-        print_layer(&name, word, c.layer);
-        if (c.rank < WORST && take_normal(names, count, names[i], stem_of(names[i]), c.normal) &&
+        aob_capture_name_layer(&name, word, c.layer);
+        if (c.rank < WORST &&
+            take_normal(names, count, names[i], aob_capture_name_stem(names[i]), c.normal) &&
             c.normal[0] == (int)i)
             *AOB_PUSH(list->all, list->count, list->capacity) = c;
     }
@@ -226,9 +150,9 @@ static const struct candidate *choose_depth(const struct candidates *depths, con
     const struct candidate *best = NULL;
     for (size_t i = 0; i < depths->count; i++) {
         const struct candidate *c = &depths->all[i];
-        size_t stem = stem_of(names[c->at]);
-        if (except && (strcmp(names[c->at], except) == 0 ||
-                       (stem && stem_of(except) == stem && strncmp(names[c->at], except, stem) == 0)))
+        size_t stem = aob_capture_name_stem(names[c->at]);
+        if (except && (strcmp(names[c->at], except) == 0 || (stem && aob_capture_name_stem(except) == stem &&
+                                                             strncmp(names[c->at], except, stem) == 0)))
             continue;
         bool nearer =
             best && c->rank == best->rank && has_layer(near, c->layer) && !has_layer(near, best->layer);
@@ -264,7 +188,7 @@ static bool fail_channels(const char *what, const char *const *names, size_t cou
 {
     struct aob_text all = {0};
     for (size_t i = 0; i < count; i++) {
-        char name[NAME_SIZE];
+        char name[AOB_CAPTURE_NAME];
         if (all.size > 300) {
             aob_text_add(&all, ", ...");
             break;
@@ -289,13 +213,13 @@ static bool name_depth(struct candidates *depths, const char *const *names, size
                        struct aob_error *error)
 {
     char text[160];
-    struct name name;
+    struct aob_capture_name name;
     int at = find_name(names, count, wanted);
     snprintf(text, sizeof text, "it has no channel '%s'", wanted);
-    if (at < 0 || !split(&name, wanted))
+    if (at < 0 || !aob_capture_name_split(&name, wanted))
         return fail_channels(text, names, count, error);
     struct candidate c = {.at = at};
-    print_layer(&name, find_word(&name, is_depth), c.layer);
+    aob_capture_name_layer(&name, aob_capture_name_find(&name, is_depth), c.layer);
     *AOB_PUSH(depths->all, depths->count, depths->capacity) = c;
     return true;
 }
@@ -304,13 +228,14 @@ static bool name_normal(struct candidates *normals, const char *const *names, si
                         const char *wanted, struct aob_error *error)
 {
     char text[160];
-    struct name name;
+    struct aob_capture_name name;
     struct candidate c = {0};
     snprintf(text, sizeof text, "it has no channels '%s' with .X .Y .Z or .R .G .B", wanted);
-    if (!take_normal(names, count, wanted, strlen(wanted), c.normal) || !split(&name, names[c.normal[0]]))
+    if (!take_normal(names, count, wanted, strlen(wanted), c.normal) ||
+        !aob_capture_name_split(&name, names[c.normal[0]]))
         return fail_channels(text, names, count, error);
     c.at = c.normal[0];
-    print_layer(&name, find_word(&name, is_normal), c.layer);
+    aob_capture_name_layer(&name, aob_capture_name_find(&name, is_normal), c.layer);
     *AOB_PUSH(normals->all, normals->count, normals->capacity) = c;
     return true;
 }
@@ -340,6 +265,7 @@ static void choose(struct aob_capture_channels *channels, const struct candidate
     const struct candidate *other = choose_depth(depths, normals, names, names[depth->at]);
     const struct candidate *normal = choose_normal(normals, depth->layer, NULL);
     channels->depth = depth->at;
+    strcpy(channels->layer, depth->layer);
     if (other)
         channels->other_depth = other->at;
     if (!normal)

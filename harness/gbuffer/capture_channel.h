@@ -26,13 +26,14 @@
 #include "base/error.h"
 #include "config/convention.h"
 
-enum { AOB_CHANNEL_NONE = -1 };
+enum { AOB_CHANNEL_NONE = -1, AOB_CHANNEL_LAYER = 64 };
 struct aob_capture_channels {
     int depth;        /* index among the names */
     int normal[3];    /* AOB_CHANNEL_NONE thrice: there are none, or they are not wanted */
     int other_depth;  /* another that would do as well; else AOB_CHANNEL_NONE */
     int other_normal; /* another of the same layer that would do as well, by its X; else AOB_CHANNEL_NONE */
-    bool mixed;       /* depth and normals are of different layers, and the convention does not name both */
+    char layer[AOB_CHANNEL_LAYER]; /* of the depth (capture_name.h) */
+    bool mixed; /* depth and normals are of different layers, and the convention does not name both */
 };
 
 /* False after one line if there is no depth (the line lists the channels), or if the convention names channels that

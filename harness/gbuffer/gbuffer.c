@@ -36,8 +36,14 @@ static void add_materials(struct aob_image *image, const struct aob_hits *hits, 
     aob_gbuffer_finish(&painted);
 }
 
-bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh, const char *path,
-                       struct aob_error *error)
+/* A mesh or the materials of each pixel; NULL: not these. */
+struct painted {
+    const struct aob_mesh *mesh;
+    const float *albedo, *shine;
+};
+
+static bool store(const struct aob_hits *hits, const struct painted *painted, const char *path,
+                  struct aob_error *error)
 {
     struct aob_image image = {.width = hits->width, .height = hits->height};
     size_t count = (size_t)hits->width * (size_t)hits->height;
@@ -45,13 +51,28 @@ bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh,
     add_parts(&image, normal_names, hits->normal[0], 3);
     add_parts(&image, shading_names, hits->shading[0], 3);
     add_parts(&image, velocity_names, hits->velocity ? hits->velocity[0] : NULL, 3);
-    add_materials(&image, hits, mesh, count);
+    if (painted->mesh)
+        add_materials(&image, hits, painted->mesh, count);
+    add_parts(&image, albedo_names, painted->albedo, 3);
+    add_parts(&image, shine_names, painted->shine, 2);
     float *primitive = aob_image_add(&image, "primitive");
     for (size_t i = 0; i < count; i++)
         primitive[i] = hits->primitive[i] == AOB_NO_PRIMITIVE ? -1.0f : (float)hits->primitive[i];
     bool ok = aob_image_write(&image, path, error);
     aob_image_finish(&image);
     return ok;
+}
+
+bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh, const char *path,
+                       struct aob_error *error)
+{
+    return store(hits, &(struct painted){.mesh = mesh}, path, error);
+}
+
+bool aob_gbuffer_store_capture(const struct aob_hits *hits, const float *albedo, const float *shine,
+                               const char *path, struct aob_error *error)
+{
+    return store(hits, &(struct painted){.albedo = albedo, .shine = shine}, path, error);
 }
 
 void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,

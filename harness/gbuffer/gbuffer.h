@@ -1,6 +1,7 @@
 /* The canonical G-buffer is what the ray tracer sees at pixel centres, in the form that shaders and scores read. It
  * travels between processes as an EXR file (Z, N.X N.Y N.Z, S.X S.Y S.Z, primitive; V.X V.Y V.Z if the camera or an object
- * moves; material, albedo.R albedo.G albedo.B, roughness, metalness if the mesh has other materials than the default; Z = 0 and
+ * moves; material, albedo.R albedo.G albedo.B, roughness, metalness if the mesh has other materials than the default, or the capture has
+ * some, but then without `material`; Z = 0 and
  * primitive = material = -1 where sky). */
 #ifndef AOB_GBUFFER_GBUFFER_H
 #define AOB_GBUFFER_GBUFFER_H
@@ -32,10 +33,14 @@ void aob_gbuffer_init(struct aob_gbuffer *gbuffer, const struct aob_hits *hits,
 /* Adds the materials of the mesh that was hit to a G-buffer made of these hits; none if the mesh has no table of them. */
 void aob_gbuffer_paint(struct aob_gbuffer *gbuffer, const struct aob_hits *hits, const struct aob_mesh *mesh);
 
-/* Writes the hits into a file, with the materials of the mesh that was cast (an empty mesh for a capture).
+/* Writes the hits into a file, with the materials of the mesh that was cast.
  * aob_gbuffer_load reads such a file; it allocates as well. */
 bool aob_gbuffer_store(const struct aob_hits *hits, const struct aob_mesh *mesh, const char *path,
                        struct aob_error *error);
+
+/* The same of a capture, whose materials are those of its pixels (capture.h); NULL twice: it has none. */
+bool aob_gbuffer_store_capture(const struct aob_hits *hits, const float *albedo, const float *shine,
+                               const char *path, struct aob_error *error);
 struct aob_gbuffer_desc { /* what such a file must show */
     const struct aob_camera *camera;
     int width, height, guard; /* pixels; the guard band lies around width x height */

@@ -108,3 +108,13 @@ bool aob_canvas_show(struct aob_canvas *canvas, const struct aob_check_drawing *
                                         .wanted = aob_options_wanted(&canvas->options)};
     return aob_frame_init_desc(frame, &canvas->screen, &desc, error);
 }
+
+bool aob_canvas_draw(struct aob_frame *frame, int frames, struct aob_error *error)
+{
+    unsigned char values[sizeof frame->values];
+    bool ok = true;
+    memcpy(values, frame->values, sizeof values);
+    for (int i = 0; ok && i < frames; i++)
+        ok = aob_frame_set(frame, i, values, error) && aob_frame_run(frame, 1, NULL, error);
+    return ok;
+}

@@ -22,4 +22,7 @@ void aob_canvas_finish(struct aob_canvas *canvas);
  * theirs. False after one line; frame->unfit as of aob_frame_init. */
 bool aob_canvas_show(struct aob_canvas *canvas, const struct aob_check_drawing *drawing,
                      struct aob_frame *frame, struct aob_error *error);
+
+/* Draws so many frames of a technique that aob_canvas_show has made, numbered from 0, as if nothing moved. */
+bool aob_canvas_draw(struct aob_frame *frame, int frames, struct aob_error *error);
 #endif

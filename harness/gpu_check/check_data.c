@@ -45,10 +45,10 @@ static bool read_image(const json_t *object, const char *folder, struct aob_chec
     const char *file;
     json_t *params, *options, *light = NULL;
     int view;
-    if (json_unpack((json_t *)object, "{s:s, s:i, s:s, s:o, s:o, s?o, s:s}", "name", &image->name, "view",
-                    &view, "technique", &image->drawing.technique, "params", &params, "options", &options,
-                    "light", &light, "file", &file) != 0 ||
-        view < 0 || (size_t)view >= data->view_count)
+    if (json_unpack((json_t *)object, "{s:s, s:i, s:i, s:s, s:o, s:o, s?o, s:s}", "name", &image->name,
+                    "view", &view, "frames", &image->frames, "technique", &image->drawing.technique, "params",
+                    &params, "options", &options, "light", &light, "file", &file) != 0 ||
+        view < 0 || (size_t)view >= data->view_count || image->frames < 1)
         return aob_fail(error, "an image lacks a field, or is of no view");
     image->view = &data->views[view];
     image->drawing.params = params;
@@ -65,7 +65,8 @@ static bool read_document(struct aob_check_data *data, const char *folder, struc
     const json_t *images = json_object_get(data->document, "images");
     const char *schema = json_string_value(json_object_get(data->document, "schema"));
     if (!schema || strcmp(schema, AOB_CHECK_DATA_SCHEMA) != 0)
-        return aob_fail(error, "its schema is not '%s': pack it again", AOB_CHECK_DATA_SCHEMA);
+        return aob_fail(error, "its schema is '%s', and this program reads '%s': pack it again",
+                        schema ? schema : "", AOB_CHECK_DATA_SCHEMA);
     if (!same_techniques(json_object_get(data->document, "techniques")))
         return aob_fail(error, "it was made with other techniques than this program's: pack it again");
     data->views = AOB_NEW_ARRAY(struct aob_check_view, json_array_size(views) + 1);

@@ -1,8 +1,9 @@
 /* What gpu-check is packed with, as a folder: check.json and EXR files, all made by gpu-check-data from runs of this build on
  * the software drivers. check.json: {schema, made_on{}, techniques{NAME: digest}, views[{scene, view, camera{}, width,
- * height, metre, file, timed}], images[{name, view, technique, params{}, options{}, light[9][3], file}]}; `view` is a place in
+ * height, metre, file, timed}], images[{name, view, frames, technique, params{}, options{}, light[9][3], file}]}; `view` is a place in
  * views[], a path is seen from the folder. `light` is in view space, and there only where something that the image wants
- * depends on it. A view's file is a G-buffer (gbuffer/gbuffer.h) with one more channel, reference.AO, where the truth was
+ * depends on it. `frames` is 1, or how many frames of the view are drawn one after the other, of which the last is the image: then a
+ * technique that keeps a history has one. A view's file is a G-buffer (gbuffer/gbuffer.h) with one more channel, reference.AO, where the truth was
  * traced. An image's file has the channels of the outputs that it wants (aob_check_channel_name) and, where it was traced,
  * the truth of those besides visibility, as reference.bent.X and so on. */
 #ifndef AOB_GPU_CHECK_CHECK_DATA_H
@@ -16,7 +17,7 @@
 #include "scene/light.h"
 #include "store/image.h"
 
-#define AOB_CHECK_DATA_SCHEMA "aobudget gpu-check data 2"
+#define AOB_CHECK_DATA_SCHEMA "aobudget gpu-check data 3"
 
 struct aob_check_view {
     const char *scene, *view; /* a procedural scene and the name of a view of it */
@@ -37,6 +38,7 @@ struct aob_check_image {
         *name; /* in results: "gtao fetch=storage on cornell blocks 320x180", with what is not the default */
     const struct aob_check_view *view;
     struct aob_check_drawing drawing; /* with every value; its light is uniform where nothing depends on it */
+    int frames;                       /* that are drawn; the last is the image */
     char *file;
 };
 struct aob_check_data {

@@ -11,6 +11,7 @@
 #include "check_data.h"
 #include "scene/camera_json.h"
 #include "scene/light_json.h"
+#include "scene/scene.h"
 #include "store/image.h"
 #include "store/journal.h"
 #include "technique/graph.h"
@@ -126,15 +127,45 @@ static json_t *make_light(const json_t *record, struct aob_error *error)
     return aob_light_to_json(&projection.light);
 }
 
+/* Frames of a sequence; 1 of a picture. */
+static int frames_of(const json_t *record)
+{
+    const json_t *motion = json_object_get(record, "motion");
+    return motion ? (int)json_integer_value(json_object_get(motion, "frames")) : 1;
+}
+
+/* A sequence of a still view shows what the view does, whose name it has with its frames behind it. */
+static void name_view(const json_t *record, char *name, size_t size)
+{
+    char frames[32];
+    snprintf(name, size, "%s", aob_member_text(record, "view"));
+    snprintf(frames, sizeof frames, "-%d-frames", frames_of(record));
+    size_t length = strlen(name), more = strlen(frames);
+    if (length > more && strcmp(name + length - more, frames) == 0)
+        name[length - more] = 0;
+}
+
+/* The frames before the last have no G-buffers of their own here. */
+static bool stands_still(const json_t *record, struct aob_error *error)
+{
+    const struct aob_scene_info *scene = aob_scene_find(aob_member_text(record, "scene"));
+    const json_t *previous = json_object_get(json_object_get(record, "camera"), "previous");
+    return frames_of(record) == 1 || (!json_is_object(previous) && scene && !scene->moves) ||
+           aob_fail(error, "%s %s moves: a sequence must be of a still view",
+                    aob_member_text(record, "scene"), aob_member_text(record, "view"));
+}
+
 /* The view's place, made if it is new. -1 after a line. */
 static int place_view(struct maker *maker, const json_t *record, const struct aob_image *image, bool timed,
                       struct aob_error *error)
 {
     size_t count = json_array_size(maker->views);
+    char shown[256];
+    name_view(record, shown, sizeof shown);
     for (size_t i = 0; i < count; i++) {
         const json_t *view = json_array_get(maker->views, i);
         if (strcmp(aob_member_text(view, "scene"), aob_member_text(record, "scene")) == 0 &&
-            strcmp(aob_member_text(view, "view"), aob_member_text(record, "view")) == 0 &&
+            strcmp(aob_member_text(view, "view"), shown) == 0 &&
             json_integer_value(json_object_get(view, "width")) == image->width)
             return (int)i;
     }
@@ -143,12 +174,11 @@ static int place_view(struct maker *maker, const json_t *record, const struct ao
     char *path = aob_path_join(maker->folder, name);
     bool ok = write_view(image, path, error);
     free(path);
-    json_array_append_new(maker->views,
-                          json_pack("{s:s, s:s, s:O, s:i, s:i, s:O, s:s, s:b}", "scene",
-                                    aob_member_text(record, "scene"), "view", aob_member_text(record, "view"),
-                                    "camera", json_object_get(record, "camera"), "width", image->width,
-                                    "height", image->height, "metre", json_object_get(record, "metre"),
-                                    "file", name, "timed", timed));
+    json_array_append_new(
+        maker->views,
+        json_pack("{s:s, s:s, s:O, s:i, s:i, s:O, s:s, s:b}", "scene", aob_member_text(record, "scene"),
+                  "view", shown, "camera", json_object_get(record, "camera"), "width", image->width, "height",
+                  image->height, "metre", json_object_get(record, "metre"), "file", name, "timed", timed));
     return ok ? (int)count : -1;
 }
 
@@ -201,10 +231,12 @@ static bool add_image(struct maker *maker, const json_t *record, const struct ao
     char *path = aob_path_join(maker->folder, file);
     bool lit = json_object_get(record, "light");
     json_t *light = lit ? make_light(record, error) : NULL;
-    bool ok = view >= 0 && (light || !lit) && write_outputs(record, image, path, error);
+    bool ok = view >= 0 && stands_still(record, error) && (light || !lit) &&
+              write_outputs(record, image, path, error);
     json_array_append_new(maker->images,
-                          json_pack("{s:s, s:i, s:s, s:O, s:O, s:s, s:o*}", "name", name, "view", view,
-                                    "technique", aob_member_text(record, "technique"), "params",
+                          json_pack("{s:s, s:i, s:i, s:s, s:O, s:O, s:s, s:o*}", "name", name, "view", view,
+                                    "frames", frames_of(record), "technique",
+                                    aob_member_text(record, "technique"), "params",
                                     json_object_get(record, "params"), "options",
                                     json_object_get(record, "options"), "file", file, "light", light));
     if (!json_object_get(maker->document, "made_on"))

@@ -39,7 +39,7 @@ static bool draw(struct gallery *gallery, const struct aob_check_image *image, s
                  struct aob_error *error)
 {
     return aob_canvas_show(&gallery->canvas, &image->drawing, frame, error) &&
-           aob_frame_run(frame, 1, NULL, error);
+           aob_canvas_draw(frame, image->frames, error);
 }
 
 /* "gtao on cornell blocks 320x180 bent_normal", or without the last word of the visibility. free() it. */

@@ -1,5 +1,7 @@
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "base/json.h"
 #include "base/memory.h"
 #include "canvas.h"
@@ -7,6 +9,40 @@
 #include "technique/registry.h"
 #include "timing/fixed_pass.h"
 #include "trial.h"
+
+enum { MAX_TIMED = 64, HISTORY = 16 };
+
+/* A technique at its defaults, or with a history as well. */
+struct timed {
+    const struct aob_technique *technique;
+    json_t *params; /* NULL: the defaults */
+    char name[64];
+};
+
+static bool may_keep_history(const struct aob_technique *technique)
+{
+    for (uint32_t i = 0; i < technique->param_count; i++)
+        if (strcmp(technique->params[i].name, "history") == 0)
+            return true;
+    return false;
+}
+
+/* Each technique at its defaults, and once more where it may have a history. */
+static size_t list_timed(struct timed list[MAX_TIMED])
+{
+    size_t count = 0;
+    for (const struct aob_technique *const *t = aob_builtin_techniques; *t && count < MAX_TIMED - 1; t++) {
+        struct timed *timed = &list[count++];
+        *timed = (struct timed){.technique = *t};
+        snprintf(timed->name, sizeof timed->name, "%s", (*t)->name);
+        if (!may_keep_history(*t))
+            continue;
+        timed = &list[count++];
+        *timed = (struct timed){.technique = *t, .params = json_pack("{s:i}", "history", HISTORY)};
+        snprintf(timed->name, sizeof timed->name, "%s history=%d", (*t)->name, HISTORY);
+    }
+    return count;
+}
 
 /* What the techniques of a view share. */
 struct stand {
@@ -76,22 +112,34 @@ static bool make_fixed(struct stand *stand, struct aob_error *error)
                           AOB_FETCH_SAMPLED, error);
 }
 
-static void time_technique(struct stand *stand, const struct aob_technique *technique, double seconds)
+/* Where a technique keeps a history, what is timed is the frame after the first. */
+static bool begin(struct stand *stand, const struct timed *timed, struct aob_frame *frame,
+                  struct aob_error *error)
+{
+    unsigned char values[sizeof frame->values];
+    const struct aob_check_drawing drawing = {
+        .technique = timed->technique->name, .params = timed->params, .light = aob_light_uniform};
+    if (!aob_canvas_show(&stand->canvas, &drawing, frame, error) || !make_fixed(stand, error))
+        return false;
+    memcpy(values, frame->values, sizeof values);
+    return !aob_graph_keeps_history(&frame->graph) ||
+           (aob_canvas_draw(frame, 1, error) && aob_frame_set(frame, 1, values, error));
+}
+
+static void time_technique(struct stand *stand, const struct timed *timed, double seconds)
 {
     struct aob_frame *frame = AOB_NEW(struct aob_frame);
     struct aob_error cause = {{0}};
     struct aob_trial trial;
-    const struct aob_check_drawing drawing = {.technique = technique->name, .light = aob_light_uniform};
     struct aob_trial_desc desc = {.fixed = &stand->fixed,
                                   .frame = frame,
                                   .clock = choose_clock(stand),
                                   .seconds = seconds,
                                   .precision = stand->job->precision};
-    if (aob_canvas_show(&stand->canvas, &drawing, frame, &cause) && make_fixed(stand, &cause) &&
-        aob_trial_run(&desc, &trial, &cause))
-        reply_time(stand, technique->name, frame, &trial);
+    if (begin(stand, timed, frame, &cause) && aob_trial_run(&desc, &trial, &cause))
+        reply_time(stand, timed->name, frame, &trial);
     else
-        aob_section_say(stand->job, technique->name, frame->unfit ? AOB_CHECK_SKIPPED : AOB_CHECK_FAILED,
+        aob_section_say(stand->job, timed->name, frame->unfit ? AOB_CHECK_SKIPPED : AOB_CHECK_FAILED,
                         cause.text);
     aob_frame_finish(frame);
     free(frame);
@@ -99,12 +147,13 @@ static void time_technique(struct stand *stand, const struct aob_technique *tech
 
 static void time_view(struct stand *stand)
 {
-    size_t left = 0;
-    for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
-        left++;
-    for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++, left--)
-        if (!aob_section_is_over(stand->job, (*t)->name))
-            time_technique(stand, *t, aob_section_seconds_left(stand->job) / (double)left);
+    struct timed list[MAX_TIMED];
+    size_t count = list_timed(list);
+    for (size_t i = 0; i < count; i++) {
+        if (!aob_section_is_over(stand->job, list[i].name))
+            time_technique(stand, &list[i], aob_section_seconds_left(stand->job) / (double)(count - i));
+        json_decref(list[i].params);
+    }
 }
 
 static bool run_times(const struct aob_section_job *job, struct aob_error *error)

@@ -29,7 +29,8 @@ static bool draw_watched(const struct aob_section_job *job, const struct aob_che
     struct aob_gpu *gpu = aob_section_open(job, &(struct aob_gpu_desc){.validate = true}, error);
     bool ok = gpu && aob_canvas_init(&canvas, gpu, image->view, error) &&
               aob_canvas_show(&canvas, &image->drawing, frame, error) &&
-              aob_frame_run(frame, 2, NULL, error) && read_all(frame, image->view, error);
+              aob_canvas_draw(frame, image->frames, error) && aob_frame_run(frame, 2, NULL, error) &&
+              read_all(frame, image->view, error);
     aob_frame_finish(frame);
     aob_canvas_finish(&canvas);
     aob_gpu_close(gpu);

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include "base/json.h"
 #include "base/memory.h"
-#include "scene/camera_json.h"
 
 static json_t *truths_to_json(const struct aob_block_target *target)
 {
@@ -37,22 +36,6 @@ static json_t *case_to_json(const struct aob_block_case *c)
     return object;
 }
 
-static json_t *poses_to_json(const struct aob_block_job *job)
-{
-    json_t *poses = json_array();
-    for (size_t i = 0; i < job->pose_count; i++) {
-        const struct aob_block_pose *pose = &job->poses[i];
-        json_t *truths = json_array();
-        for (size_t t = 0; t < job->target_count; t++)
-            json_array_append_new(truths, aob_json_path(pose->truth[t]));
-        json_array_append_new(poses, json_pack("{s:o, s:i, s:i, s:o, s:o}", "camera",
-                                               aob_camera_to_json(&pose->camera), "frame", pose->frame,
-                                               "seed", (int)pose->seed, "gbuffer",
-                                               aob_json_path(pose->gbuffer), "truth", truths));
-    }
-    return poses;
-}
-
 json_t *aob_block_job_to_json(const struct aob_block_job *job)
 {
     json_t *cases = json_array();
@@ -65,7 +48,7 @@ json_t *aob_block_job_to_json(const struct aob_block_job *job)
                         json_pack("{s:i, s:I, s:f, s:f, s:s?, s:s?}", "process", job->process, "seed",
                                   (json_int_t)job->seed, "seconds", job->seconds, "precision", job->precision,
                                   "clock", job->clock, "clock_reason", job->clock_reason));
-    json_object_set_new(object, "poses", poses_to_json(job));
+    json_object_set_new(object, "poses", aob_poses_to_json(job->poses, job->pose_count, job->target_count));
     aob_job_drawing_to_json(&job->drawing, object);
     return object;
 }
@@ -86,32 +69,6 @@ static bool read_targets(const json_t *array, struct aob_block_job *job, struct 
             return aob_fail(error, "target %zu of a block job has no radius", i);
     }
     return true;
-}
-
-static bool read_pose(const json_t *object, const struct aob_block_job *job, struct aob_block_pose *pose,
-                      struct aob_error *error)
-{
-    const json_t *truths = json_object_get(object, "truth");
-    *pose = (struct aob_block_pose){.frame = (int)json_integer_value(json_object_get(object, "frame")),
-                                    .seed = (unsigned)json_integer_value(json_object_get(object, "seed")),
-                                    .gbuffer = json_string_value(json_object_get(object, "gbuffer"))};
-    if (!pose->gbuffer || job->target_count > AOB_CONFIG_MAX_TARGETS ||
-        json_array_size(truths) != job->target_count)
-        return aob_fail(error, "a pose of a block job lacks its G-buffer or its truths");
-    for (size_t t = 0; t < job->target_count; t++)
-        pose->truth[t] = json_string_value(json_array_get(truths, t));
-    return aob_camera_from_json(json_object_get(object, "camera"), &pose->camera, error);
-}
-
-static bool read_poses(const json_t *array, struct aob_block_job *job, struct aob_error *error)
-{
-    job->poses = AOB_NEW_ARRAY(struct aob_block_pose, json_array_size(array));
-    for (size_t i = 0; i < json_array_size(array); i++, job->pose_count++)
-        if (!read_pose(json_array_get(array, i), job, &job->poses[i], error))
-            return false;
-    return job->pose_count < AOB_CONFIG_MAX_FRAMES ||
-           aob_fail(error, "a block job has %zu poses: there must be less than %d", job->pose_count,
-                    AOB_CONFIG_MAX_FRAMES);
 }
 
 static bool read_case(const json_t *object, const struct aob_block_job *job, struct aob_block_case *c,
@@ -171,7 +128,8 @@ bool aob_block_job_from_json(const json_t *object, struct aob_block_job *job, st
     if (read_flags(object, job, error) && read_timing(json_object_get(object, "timing"), job, error) &&
         aob_job_drawing_from_json(object, &job->drawing, error) &&
         read_targets(json_object_get(object, "targets"), job, error) &&
-        read_poses(json_object_get(object, "poses"), job, error) &&
+        aob_poses_from_json(json_object_get(object, "poses"), job->target_count, &job->poses,
+                            &job->pose_count, error) &&
         read_cases(json_object_get(object, "cases"), job, error))
         return true;
     aob_block_job_finish(job);

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "plan/plan.h"
 #include "drawing_job.h"
+#include "poses.h"
 
 struct aob_block_target { /* what every case of the block is compared with */
     double radius;        /* scene units; INFINITY allowed */
@@ -28,16 +29,9 @@ struct aob_block_case {
         *screen;       /* its definition, traced freely and against the bound; NULL: it has none */
     const char *image; /* EXR file to write; NULL: none */
 };
-struct aob_block_pose { /* a frame of a sequence before its last, which is the drawing's view */
-    struct aob_camera camera;
-    int frame;     /* as of a view; */
-    unsigned seed; /* likewise */
-    const char *gbuffer;
-    const char *truth[AOB_CONFIG_MAX_TARGETS]; /* target_count: of the visibility, channels AO and SE */
-};
 struct aob_block_job {
     struct aob_job_drawing drawing;
-    struct aob_block_pose
+    struct aob_job_pose
         *poses; /* pose_count, in order: drawn before what is scored, timed or traced; none: one picture */
     size_t pose_count;
     bool score;     /* images are drawn, judged and written; */

@@ -13,6 +13,7 @@ json_t *aob_cache_job_to_json(const struct aob_cache_job *job)
                                                   "digest", job->profiles[i].digest));
     json_t *object =
         json_pack("{s:s, s:o, s:o}", "job", "cache", "profiles", profiles, "map", aob_json_path(job->map));
+    json_object_set_new(object, "poses", aob_poses_to_json(job->poses, job->pose_count, 0));
     aob_job_drawing_to_json(&job->drawing, object);
     aob_job_frame_to_json(&job->frame, object);
     return object;
@@ -35,7 +36,8 @@ bool aob_cache_job_from_json(const json_t *object, struct aob_cache_job *job, st
     *job = (struct aob_cache_job){.map = json_string_value(json_object_get(object, "map"))};
     if (aob_job_drawing_from_json(object, &job->drawing, error) &&
         aob_job_frame_from_json(object, &job->frame, error) &&
-        read_profiles(json_object_get(object, "profiles"), job, error))
+        read_profiles(json_object_get(object, "profiles"), job, error) &&
+        aob_poses_from_json(json_object_get(object, "poses"), 0, &job->poses, &job->pose_count, error))
         return true;
     aob_cache_job_finish(job);
     return false;
@@ -44,6 +46,7 @@ bool aob_cache_job_from_json(const json_t *object, struct aob_cache_job *job, st
 void aob_cache_job_finish(struct aob_cache_job *job)
 {
     free(job->profiles);
+    free(job->poses);
     *job = (struct aob_cache_job){0};
 }
 

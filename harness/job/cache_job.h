@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include "base/error.h"
 #include "drawing_job.h"
+#include "poses.h"
 
 struct aob_cache_profile {
     const char *path;   /* of its file */
@@ -15,6 +16,10 @@ struct aob_cache_profile {
 struct aob_cache_job {
     struct aob_job_drawing drawing;
     struct aob_job_frame frame;
+    struct aob_job_pose
+        *poses; /* pose_count, in order, without truths: drawn before what is traced, where the technique
+                                    keeps a history; none: one picture */
+    size_t pose_count;
     struct aob_cache_profile *profiles; /* one at least */
     size_t profile_count;
     const char *map; /* EXR file to write, NAME.misses of each profile by pixel; NULL: none */

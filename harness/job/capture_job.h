@@ -22,6 +22,7 @@ struct aob_capture_answer {
     size_t surface, derived;      /* pixels that are no sky; of these, with a derived normal */
     double fov_deg, ortho_height; /* the camera's, as the file or the job has it */
     double eye[3], target[3];
+    unsigned materials;     /* bits AOB_MATERIAL_BIT of what the file has */
     const json_t *warnings; /* an array of texts; NULL: none */
 };
 json_t *aob_capture_answer_to_json(const struct aob_capture_answer *answer);

@@ -61,6 +61,39 @@ static bool judge_encoding(const struct aob_case *c, struct aob_error *error)
            aob_fail(error, "near %g is not below far %g", (double)o.near, (double)o.far);
 }
 
+/* What of a capture's materials an output is made of. Without metalness nothing is metal. */
+static const unsigned materials_of[AOB_OUTPUT_COUNT] = {
+    [AOB_OUT_VISIBILITY_RGB] = AOB_MATERIAL_BIT(AOB_MATERIAL_ALBEDO),
+    [AOB_OUT_SPECULAR] = AOB_MATERIAL_BIT(AOB_MATERIAL_ROUGHNESS),
+    [AOB_OUT_LIT] = AOB_MATERIAL_BIT(AOB_MATERIAL_ALBEDO) | AOB_MATERIAL_BIT(AOB_MATERIAL_ROUGHNESS),
+};
+
+static bool fail_material(const struct aob_case *c, const char *option, enum aob_material_channel lacks,
+                          struct aob_error *error)
+{
+    bool colour = lacks == AOB_MATERIAL_ALBEDO;
+    return aob_fail(error,
+                    "%s: %s needs the %s of the surfaces, and the file has no %s: write %s, name %s by "
+                    "%s_channel, or leave %s off",
+                    c->scene->name, option, colour ? "base colour" : "roughness",
+                    colour ? "channels albedo.R .G .B" : "channel roughness", colour ? "them" : "it",
+                    colour ? "them" : "it", aob_material_channel_names[lacks], option);
+}
+
+static bool judge_materials(const struct aob_case *c, struct aob_error *error)
+{
+    for (int which = AOB_OUT_VISIBILITY + 1; which < AOB_OUTPUT_COUNT; which++) {
+        size_t option = AOB_OPTION_FIRST_OUTPUT + (size_t)which - 1;
+        unsigned lacks = materials_of[which] & ~c->scene->materials;
+        if (c->options[option] != 0 && lacks)
+            return fail_material(c, aob_option_params[option].name,
+                                 lacks & AOB_MATERIAL_BIT(AOB_MATERIAL_ALBEDO) ? AOB_MATERIAL_ALBEDO
+                                                                               : AOB_MATERIAL_ROUGHNESS,
+                                 error);
+    }
+    return true;
+}
+
 /* About 150 bytes of memory a pixel, and one view has to fit. */
 bool aob_case_judge(const struct aob_case *c, struct aob_error *error)
 {
@@ -73,12 +106,8 @@ bool aob_case_judge(const struct aob_case *c, struct aob_error *error)
     if (c->scene->gbuffer && aob_case_options(c).gbuffer == AOB_GBUFFER_RASTER)
         return aob_fail(error, "%s: a capture has no triangles to draw: gbuffer must be canonical",
                         c->scene->name);
-    for (size_t i = AOB_OPTION_FIRST_OUTPUT + 1; c->scene->gbuffer && i < AOB_OPTION_COUNT; i++)
-        if (c->options[i] != 0)
-            return aob_fail(error,
-                            "%s: a capture has no materials and no surfaces to trace: there is no truth of "
-                            "%s: leave it off",
-                            c->scene->name, aob_option_params[i].name);
+    if (c->scene->gbuffer && !judge_materials(c, error))
+        return false;
     return (c->width + 2 * guard) * (c->height + 2 * guard) <= 4e7 ||
            aob_fail(error, "%dx%d with a guard band of %g is more than 40 million pixels", c->width,
                     c->height, guard);

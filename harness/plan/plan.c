@@ -155,19 +155,24 @@ void aob_plan_finish(struct aob_plan *plan)
     *plan = (struct aob_plan){0};
 }
 
+bool aob_plan_matches(const struct aob_plan *plan, const struct aob_case *c, const char *filter)
+{
+    struct aob_text text = {0};
+    aob_case_describe(plan, c, &text);
+    aob_text_add(&text, " ");
+    bool matches = strstr(text.data, filter);
+    aob_text_finish(&text);
+    return matches;
+}
+
 void aob_plan_filter(struct aob_plan *plan, const char *filter)
 {
     size_t kept = 0;
-    for (size_t i = 0; i < plan->case_count; i++) {
-        struct aob_text text = {0};
-        aob_case_describe(plan, &plan->cases[i], &text);
-        aob_text_add(&text, " ");
-        if (strstr(text.data, filter))
+    for (size_t i = 0; i < plan->case_count; i++)
+        if (aob_plan_matches(plan, &plan->cases[i], filter))
             plan->cases[kept++] = plan->cases[i];
         else
             free(plan->cases[i].params);
-        aob_text_finish(&text);
-    }
     plan->case_count = kept;
 }
 

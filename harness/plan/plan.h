@@ -17,6 +17,7 @@ struct aob_plan_scene {                /* one view of one scene */
     char *name;                        /* "corner", one of the user's folder, or the file's path */
     char *file;                        /* mesh file to load, or NULL for a procedural scene */
     const char *gbuffer;               /* of a capture: its G-buffer in the cache, of this size; else NULL */
+    unsigned materials;                /* of a capture: bits AOB_MATERIAL_BIT of what its file has */
     int width, height;
     char *
         view; /* "front", "camera", "camera-2", "capture" or "framed" (from the mesh's box, once it is loaded);
@@ -85,6 +86,7 @@ void aob_plan_finish(struct aob_plan *plan);
 
 /* Keep the cases whose description holds `filter` (plain text). A space at its end matches the description's end too. */
 void aob_plan_filter(struct aob_plan *plan, const char *filter);
+bool aob_plan_matches(const struct aob_plan *plan, const struct aob_case *c, const char *filter);
 
 /* A case of the plan by what tells it from the others, in a line for people: "corner/front gtao radius=0.5 slices=3
  * gl-egl". The technique always, with its module, "gtao (new.so)", where the plan has two builds of its name; scene, backend and size where they vary in the plan; parameters and options that vary,

@@ -144,6 +144,7 @@ static bool choose_capture(struct aob_plan_scene *scene, const struct aob_scene_
     aob_text_add(&name, "capture:%s", choice->given ? choice->given : choice->capture);
     scene->name = name.data;
     scene->gbuffer = choice->gbuffer;
+    scene->materials = choice->materials;
     scene->width = choice->width;
     scene->height = choice->height;
     scene->metre = metre_of(choice);

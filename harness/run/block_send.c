@@ -38,20 +38,6 @@ static struct aob_block_target describe_target(const struct aob_run_block *block
     return target;
 }
 
-/* free() them. */
-static struct aob_block_pose *describe_poses(const struct aob_view_files *files)
-{
-    struct aob_block_pose *poses = AOB_NEW_ARRAY(struct aob_block_pose, files->pose_count);
-    for (size_t p = 0; p < files->pose_count; p++) {
-        const struct aob_view_pose *from = &files->poses[p];
-        poses[p] = (struct aob_block_pose){
-            .camera = from->camera, .frame = from->frame, .seed = from->seed, .gbuffer = from->gbuffer};
-        for (size_t t = 0; t < files->target_count; t++)
-            poses[p].truth[t] = from->truth[t];
-    }
-    return poses;
-}
-
 static json_t *make_job(const struct aob_run_block *block, const struct aob_run_block_job *sent)
 {
     const struct aob_view_files *files = block->files;
@@ -72,7 +58,7 @@ static json_t *make_job(const struct aob_run_block *block, const struct aob_run_
                                 .precision = config->precision,
                                 .clock = clock ? aob_clock_name(clock->clock) : NULL,
                                 .clock_reason = clock ? clock->reason : NULL,
-                                .poses = describe_poses(files),
+                                .poses = aob_job_poses_of(files, files->target_count),
                                 .pose_count = files->pose_count,
                                 .targets = targets,
                                 .target_count = files->target_count,

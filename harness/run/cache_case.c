@@ -80,6 +80,8 @@ static bool send(struct asked *asked, const struct aob_view_files *files, struct
         profiles[i] = (struct aob_cache_profile){plan->profiles[i].path, plan->profiles[i].digest};
     const struct aob_cache_job job = {.drawing = aob_job_drawing_of(asked->m, asked->index, files),
                                       .frame = aob_job_frame_of(c),
+                                      .poses = aob_job_poses_of(files, 0),
+                                      .pose_count = files->pose_count,
                                       .profiles = profiles,
                                       .profile_count = plan->profile_count,
                                       .map = asked->m->map};
@@ -92,6 +94,7 @@ static bool send(struct asked *asked, const struct aob_view_files *files, struct
                                                       .user = asked},
                                error);
     aob_drawing_environment_finish(&env);
+    free(job.poses);
     free(profiles);
     return ok;
 }

@@ -32,13 +32,16 @@ static void take_answer(void *user, const json_t *object)
     size_t at;
     if (!aob_capture_answer_from_json(object, &answer))
         return;
-    json_array_foreach(answer.warnings, at, warning) aob_warn("%s", json_string_value(warning));
+    json_array_foreach(answer.warnings, at, warning) if (!choice->told)
+        aob_warn("%s", json_string_value(warning));
+    choice->told = true;
     choice->width = answer.width;
     choice->height = answer.height;
     choice->fov_deg = answer.fov_deg;
     choice->ortho_height = answer.ortho_height;
     choice->ortho = answer.ortho_height > 0;
     choice->has_camera = true;
+    choice->materials = answer.materials;
     memcpy(choice->eye, answer.eye, sizeof choice->eye);
     memcpy(choice->target, answer.target, sizeof choice->target);
 }

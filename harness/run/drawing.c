@@ -18,6 +18,19 @@ struct aob_job_drawing aob_job_drawing_of(const struct aob_measurement *m, size_
                                     .triangles = m->states[index].triangles};
 }
 
+struct aob_job_pose *aob_job_poses_of(const struct aob_view_files *files, size_t target_count)
+{
+    struct aob_job_pose *poses = AOB_NEW_ARRAY(struct aob_job_pose, files->pose_count);
+    for (size_t p = 0; p < files->pose_count; p++) {
+        const struct aob_view_pose *from = &files->poses[p];
+        poses[p] = (struct aob_job_pose){
+            .camera = from->camera, .frame = from->frame, .seed = from->seed, .gbuffer = from->gbuffer};
+        for (size_t t = 0; t < target_count; t++)
+            poses[p].truth[t] = from->truth[t];
+    }
+    return poses;
+}
+
 struct aob_job_frame aob_job_frame_of(const struct aob_case *c)
 {
     struct aob_job_frame frame = {.technique = aob_technique_address(c->technique),

@@ -60,15 +60,21 @@ json_t *aob_run_info_create(const struct aob_sweep *sweep, const struct aob_disp
         return NULL;
     strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
     char *place = aob_path_absolute(sweep->config.place);
-    json_t *info =
-        json_pack("{s:s, s:o, s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:o}", "name", sweep->config.name, "config",
-                  aob_json_text(place), "config_hash", sweep->config.hash, "build", build, "program",
-                  AOBUDGET_VERSION, "date", date, "cases", (int)sweep->plan.case_count, "keys",
-                  keys_to_json(&sweep->plan), "techniques", techniques_to_json(sweep), "devices", devices);
+    json_t *info = json_pack("{s:s, s:o, s:s, s:s, s:s, s:s, s:o}", "name", sweep->config.name, "config",
+                             aob_json_text(place), "config_hash", sweep->config.hash, "build", build,
+                             "program", AOBUDGET_VERSION, "date", date, "devices", devices);
+    aob_run_info_plan(info, sweep);
     free(place);
     if (sweep->budget.name)
         json_object_set_new(info, "budget", aob_budget_to_json(&sweep->budget));
     return info;
+}
+
+void aob_run_info_plan(json_t *info, const struct aob_sweep *sweep)
+{
+    json_object_set_new(info, "cases", json_integer((json_int_t)sweep->plan.case_count));
+    json_object_set_new(info, "keys", keys_to_json(&sweep->plan));
+    json_object_set_new(info, "techniques", techniques_to_json(sweep));
 }
 
 void aob_run_info_ask(json_t *info, const struct aob_plan *plan)

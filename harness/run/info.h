@@ -11,6 +11,10 @@
 json_t *aob_run_info_create(const struct aob_sweep *sweep, const struct aob_dispatch *dispatch,
                             struct aob_error *error);
 
+/* Sets cases, keys and techniques anew, where the plan has become another: that of a config with `effects: auto`, without the views that a
+ * filter leaves unplanned. */
+void aob_run_info_plan(json_t *info, const struct aob_sweep *sweep);
+
 /* Adds `asked`: the keys of a plan that a filter has cut. Without it, all keys are asked for. */
 void aob_run_info_ask(json_t *info, const struct aob_plan *plan);
 

@@ -16,6 +16,7 @@
 #include "progress.h"
 #include "record.h"
 #include "reports/page/page.h"
+#include "run_effects.h"
 #include "store/run_folder.h"
 #include "stored.h"
 
@@ -82,8 +83,7 @@ static bool apply_filter(struct run *run, struct aob_error *error)
 
 static bool open_folder(struct run *run, struct aob_error *error)
 {
-    char *path =
-        run->desc->out ? aob_strdup(run->desc->out) : aob_path_join("results", run->sweep.config.name);
+    char *path = aob_run_path(run->desc, &run->sweep.config);
     /* The document may go there too; an earlier run is discarded only when it can be written. */
     const struct aob_config *config = &run->sweep.config;
     run->has_page = aob_run_info_has_page(run->info, path);
@@ -387,9 +387,9 @@ enum aob_exit aob_run(const struct aob_run_desc *desc, struct aob_error *error)
     struct run run = {.desc = desc, .sweep.choice = desc->choice, .start_ns = aob_clock_wall_ns()};
     bool ok = read_config(&run, error) && aob_sweep_expand(&run.sweep, &desc->dispatch, error) &&
               (!desc->again || aob_run_again_choose(desc->again, &run.sweep, error)) &&
-              describe(&run, error) && apply_filter(&run, error) && open_folder(&run, error) &&
-              measure(&run, error) && (desc->no_page || write_report(&run, error)) &&
-              print_summary(&run, error);
+              describe(&run, error) && aob_run_effects_choose(desc, &run.sweep, run.info, error) &&
+              apply_filter(&run, error) && open_folder(&run, error) && measure(&run, error) &&
+              (desc->no_page || write_report(&run, error)) && print_summary(&run, error);
     enum aob_exit code = ok ? verdict(&run, error) : AOB_EXIT_USAGE;
     json_decref(run.info);
     aob_best_finish(&run.best);

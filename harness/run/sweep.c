@@ -159,15 +159,20 @@ static bool widen(struct aob_sweep *sweep, struct aob_error *error)
     const struct aob_value *effects = &sweep->config.effects;
     if (!effects->text)
         return true;
-    bool ok = sweep->choice
-                  ? sweep->choice->widen(sweep->choice->user, &sweep->config, error)
-                  : aob_fail(error, "effects: auto is for `aobudget run` alone, which plans each view first");
+    bool ok =
+        sweep->choice
+            ? sweep->choice->widen(sweep->choice->user, &sweep->config, error)
+            : aob_fail(
+                  error,
+                  "effects: auto is for `aobudget run` alone, which plans each view first: write a view's "
+                  "config with `aobudget effects SCENE --out FILE.yaml`, and give that");
     return ok || aob_config_fail_at(&sweep->config, effects->line, effects->column, error);
 }
 
-static bool choose(struct aob_sweep *sweep, struct aob_error *error)
+bool aob_sweep_choose(struct aob_sweep *sweep, const char *filter, struct aob_error *error)
 {
-    return !sweep->config.effects.text || sweep->choice->choose(sweep->choice->user, &sweep->plan, error);
+    return !sweep->config.effects.text ||
+           sweep->choice->choose(sweep->choice->user, &sweep->plan, filter, error);
 }
 
 bool aob_sweep_expand(struct aob_sweep *sweep, const struct aob_dispatch *dispatch, struct aob_error *error)
@@ -175,8 +180,7 @@ bool aob_sweep_expand(struct aob_sweep *sweep, const struct aob_dispatch *dispat
     bool ok = widen(sweep, error) && read_budget(sweep, error) && describe(sweep, dispatch, error) &&
               aob_captures_load(&sweep->config, dispatch, error) &&
               aob_lights_load(&sweep->config, dispatch, error) &&
-              aob_plan_create(&sweep->plan, &sweep->config, &sweep->techniques, error) &&
-              choose(sweep, error);
+              aob_plan_create(&sweep->plan, &sweep->config, &sweep->techniques, error);
     if (ok) {
         warn_of_units(sweep);
         warn_of_budget(sweep);

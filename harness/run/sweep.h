@@ -11,7 +11,8 @@
 struct aob_sweep_choice {
     bool (*widen)(void *user, struct aob_config *config,
                   struct aob_error *error); /* to all that may be chosen */
-    bool (*choose)(void *user, struct aob_plan *plan, struct aob_error *error); /* keeps cases of the plan */
+    /* Keeps cases of the plan. A filter leaves others out later, and what is chosen of these does not matter. */
+    bool (*choose)(void *user, struct aob_plan *plan, const char *filter, struct aob_error *error);
     void *user;
 };
 
@@ -26,5 +27,9 @@ struct aob_sweep {
 /* Reads the budget, asks a worker for the techniques, loads the config's captures and expands the plan. False with one line, after which
  * the sweep is still to be finished. */
 bool aob_sweep_expand(struct aob_sweep *sweep, const struct aob_dispatch *dispatch, struct aob_error *error);
+
+/* Of a config with `effects: auto` the plan has all that may be chosen, until this has chosen; `filter` is that of aob_plan_filter, which comes
+ * behind it, or NULL. False after a line. */
+bool aob_sweep_choose(struct aob_sweep *sweep, const char *filter, struct aob_error *error);
 void aob_sweep_finish(struct aob_sweep *sweep); /* of a zeroed one too */
 #endif

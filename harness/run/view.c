@@ -146,13 +146,13 @@ static bool gives_bent_normal(const struct aob_state *state)
     return state->outputs >> AOB_OUT_BENT_NORMAL & 1;
 }
 
-/* The truths of the outputs that have files of their own. */
+/* The truths of the outputs that have files of their own. A capture has no surfaces to trace them. */
 static void want_effects(struct aob_measurement *m, const struct aob_case *c, const struct aob_target *target,
                          unsigned outputs, char *truth[AOB_OUTPUT_COUNT], struct aob_view_missing *missing)
 {
     const struct aob_view_moment last = aob_view_moment_last(c->scene);
     for (int which = AOB_OUT_VISIBILITY_RGB; which < AOB_OUTPUT_COUNT; which++)
-        if (outputs >> which & 1)
+        if (outputs >> which & 1 && !c->scene->gbuffer)
             truth[which] = want_term(m, c, &last,
                                      aob_term_to_json(&(struct aob_term){.radius = target->radius,
                                                                          .output = (enum aob_output)which,

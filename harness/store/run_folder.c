@@ -123,6 +123,24 @@ static bool judge_earlier_run(const struct aob_run_folder *folder, json_t *info,
     return ok;
 }
 
+static struct aob_run_folder name_files(const char *path)
+{
+    return (struct aob_run_folder){.path = aob_strdup(path),
+                                   .info = aob_path_join(path, "run.json"),
+                                   .shaders = aob_path_join(path, "shaders"),
+                                   .journal_path = aob_path_join(path, "journal.jsonl")};
+}
+
+bool aob_run_folder_judge(const char *path, const json_t *info, struct aob_error *error)
+{
+    struct aob_run_folder folder = name_files(path);
+    json_t *copy = json_deep_copy(info);
+    bool ok = judge_earlier_run(&folder, copy, error);
+    json_decref(copy);
+    aob_run_folder_close(&folder);
+    return ok;
+}
+
 /* Removes only names that a run writes: 32 hexadecimal digits and the ending. A user's own files stay. */
 static void discard_files(const char *path, const char *name, const char *ending)
 {
@@ -189,10 +207,7 @@ static bool create_folders(const char *path, struct aob_error *error)
 bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t *info, bool fresh,
                          struct aob_error *error)
 {
-    *folder = (struct aob_run_folder){.path = aob_strdup(path),
-                                      .info = aob_path_join(path, "run.json"),
-                                      .shaders = aob_path_join(path, "shaders"),
-                                      .journal_path = aob_path_join(path, "journal.jsonl")};
+    *folder = name_files(path);
     bool ok = aob_folder_create(path, error) && create_folders(path, error) &&
               (fresh || judge_earlier_run(folder, info, error)) &&
               aob_journal_open(&folder->journal, folder->journal_path, error) &&

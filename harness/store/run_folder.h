@@ -22,6 +22,9 @@ struct aob_run_folder {
  * of `keys`, and so does the whole then. */
 bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t *info, bool fresh,
                          struct aob_error *error);
+
+/* Whether aob_run_folder_open would keep what an earlier run left in this folder; it changes nothing. False after a line. */
+bool aob_run_folder_judge(const char *path, const json_t *info, struct aob_error *error);
 bool aob_run_folder_describe(const struct aob_run_folder *folder, const json_t *info,
                              struct aob_error *error);
 bool aob_run_folder_keep_config(const struct aob_run_folder *folder, const char *text, size_t size,

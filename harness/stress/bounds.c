@@ -207,7 +207,7 @@ const struct aob_bound aob_bounds[] = {
     {"seed_does_not_shift_mean", 0.01, 0.01,
      "6000 pixels whose noise spreads by .2, a tile of 16 being repeated: 16 of 384 patches, .2 / 20."},
     {"thrift_hides_nothing", 1.0 / 255, 1.0 / 255,
-     "One step of 8 bits is what a technique says that it leaves out (aob_technique.clear_sine)."},
+     "One step of 8 bits is what a technique says that it leaves out (struct aob_clearance)."},
     /* --- directions --- */
     {"bent_on_plane", 0.12, 0.12,
      "Half floats round a component by 2^-12, which is .03 degrees, in the pass itself and in each of a "

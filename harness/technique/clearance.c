@@ -9,11 +9,16 @@ static bool has_radius(const struct aob_technique *technique)
     return param && param->type == AOB_FLOAT && param->stage == AOB_UNIFORM;
 }
 
-/* In millionths, which a define holds; 0 where the technique leaves nothing out. */
-static int sine_of(const struct aob_technique *technique, const void *values)
+struct aob_clearance aob_clearance_of(const struct aob_technique *technique, const void *values)
 {
-    double sine = technique->clear_sine && has_radius(technique) ? (double)technique->clear_sine(values) : 0;
-    return sine > 0 ? (int)floor(1e6 * fmin(sine, 1)) : 0;
+    struct aob_clearance none = {0};
+    return technique->clearance && has_radius(technique) ? technique->clearance(values) : none;
+}
+
+/* What a define holds of a share. */
+static int millionths(float share)
+{
+    return share > 0 ? (int)floor(1e6 * fmin((double)share, 1)) : 0;
 }
 
 void aob_clearance_identify(struct aob_text *text)
@@ -29,11 +34,13 @@ void aob_clearance_identify(struct aob_text *text)
 
 bool aob_clearance_lay(struct aob_pass_graph *graph, const void *values)
 {
-    int sine = sine_of(graph->technique, values);
+    const struct aob_clearance way = aob_clearance_of(graph->technique, values);
+    const bool in_front = way.occluders == AOB_OCCLUDERS_IN_FRONT;
     struct aob_graph *g = &graph->interface;
-    const uint32_t both = AOB_DEPTH | AOB_NORMAL;
-    if (sine == 0)
+    if (millionths(way.sine) == 0 || (way.rise > 0 && millionths(way.rise) == 0)) {
+        graph->unclear = way.because;
         return true;
+    }
     graph->shaders = aob_shaders_clearance;
     aob_tex plane = aob_texture(g, .name = "clearance_plane", .format = AOB_RGBA32F,
                                 .divisor = AOB_CLEARANCE_TILE),
@@ -44,13 +51,18 @@ bool aob_clearance_lay(struct aob_pass_graph *graph, const void *values)
             group_ends = aob_texture(g, .name = "clearance_group_ends", .format = AOB_RGBA32F,
                                      .divisor = AOB_CLEARANCE_GROUP),
             clear = aob_texture(g, .name = "clearance", .format = AOB_R8, .divisor = AOB_CLEARANCE_TILE);
-    aob_pass(g, .name = "clearance_tiles", .shader = "tiles", .reads = both,
+    aob_pass(g, .name = "clearance_tiles", .shader = "tiles", .reads = AOB_DEPTH | AOB_NORMAL,
+             .defines = {{"IN_FRONT", in_front}},
              .out = {{.name = "plane", .tex = plane}, {.name = "ends", .tex = ends}});
     aob_pass(g, .name = "clearance_groups", .shader = "groups", .reads = AOB_DEPTH,
              .in = {{.name = "tile_plane", .tex = plane}, {.name = "tile_ends", .tex = ends}},
              .out = {{.name = "plane", .tex = group_plane}, {.name = "ends", .tex = group_ends}});
     aob_pass(g, .name = "clearance", .shader = "clear", .reads = AOB_DEPTH,
-             .defines = {{"SINE_MILLIONTHS", sine}},
+             .defines = {{"SINE_MILLIONTHS", millionths(way.sine)},
+                         {"IN_FRONT", in_front},
+                         {"RISE_MILLIONTHS", in_front ? millionths(way.rise) : 0},
+                         {"LEAST_PIXELS", in_front ? way.least_pixels : 0},
+                         {"INSIDE", in_front && way.inside}},
              .in = {{.name = "tile_plane", .tex = plane},
                     {.name = "tile_ends", .tex = ends},
                     {.name = "group_plane", .tex = group_plane},

@@ -61,6 +61,7 @@ struct aob_pass_graph {
     struct aob_graph_pass passes[AOB_MAX_PASS];
     int pass_count;
     int clear;                     /* texture of clearance.h, -1 where there is none */
+    const char *unclear;           /* why there is none, if the technique says so (aob_clearance.because) */
     int outputs[AOB_OUTPUT_COUNT]; /* texture index, -1 where the technique gives none */
     struct aob_error *error;       /* during build() only */
 };

@@ -50,7 +50,7 @@ void aob_block_sequence_destroy(struct aob_block_sequence *sequence)
     free(sequence);
 }
 
-static bool load_pose(const struct aob_block *block, const struct aob_block_pose *from, struct pose *pose,
+static bool load_pose(const struct aob_block *block, const struct aob_job_pose *from, struct pose *pose,
                       struct aob_error *error)
 {
     const struct aob_job_view *view = &block->job.drawing.view;
@@ -169,7 +169,7 @@ bool aob_block_sequence_draw(struct aob_block *block, struct aob_error *error)
         return true;
     struct aob_block_sequence *sequence = block->sequence = AOB_NEW(struct aob_block_sequence);
     for (size_t i = 0; i < block->job.pose_count; i++) {
-        const struct aob_block_pose *from = &block->job.poses[i];
+        const struct aob_job_pose *from = &block->job.poses[i];
         struct pose *now = &sequence->poses[i % 2];
         finish_pose(now);
         if (!load_pose(block, from, now, error) ||

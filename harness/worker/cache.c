@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "drawing.h"
 #include "frame/count.h"
+#include "frame/past.h"
 #include "frame/trace.h"
 #include "job/cache_job.h"
 #include "profile/simulate.h"
@@ -25,8 +26,11 @@ struct cached {
     struct aob_room room; /* that all of them share */
     struct aob_drawing_part part;
     struct aob_trace trace;
-    struct aob_frame plain;     /* the same frame without a trace */
-    struct aob_error uncounted; /* why it has no operations, where a profile has use for them */
+    struct aob_frame plain;      /* the same frame without a trace */
+    struct aob_past past;        /* what the plain frame before it left, where it keeps a history; */
+    bool has_past;               /* then true */
+    struct aob_gbuffer poses[2]; /* of the sequence, drawn last */
+    struct aob_error uncounted;  /* why it has no operations, where a profile has use for them */
 };
 
 static void reply_all(struct aob_worker *worker, const struct cached *cached, const char *status,
@@ -56,14 +60,71 @@ static bool read_profiles(struct cached *cached, struct aob_error *error)
     return true;
 }
 
+static const struct aob_past *past_of(const struct cached *cached)
+{
+    return cached->has_past ? &cached->past : NULL;
+}
+
+/* The next one, once those before have been drawn; the numbers of a sequence count from 0. */
+static bool draw_plain(struct cached *cached, int number, struct aob_error *error)
+{
+    return aob_frame_set(&cached->plain, number, cached->part.values, error) &&
+           aob_frame_run(&cached->plain, 1, NULL, error);
+}
+
+static bool draw_pose(struct cached *cached, int number, struct aob_error *error)
+{
+    const struct aob_job_view *view = &cached->job.drawing.view;
+    const struct aob_job_pose *pose = &cached->job.poses[number];
+    const struct aob_gbuffer_desc desc = {&pose->camera, view->width, view->height, view->guard,
+                                          pose->frame > 0};
+    struct aob_gbuffer *gbuffer = &cached->poses[number % 2];
+    aob_gbuffer_finish(gbuffer);
+    return aob_gbuffer_load(gbuffer, pose->gbuffer, &desc, error) &&
+           aob_drawing_show(&cached->drawing, gbuffer, &pose->camera, error) &&
+           draw_plain(cached, number, error);
+}
+
+/* What a technique with a history has before the frame that is traced: the sequence, or the same view once. */
+static bool draw_past(struct cached *cached, struct aob_error *error)
+{
+    int poses = (int)cached->job.pose_count;
+    bool ok = true;
+    if (!aob_graph_keeps_history(&cached->plain.graph))
+        return true;
+    for (int i = 0; ok && i < poses; i++)
+        ok = draw_pose(cached, i, error);
+    if (ok && poses)
+        ok = aob_drawing_show(&cached->drawing, &cached->drawing.gbuffer, &cached->job.drawing.view.camera,
+                              error);
+    else if (ok)
+        ok = draw_plain(cached, 0, error);
+    aob_past_take(&cached->plain, &cached->past);
+    cached->has_past = true;
+    return ok;
+}
+
+/* The frame as it is timed, after those before it. */
+static bool init_plain(struct cached *cached, bool *unfit, struct aob_error *error)
+{
+    const struct aob_drawing_part *part = &cached->part;
+    const struct aob_frame_desc plain = {
+        .technique = part->technique, .values = part->values, .fetch = part->fetch, .wanted = part->wanted};
+    bool ok = aob_frame_init_desc(&cached->plain, part->screen, &plain, error);
+    *unfit = cached->plain.unfit;
+    return ok && draw_past(cached, error) &&
+           draw_plain(cached, cached->has_past ? cached->past.number + 1 : 0, error);
+}
+
 /* False: *status says what the refusal is. */
 static bool init_trace(struct cached *cached, const char **status, struct aob_error *error)
 {
     struct aob_drawing_part *part = &cached->part;
-    struct aob_frame_time time;
+    bool unfit = false;
     *status = "failed";
-    if (!aob_drawing_set(&cached->drawing, &cached->job.frame, part, error)) {
-        *status = part->unfit ? "unsupported" : "failed";
+    if (!aob_drawing_set(&cached->drawing, &cached->job.frame, part, error) ||
+        !init_plain(cached, &unfit, error)) {
+        *status = part->unfit || unfit ? "unsupported" : "failed";
         return false;
     }
     if (!aob_trace_init(&cached->trace,
@@ -71,15 +132,13 @@ static bool init_trace(struct cached *cached, const char **status, struct aob_er
                                                  .technique = part->technique,
                                                  .values = part->values,
                                                  .fetch = part->fetch,
-                                                 .wanted = part->wanted},
+                                                 .wanted = part->wanted,
+                                                 .past = past_of(cached)},
                         error)) {
         *status = cached->trace.unfit ? "unsupported" : "failed";
         return false;
     }
-    const struct aob_frame_desc plain = {
-        .technique = part->technique, .values = part->values, .fetch = part->fetch, .wanted = part->wanted};
-    return aob_frame_init_desc(&cached->plain, part->screen, &plain, error) &&
-           aob_frame_run(&cached->plain, 1, &time, error);
+    return true;
 }
 
 static bool wants_operations(const struct cached *cached)
@@ -132,7 +191,8 @@ static bool count_operations(struct cached *cached, struct aob_error *error)
                                         .technique = cached->part.technique,
                                         .values = cached->part.values,
                                         .fetch = cached->part.fetch,
-                                        .wanted = cached->part.wanted};
+                                        .wanted = cached->part.wanted,
+                                        .past = past_of(cached)};
     if (!wants_operations(cached))
         return true;
     if (!aob_count_init(&count, &desc, error)) {
@@ -222,6 +282,8 @@ static void finish(struct cached *cached)
     aob_frame_finish(&cached->plain);
     aob_trace_finish(&cached->trace);
     aob_drawing_finish(&cached->drawing);
+    aob_gbuffer_finish(&cached->poses[0]);
+    aob_gbuffer_finish(&cached->poses[1]);
     for (size_t i = 0; cached->simulations && i < cached->job.profile_count; i++) {
         aob_simulation_destroy(cached->simulations[i]);
         aob_profile_finish(&cached->profiles[i]);

@@ -19,7 +19,8 @@ static json_t *describe(const struct aob_capture *capture)
                                         .surface = capture->surface,
                                         .derived = capture->derived,
                                         .fov_deg = camera->fov_deg,
-                                        .ortho_height = camera->ortho_height};
+                                        .ortho_height = camera->ortho_height,
+                                        .materials = capture->materials};
     set_vector(answer.eye, camera->eye);
     set_vector(answer.target, camera->target);
     json_t *warnings = json_array();
@@ -46,7 +47,7 @@ static bool read_capture(struct aob_worker *worker, struct aob_error *error)
                                     .target = aob_vec(job.target[0], job.target[1], job.target[2])};
     if (!aob_capture_read(&capture, &desc, error))
         return false;
-    bool ok = aob_gbuffer_store(&capture.hits, &(struct aob_mesh){0}, job.out, error);
+    bool ok = aob_gbuffer_store_capture(&capture.hits, capture.albedo, capture.shine, job.out, error);
     if (ok)
         aob_worker_reply(worker, describe(&capture));
     aob_capture_finish(&capture);

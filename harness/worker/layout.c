@@ -57,8 +57,9 @@ static bool gives_all(const struct aob_pass_graph *graph, struct aob_error *erro
             return aob_fail(error, "%s gives no %s: leave the option %s off for it", graph->technique->name,
                             aob_output_name((enum aob_output)which), aob_output_name((enum aob_output)which));
     if (graph->wanted & AOB_WANT_THRIFT && !aob_graph_leaves_out(graph))
-        return aob_fail(error, "%s leaves nothing out: leave the option thrift off for it",
-                        graph->technique->name);
+        return aob_fail(error, "%s leaves nothing out%s%s: leave the option thrift off for it",
+                        graph->technique->name, graph->unclear ? ", because " : "",
+                        graph->unclear ? graph->unclear : "");
     return true;
 }
 

@@ -19,7 +19,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define AOB_ABI 10u /* raised by every change to this file: modules of another number are refused */
+#define AOB_ABI 11u /* raised by every change to this file: modules of another number are refused */
 enum {
     AOB_MAX_PARAM = 32,
     AOB_MAX_IN = 8,
@@ -238,7 +238,7 @@ struct aob_graph {
  *   float aob_metalness(ivec2 p)             0 to 1
  *   vec3  aob_light(int i)                   the scene's light: coefficient i = 0..8 of spherical harmonics (l, m) = 00, 1-1, 10,
  *                                            11, 2-2, 2-1, 20, 21, 22, R G B, view space (AOB_LIGHT; common/harmonics.glsl)
- *   bool  aob_is_clear(ivec2 p)              nothing can occlude it (clear_sine below), or it is sky: write what an open surface
+ *   bool  aob_is_clear(ivec2 p)              nothing can occlude it (struct aob_clearance), or it is sky: write what an open surface
  *                                            has, and return. False throughout unless the run option `thrift` is on (AOB_CLEARANCE)
  *   vec2  aob_image(ivec2 p)                 where it lies among the pixels of the depth below (centres at +.5)
  * What was in the frame before (AOB_VELOCITY). The first counts the pixels of the whole G-buffer, p * AOB_DIVISOR of the outputs'.
@@ -253,6 +253,8 @@ struct aob_graph {
  *   ivec2 aob_size              its pixels, guard band included
  *   float aob_view_z(ivec2 p)   depth of the surface in pixel p, scene units; AOB_SKY_Z where there is none
  *   bool  aob_is_sky(ivec2 p)                likewise
+ *   float aob_depth_error(float z)           how far the G-buffer's encoding may have rounded such a depth; 0 where it holds floats as
+ *                                            fine as a shader's own, and then AOB_DEPTH_EXACT is 1, else 0
  *   vec3  aob_position(ivec2 p)              view-space point of the surface in pixel p, at the pixel's centre
  *   vec3  aob_position_at(vec2 q, float z)   the same at image position q and depth z
  *   vec3  aob_normal(ivec2 p)                normal of the surface in pixel p, likewise
@@ -316,10 +318,27 @@ struct aob_sampling {
 
 /* --- What may be left out ----------------------------------------------------------------------------------- */
 
-/* The run option `thrift` leaves out what nothing can occlude: see AOB_CLEARANCE. It is for techniques that no surface beyond
- * `param.radius`, a uniform parameter, darkens, and that are 1 on open planes. Such a technique says how steeply a surface may rise
- * above another's plane, everywhere about it and beginning at the next pixel, without darkening it by more than 1/255: the sine
- * of that elevation. 0 where it cannot say so of these values: they are `unsupported` with the option. */
+/* The run option `thrift` leaves out what nothing can occlude: see AOB_CLEARANCE. It is for techniques that have one value on all
+ * open planes. Such a technique says which surfaces can darken another one, by `param.radius`, a uniform parameter, and how much of
+ * that changes the value by less than 1/255. */
+enum aob_occluders {
+    AOB_OCCLUDERS_NEAR, /* those within the radius */
+    AOB_OCCLUDERS_IN_FRONT, /* those that are drawn where the ball of the radius is, and lie in front of the surface's plane, however
+                               far in front. What lies behind the ball darkens nothing; behind by r z / (z - r), at depth z */
+};
+struct aob_clearance {
+    enum aob_occluders occluders;
+    /* How steeply a surface may rise above another's plane, everywhere about it and beginning at the next pixel: the sine of that
+     * elevation. 0 where the technique leaves nothing out with these values: they are `unsupported` with the option. */
+    float sine;
+    /* The next three are for AOB_OCCLUDERS_IN_FRONT. How far at most a surface may lie in front of that plane, along the view axis
+     * and along the plane's normal, as a share of the radius; 0: `sine` alone says it. */
+    float rise;
+    int32_t least_pixels; /* that the radius must cover in the image */
+    bool inside; /* the ball must not leave the image, since reads outside it find the edge (AOB_CLAMP) */
+    const char
+        *because; /* where sine is 0, why nothing is left out; it follows "X leaves nothing out, because" */
+};
 
 /* --- Where its text wants what a hard case calls a fault --------------------------------------------------- */
 
@@ -350,7 +369,7 @@ struct aob_technique {
     const struct aob_shader *shaders; /* ended by a NULL name */
     struct aob_definition definition;
     struct aob_sampling sampling;
-    float (*clear_sine)(const void *values);                    /* as above; NULL: it leaves nothing out */
+    struct aob_clearance (*clearance)(const void *values);      /* as above; NULL: it leaves nothing out */
     const struct aob_by_definition *by_definition;              /* ended by a NULL property; NULL: none */
     bool (*check)(const void *values, const char **why);        /* rules across parameters; may be NULL */
     bool (*build)(struct aob_graph *graph, const void *values); /* lay the passes; pure, repeatable */

@@ -35,6 +35,17 @@ static void name_set(const json_t *set, struct aob_text *name)
         aob_text_add(name, "nothing");
 }
 
+/* A capture is compared with its own image, and nothing in that is off. */
+static bool is_own(const struct effects_page *page)
+{
+    return strcmp(aob_member_text(page->document, "reference"), "own") == 0;
+}
+
+static const char *off(const struct effects_page *page)
+{
+    return is_own(page) ? "differs" : "off";
+}
+
 /* --- Pictures --- */
 
 static void add_figure(struct effects_page *page, enum aob_figure_kind kind, const char *file, json_t *job)
@@ -50,11 +61,12 @@ static void add_picture(struct effects_page *page, const char *file, const char 
     char *image = aob_path_join(page->desc->out, aob_member_text(set, "image"));
     struct aob_text name = {0};
     name_set(set, &name);
-    json_t *job = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:f}", "kind",
-                            "triptych", "title", title, "subtitle", name.data, "image", image, "technique",
-                            "technique.lit", "reference", "reference.lit", "error", "error.lit", "quantity",
-                            "the lit image", "reference_name", "Reference", "limit_group", "lit", "colour", 1,
-                            "exposure", aob_member_number(page->document, "exposure"));
+    json_t *job =
+        json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:f}", "kind", "triptych", "title",
+                  title, "subtitle", name.data, "image", image, "technique", "technique.lit", "reference",
+                  "reference.lit", "error", "error.lit", "quantity", "the lit image", "reference_name",
+                  is_own(page) ? "Full size" : "Reference", "limit_group", "lit", "colour", 1, "exposure",
+                  aob_member_number(page->document, "exposure"));
     add_figure(page, AOB_FIGURE_OUTPUT, file, job ? job : json_object());
     aob_text_finish(&name);
     free(image);
@@ -154,10 +166,10 @@ static void add_cells(struct effects_page *page, const json_t *set)
 }
 
 /* The heads of those cells. */
-static void add_cell_heads(struct effects_page *page, const char *error)
+static void add_cell_heads(struct effects_page *page, const char *before)
 {
-    aob_text_add(&page->text, "<th>%s, %%</th>%s<th>FLIP</th><th>ms</th></tr></thead><tbody>\n", error,
-                 is_sequence(page) ? "<th>flicker, %</th>" : "");
+    aob_text_add(&page->text, "<th>%s%s by, %%</th>%s<th>FLIP</th><th>ms</th></tr></thead><tbody>\n", before,
+                 off(page), is_sequence(page) ? "<th>flicker, %</th>" : "");
 }
 
 static void add_effects(struct effects_page *page)
@@ -165,7 +177,7 @@ static void add_effects(struct effects_page *page)
     const json_t *row;
     aob_text_add(&page->text, "<section id=\"effects\"><h2>What the view calls for</h2>\n<div class=\"scroll "
                               "plain\"><table><thead><tr><th>effect</th><th>why</th>");
-    add_cell_heads(page, "otherwise off by");
+    add_cell_heads(page, "otherwise ");
     for (size_t i = 0; (row = json_array_get(page->effects, i)); i++) {
         bool called = json_is_true(json_object_get(row, "called"));
         aob_text_add(&page->text, "<tr><td><span class=\"chip %s\">", called ? "ok" : "unsupported");
@@ -186,8 +198,9 @@ static void add_gallery(struct effects_page *page)
     aob_text_add(
         &page->text,
         "<section id=\"pictures\"><h2>What each effect adds to the lit image</h2>\n<p>Each picture is "
-        "the lit image of a set, the reference, and the difference, at one exposure.</p>\n<div "
-        "class=\"grid\">\n");
+        "the lit image of a set, %s, and the difference, at one exposure.</p>\n<div "
+        "class=\"grid\">\n",
+        is_own(page) ? "the one of full size with all that may be called for" : "the reference");
     if (has_picture(page->chosen))
         add_image(page, &page->gallery.figures[at++], "the set that is taken");
     for (size_t i = 0; (row = json_array_get(page->effects, i)); i++)
@@ -204,7 +217,7 @@ static void add_sets(struct effects_page *page)
 {
     const json_t *sets = json_object_get(page->document, "sets"), *set;
     aob_text_add(&page->text, "<div class=\"scroll plain\"><table><thead><tr><th>set</th>");
-    add_cell_heads(page, "off by");
+    add_cell_heads(page, "");
     for (size_t i = 0; (set = json_array_get(sets, i)); i++) {
         struct aob_text name = {0};
         name_set(set, &name);
@@ -230,11 +243,11 @@ static void add_facts(struct effects_page *page)
     if (is_sequence(page))
         aob_text_add(&size, "the last of %.0f frames, ", aob_member_number(d, "frames"));
     aob_text_add(&size, "radius %.4g, light %s", aob_member_number(d, "radius"), aob_member_text(d, "light"));
-    aob_text_add(&truth, "%.0f rays a pixel; %.0f pixels a side became one for the pictures and FLIP",
-                 aob_member_number(d, "spp"), aob_member_number(d, "flip_shrink"));
+    aob_text_add(&truth, "the lit image %s; %.0f pixels a side became one for the pictures and FLIP",
+                 aob_member_text(d, "against"), aob_member_number(d, "flip_shrink"));
     aob_text_add(&page->text, "<dl class=\"facts\">\n");
     add_fact(page, "view", size.data);
-    add_fact(page, "truth", truth.data);
+    add_fact(page, "compared", truth.data);
     add_fact(page, "device", aob_member_text(fingerprint, "device"));
     add_fact(page, "times", *aob_member_text(d, "profile") ? aob_member_text(d, "profile") : "measured");
     aob_text_add(&page->text, "</dl>\n");
@@ -256,8 +269,9 @@ static void add_head(struct effects_page *page)
     add_escaped(page, "", aob_member_text(page->document, "view"), " calls for</h1>\n");
     if (json_is_object(page->chosen)) {
         add_escaped(page, "<p>Taken: ", name.data, "");
-        aob_text_add(&page->text, ": %.3g ms a frame, off by %.3g %% of the light",
-                     aob_member_number(page->chosen, "ms"), 100 * aob_member_number(page->chosen, "rmse"));
+        aob_text_add(&page->text, ": %.3g ms a frame, %s by %.3g %% of the light",
+                     aob_member_number(page->chosen, "ms"), off(page),
+                     100 * aob_member_number(page->chosen, "rmse"));
         if (is_sequence(page))
             aob_text_add(&page->text, ", with a flicker of %.2g %%",
                          100 * aob_member_number(page->chosen, "flicker"));

@@ -42,5 +42,7 @@ hull hull_of(ivec2 cell, int side, vec3 n, vec4 ends, vec3 along)
     }
     if (met)
         deep = hull(max(deep.low, flat_one.low), min(deep.high, flat_one.high), min(deep.top, flat_one.top));
+    if (n == along) /* without the rounding of a corner */
+        deep.top = min(deep.top, ends.y);
     return deep;
 }

@@ -6,6 +6,9 @@ struct box {
 /* How far apart two boxes are. */
 float gap(box a, box b) { return length(max(max(b.low - a.high, a.low - b.high), vec3(0.0))); }
 
+/* How far apart a point of one and a point of the other can be. */
+float farthest(box a, box b) { return length(max(b.high - a.low, a.high - b.low)); }
+
 /* The pixels that the ball of radius r about any point of the box can cover. False where it may reach the eye: then it can be any. */
 bool window_of(box b, float r, out ivec2 first, out ivec2 last)
 {

@@ -56,6 +56,9 @@ void main()
 {
     ivec2 p = aob_pixel;
     vec3 position = aob_surface(p);
+    access = 1.0;
+    if (aob_is_clear(p))
+        return;
     vec3 v = normalize(2.0 * aob_fetch_tile(p & 3).xyz - 1.0);
 #if HEMISPHERE == 1
     vec3 normal = facing_normal(aob_surface_normal(p), position);

@@ -44,6 +44,9 @@ float occlusion(vec3 normal, int first, int end, float radius, float full, float
 void main()
 {
     float z = aob_surface_z(aob_pixel);
+    visibility = 1.0;
+    if (aob_is_clear(aob_pixel))
+        return;
     vec3 normal = facing_normal(aob_surface_normal(aob_pixel), aob_surface(aob_pixel));
     int count = int(float(SAMPLES) * clamp(NEAR_DISTANCE / z, 1.0, float(NEAR_FACTOR)));
 #if RADII == 1

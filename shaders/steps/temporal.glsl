@@ -21,6 +21,17 @@ vec4 in_range(vec4 open) { return vec4(open.xyz / max(1.0, length(open.xyz)), in
 float turned(float open) { return open; }
 vec4 turned(vec4 open) { return vec4(aob_direction_now(open.xyz), open.w); }
 
+/* `other` moved by what rounding may have moved it away from the tangent plane of `place`: both depths, along the line of sight, which
+ * crosses the plane. */
+vec3 unrounded(vec3 place, vec3 normal, vec3 other, float then)
+{
+    if (AOB_DEPTH_EXACT == 1)
+        return other;
+    float lean = AOB_PERSPECTIVE == 1 ? dot(other, normal) / other.z : normal.z;
+    float slack = abs(lean) * (aob_depth_error(-place.z) + aob_depth_error(then));
+    return other - normal * clamp(dot(other - place, normal), -slack, slack);
+}
+
 /* Whether the pixel of before at q shows the surface at `place`; what it holds, and how many frames that is of. */
 bool shows(ivec2 q, vec3 place, vec3 normal, out AOB_TYPE_NOW open, out float frames)
 {
@@ -29,7 +40,8 @@ bool shows(ivec2 q, vec3 place, vec3 normal, out AOB_TYPE_NOW open, out float fr
     open = aob_fetch_open_before(q);
     frames = surface.w;
     bool held = q == clamp(q, ivec2(0), aob_size - 1) && !aob_no_depth(z) && is_open(open);
-    return held && same_surface(place, normal, aob_position_at(vec2(q) + 0.5, z), surface.xyz / z) > 0.5;
+    vec3 other = unrounded(place, normal, aob_position_at(vec2(q) + 0.5, z), z);
+    return held && same_surface(place, normal, other, surface.xyz / z) > 0.5;
 }
 
 /* Weights of four samples in a row for a place a share t from the second to the third (Catmull and Rom 1974). */

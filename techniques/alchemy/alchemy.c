@@ -100,11 +100,14 @@ static const struct aob_by_definition by_definition[] = {
 /* Where all rises by the sine s the sum's terms are at most s r / |v|, whose mean over the disc is 2, and twice that where samples are
  * rounded to near pixels: 8 intensity s, and as many times more as the contrast is above 1. What lies below the bias is nothing, so
  * rounding is; without a bias it is not. */
-static float clear_sine(const void *values)
+static struct aob_clearance clearance(const void *values)
 {
     const struct values *v = values;
     float steep = 8 * v->intensity * (v->contrast > 1 ? v->contrast : 1);
-    return v->bias < 4e-6f ? 0 : steep > 0.04f ? 1 / (255 * steep) : 0.1f;
+    return (struct aob_clearance){.sine = v->bias < 4e-6f ? 0
+                                          : steep > 0.04f ? 1 / (255 * steep)
+                                                          : 0.1f,
+                                  .because = "the rounding of depths darkens open planes where bias is 0"};
 }
 
 AOB_TECHNIQUE(
@@ -125,5 +128,5 @@ AOB_TECHNIQUE(
         "random points.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .map = map},
-    .by_definition = by_definition, .sampling = {"samples", AOB_SEQUENCE_STRATIFIED},
-    .clear_sine = clear_sine, .build = build);
+    .by_definition = by_definition, .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .clearance = clearance,
+    .build = build);

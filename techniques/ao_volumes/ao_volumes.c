@@ -90,6 +90,13 @@ static const struct aob_by_definition by_definition[] = {
     {0},
 };
 
+static struct aob_clearance clearance(const void *values)
+{
+    (void)values;
+    return (struct aob_clearance){
+        .because = "triangles darken what they are near to, and no depth image shows them all"};
+}
+
 AOB_TECHNIQUE(
     ao_volumes, .title = "Ambient occlusion volumes", .revision = 6, .shaders = aob_shaders_ao_volumes,
     .summary = "The scene's triangles themselves, not the depth buffer, occlude: each is clipped to the "
@@ -107,4 +114,4 @@ AOB_TECHNIQUE(
     .citation = "McGuire: Ambient Occlusion Volumes, text of two pages (2010)", .params = params,
     .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff, .distance = distance},
-    .by_definition = by_definition, .build = build);
+    .by_definition = by_definition, .clearance = clearance, .build = build);

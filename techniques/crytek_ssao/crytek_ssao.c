@@ -132,7 +132,7 @@ static bool check(const void *values, const char **why)
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
-    uint32_t reads = AOB_DEPTH | (v->hemisphere ? AOB_NORMAL : 0);
+    uint32_t reads = AOB_DEPTH | AOB_CLEARANCE | (v->hemisphere ? AOB_NORMAL : 0);
     aob_tex tile = aob_texture(graph, .name = "tile", .format = AOB_RGBA8, .width = TILE, .height = TILE,
                                .fill = fill_tile);
     aob_tex raw = aob_texture(graph, .name = "access", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
@@ -184,6 +184,20 @@ static const struct aob_by_definition by_definition[] = {
     {0},
 };
 
+/* With the hemisphere a sample counts whole where the surface at its pixel rises above the tangent plane by no more than 1e-5 of how far
+ * away it is and 1e-6 of the depth. So a plane is 1, whatever the range check says. Of the whole sphere a plane has no one value: its
+ * share depends on how the offsets fall in each pixel, and on how steep the plane is. */
+static struct aob_clearance clearance(const void *values)
+{
+    const struct values *v = values;
+    return (struct aob_clearance){
+        .occluders = AOB_OCCLUDERS_IN_FRONT,
+        .sine = v->hemisphere && v->size == 0 ? 1e-5f : 0,
+        .inside = true,
+        .because = v->hemisphere ? "the sphere of size = screen has another radius at each depth"
+                                 : "an open plane has no one value without hemisphere = on"};
+}
+
 AOB_TECHNIQUE(
     crytek_ssao, .title = "Crytek screen-space ambient occlusion", .revision = 3,
     .shaders = aob_shaders_crytek_ssao,
@@ -199,4 +213,4 @@ AOB_TECHNIQUE(
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .radius = definition_radius, .falloff = falloff, .map = map},
     .by_definition = by_definition, .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check,
-    .build = build);
+    .clearance = clearance, .build = build);

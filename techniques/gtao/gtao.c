@@ -141,10 +141,10 @@ static bool build(struct aob_graph *graph, const void *values)
 
 /* What is closed up to an elevation e about a surface is sin^2 e of the cosine's hemisphere. Of the bare solid angle it is sin e, but
  * what rises less than 2e-3 is taken for the plane itself. */
-static float clear_sine(const void *values)
+static struct aob_clearance clearance(const void *values)
 {
     const struct values *v = values;
-    return v->weighting == AOB_WEIGHT_COSINE ? 0.05f : 2e-3f;
+    return (struct aob_clearance){.sine = v->weighting == AOB_WEIGHT_COSINE ? 0.05f : 2e-3f};
 }
 
 AOB_TECHNIQUE(
@@ -164,4 +164,4 @@ AOB_TECHNIQUE(
                 "Occlusion, ATVI-TR-19-01 (2016)",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_COSINE, .falloff = falloff},
-    .sampling = {"slices", AOB_SEQUENCE_STRATIFIED}, .clear_sine = clear_sine, .build = build);
+    .sampling = {"slices", AOB_SEQUENCE_STRATIFIED}, .clearance = clearance, .build = build);

@@ -111,11 +111,13 @@ static const struct aob_by_definition by_definition[] = {
 
 /* A sample that rises less than .02 above the plane closes nothing. The tangent of a direction, and places between texels, close
  * open planes as well. */
-static float clear_sine(const void *values)
+static struct aob_clearance clearance(const void *values)
 {
     const struct values *v = values;
     enum { PER_SAMPLE = 0, OFF = 2 };
-    return v->tangents == PER_SAMPLE && v->snapping != OFF ? 0.019f : 0;
+    return (struct aob_clearance){
+        .sine = v->tangents == PER_SAMPLE && v->snapping != OFF ? 0.019f : 0,
+        .because = "open planes are darkened by one tangent a direction, and by places between texels"};
 }
 
 AOB_TECHNIQUE(
@@ -144,4 +146,4 @@ AOB_TECHNIQUE(
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff, .map = map},
     .by_definition = by_definition, .sampling = {"directions", AOB_SEQUENCE_STRATIFIED},
-    .clear_sine = clear_sine, .build = build);
+    .clearance = clearance, .build = build);

@@ -60,10 +60,10 @@ static const struct aob_by_definition by_definition[] = {
 };
 
 /* A surface that rises less than .02 above the plane is hit by no ray. */
-static float clear_sine(const void *values)
+static struct aob_clearance clearance(const void *values)
 {
     (void)values;
-    return 0.019f;
+    return (struct aob_clearance){.sine = 0.019f};
 }
 
 AOB_TECHNIQUE(
@@ -84,4 +84,4 @@ AOB_TECHNIQUE(
                 "marching",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff}, .by_definition = by_definition,
-    .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .clear_sine = clear_sine, .build = build);
+    .sampling = {"directions", AOB_SEQUENCE_STRATIFIED}, .clearance = clearance, .build = build);

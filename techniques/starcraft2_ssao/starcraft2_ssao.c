@@ -180,7 +180,7 @@ static bool build(struct aob_graph *graph, const void *values)
         aob_texture(graph, .name = "visibility", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
     struct aob_pass pass = {.name = "occlusion",
                             .shader = "occlusion",
-                            .reads = AOB_DEPTH | AOB_NORMAL,
+                            .reads = AOB_DEPTH | AOB_NORMAL | AOB_CLEARANCE,
                             .border = AOB_FAR,
                             .depth = low,
                             .in = {{.name = "offset", .tex = offsets}, {.name = "noise", .tex = normals}},
@@ -209,6 +209,20 @@ static const struct aob_by_definition by_definition[] = {
     {0},
 };
 
+/* A sample is occluded only if the surface at its pixel rises by more than epsilon above the tangent plane. That holds of the small set
+ * as well, whose radius must be within the other. */
+static struct aob_clearance clearance(const void *values)
+{
+    const struct values *v = values;
+    bool within = v->radii != RADII_TWO || v->small_radius <= v->radius;
+    return (struct aob_clearance){
+        .occluders = AOB_OCCLUDERS_IN_FRONT,
+        .sine = within && v->epsilon > 0 ? 1 : 0,
+        .rise = v->epsilon / v->radius,
+        .because = within ? "the rounding of depths darkens open planes where epsilon is 0"
+                          : "small_radius, which reaches farther than radius, is no part of the proof"};
+}
+
 AOB_TECHNIQUE(
     starcraft2_ssao, .title = "StarCraft II ambient occlusion", .revision = 3,
     .shaders = aob_shaders_starcraft2_ssao,
@@ -229,4 +243,4 @@ AOB_TECHNIQUE(
              "wide, its depth a quarter size; the cap of the screen radius shrinks the sphere.",
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff}, .by_definition = by_definition,
-    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .build = build);
+    .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check, .clearance = clearance, .build = build);

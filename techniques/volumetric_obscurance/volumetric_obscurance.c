@@ -73,7 +73,7 @@ static bool check(const void *values, const char **why)
 static bool build(struct aob_graph *graph, const void *values)
 {
     const struct values *v = values;
-    uint32_t reads = v->hemisphere ? AOB_DEPTH | AOB_NORMAL : AOB_DEPTH;
+    uint32_t reads = AOB_DEPTH | AOB_CLEARANCE | (v->hemisphere ? AOB_NORMAL : 0);
     aob_tex raw = aob_texture(graph, .name = "coarse", .format = AOB_R16F, .divisor = (uint32_t)v->divisor);
     aob_pass(graph, .name = "coarse", .shader = "lines", .defines = {{"ROLE", v->resolutions == ONE ? 0 : 1}},
              .reads = reads, .depth = aob_step_downsample(graph, .divisor = v->divisor), .border = AOB_FAR,
@@ -107,6 +107,24 @@ static const struct aob_by_definition by_definition[] = {
     {0},
 };
 
+/* A surface that comes in front of the plane makes each line solid by as much as it is in front. Six lines or more, on a disc of three
+ * pixels or more, have a mean half length of .19 of the radius at least, to whichever pixels they are rounded: so 5e-4 of the radius
+ * closes .0026. Fewer lines may all stand at the rim of the sphere, where it is thin. Without normals the whole sphere is asked, and
+ * what lies behind the plane makes it brighter than open: that shows unless it is cut off at once. */
+static struct aob_clearance clearance(const void *values)
+{
+    const struct values *v = values;
+    bool two = v->resolutions == TWO, cut_off = v->hemisphere || (v->amplification && !two);
+    float fine = two ? v->fine_radius : 1, coarse = (float)v->divisor, finer = two ? 1 / fine : 1;
+    return (struct aob_clearance){
+        .occluders = AOB_OCCLUDERS_IN_FRONT,
+        .sine = v->samples >= 6 && cut_off ? 1 : 0,
+        .rise = 5e-4f * fine,
+        .least_pixels = (int32_t)ceilf(3 * fmaxf(coarse, finer)),
+        .because = cut_off ? "fewer than six samples may all lie where a sphere is thin"
+                           : "without normals what lies behind a plane makes it brighter than open"};
+}
+
 AOB_TECHNIQUE(
     volumetric_obscurance, .title = "Volumetric obscurance", .revision = 3,
     .shaders = aob_shaders_volumetric_obscurance,
@@ -127,4 +145,4 @@ AOB_TECHNIQUE(
     .params = params, .param_count = sizeof params / sizeof *params, .values_size = sizeof(struct values),
     .definition = {.weight = AOB_WEIGHT_UNIFORM, .falloff = falloff, .map = map},
     .by_definition = by_definition, .sampling = {"samples", AOB_SEQUENCE_STRATIFIED}, .check = check,
-    .build = build);
+    .clearance = clearance, .build = build);

@@ -83,7 +83,7 @@ for mesh in broken.obj broken.ply; do
 done
 
 # Modules.
-expect 2 "made for module interface 3, this program has 10" "$program" list techniques --module "$modules/old_abi.so"
+expect 2 "made for module interface 3, this program has 11" "$program" list techniques --module "$modules/old_abi.so"
 expect 2 "cannot load" "$program" list techniques --module config.yaml
 expect 2 "is it a file" "$program" list techniques --module "$folder"
 expect 2 "cannot open" "$program" list techniques --module nowhere.so

@@ -1,13 +1,9 @@
 #!/usr/bin/env bash
-# effects: what a plan gives: its config, budgets and devices, its page, a capture, and what cannot be answered. The plans themselves are
+# effects: what a plan gives: its config, budgets and devices, its page, and what cannot be answered. The plans themselves are
 # test_effect_plan.sh's.
 source "$(dirname "$0")/lib.sh"
 cd "$folder"
 export AOBUDGET_CACHE=$folder/cache
-# row NAME EFFECT FILTER
-row() { jq ".effects[] | select(.name == \"$2\") | $3" "$1.json"; }
-rule() { test "$(row "$1" "$2" '[.called, .by] == [false, "rule"]')" = true; }
-measured() { test "$(row "$1" "$2" .by)" = '"measured"'; }
 
 # The config draws what was chosen, and scores it the same.
 check "a config" "$program" effects window_room --size 64x36 --backend gl-egl --radius 0.4 -p slices=4 --out taken.yaml --json taken.json
@@ -51,18 +47,6 @@ check "a row an effect and a set" test "$(grep -c '^<tr><td>' page/index.html)" 
 check "the picture of nothing is what no occlusion shows" test "$(jq -r '.effects[] | select(.name == "visibility") | .otherwise.image' page.json)" = images/set-0.exr
 check "nothing from elsewhere" test "$(grep -c '://' page/index.html)" = 0
 expect 2 "page.json" "$program" effects corner --size 64x36 --backend gl-egl --page page.json
-
-# A capture: what its depth and the light tell.
-"$program" shot --technique none --scene gallery --view ball --size 64x36 --backend gl-egl --reference-spp 0 --out frame.exr >/dev/null
-expect_code 3 "a capture" "$program" effects capture:frame.exr --fov 50 --backend gl-egl --json capture.json --out capture.yaml
-check "visibility is measured" measured capture visibility
-check "even light rules directions out" rule capture directional
-check "a capture has no frames before it" test "$(row capture temporal '[.by, .called]' | jq -c .)" = '["no data",false]'
-check "materials are missing" test "$(row capture multi_bounce .by) $(row capture specular .by)" = '"no data" "no data"'
-check "its config runs" "$program" run capture.yaml --out capture --quiet
-check "without a lit image" jq -e '.options.lit == "off" and .technique == "gtao"' capture/journal.jsonl
-expect_code 3 "under a window" "$program" effects capture:frame.exr --fov 50 --backend gl-egl --light window --json capture.json
-check "directions could matter, and nothing tells" test "$(row capture directional '[.by, .most > 0.02]' | jq -c .)" = '["no data",true]'
 
 expect 2 "unknown scene 'nowhere'; there are plane" "$program" effects nowhere --size 64x36
 expect 2 "scene 'corner' has no view 'nix'; it has front, far" "$program" effects corner --view nix

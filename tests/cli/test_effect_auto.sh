@@ -66,6 +66,57 @@ config '{name: corner}' '{name: gtao}' 'options: {lit: off}' >lit.yaml
 expect 2 "'lit' is given twice" "$program" run lit.yaml --quiet
 sed 's/effects: auto/effects: all/' two.yaml >all.yaml
 expect 2 "all.yaml:5:10: 'all' is not auto" "$program" run all.yaml --quiet
-config '{capture: frame.exr, fov_deg: 50}' '{name: gtao}' >capture.yaml
-expect 2 "effects: auto is for scenes: a capture has no lit image" "$program" run capture.yaml --quiet
+# The radius that the config asks for is the target's, of the truth that the effects are judged by.
+for radius in 0.1 0.6; do
+  config '{name: matte_white_room}' '{name: gtao, params: {radius: 0.6}}' "target: {radius: $radius, weighting: uniform}" >radius.yaml
+  check "a target of $radius" "$program" run radius.yaml --out "radius-$radius" --quiet
+  sed -i '/^effects/d; s/{name: gtao, params: {radius: 0.6}}/{name: gtao, params: {radius: 0.6, divisor: [1, 2]}}, {name: none}/' radius.yaml
+  cat radius.yaml <(echo 'options: {lit: [on], visibility_rgb: [off, on]}') >all.yaml
+  "$program" run all.yaml --out "all-$radius" --quiet >/dev/null 2>&1 # `none` gives no bounces: 3
+  least=$(jq -s '[.[] | select(.status == "ok") | .error.lit_rmse] | min' "all-$radius/journal.jsonl")
+  none=$(jq -s '[.[] | select(.technique == "none" and .status == "ok") | .error.lit_rmse] | min' "all-$radius/journal.jsonl")
+  taken=$(jq -r .technique "radius-$radius/journal.jsonl")
+  wanted=$(awk "BEGIN { print $none <= $least + 0.02 ? \"none\" : \"gtao\" }")
+  check "at $radius nothing is off by $none, the best by $least: $wanted is taken" test "$taken" = "$wanted"
+  check "and compared at $radius" jq -e ".reference_radius - $radius | fabs < 1e-6" "radius-$radius/journal.jsonl"
+done
+check "the two radii call for other sets" test "$(jq -r .technique radius-0.1/journal.jsonl)$(jq -r .technique radius-0.6/journal.jsonl)" = nonegtao
+
+# What is wrong with a call is said before anything is planned, and what the filter leaves out is not planned.
+mkdir tmp
+export TMPDIR=$folder/tmp
+touch -d '2001-01-01' tmp
+untouched() { test "$(stat -c %Y tmp)" = "$(date -d 2001-01-01 +%s)"; }
+expect 2 "no case of two.yaml matches 'nix', whichever effects are chosen: give --filter a part of the name of a scene" "$program" run two.yaml --out nix --filter nix
+expect 2 "two.yaml: it is not a folder" "$program" run two.yaml --out two.yaml --fresh
+expect 2 "auto.json: " "$program" run two.yaml --out new --json nowhere/auto.json
+expect 2 "radius-0.1 holds a run of another config" "$program" run two.yaml --out radius-0.1
+check "nothing was planned for these" untouched
+check "what was there stays" test "$(wc -l <radius-0.1/journal.jsonl)" = 1
+"$program" run two.yaml --out one --filter open_sky >told 2>&1
+check "of the views that it leaves one is planned" test "$(grep -c 'calls for' told) $(grep -c 'open_sky/up 64x36 gl-egl calls for nothing' told)" = "1 1"
+check "and measured" test "$(jq -c '[.scene, .technique]' one/journal.jsonl)" = '["open_sky","none"]'
+"$program" run two.yaml --out one >told 2>&1
+check "without it the other one comes" test "$(jq -s -c 'map(.scene)' one/journal.jsonl)" = '["open_sky","matte_white_room"]'
+check "as in a run of both" test "$(jq -s -c 'map(.key) | sort' one/journal.jsonl)" = "$(jq -s -c 'map(.key) | sort' two/journal.jsonl)"
+touch -d '2001-01-01' tmp
+check "nobody asks about gtao" "$program" run others.yaml --out hbao --filter hbao --quiet
+check "so nothing is planned" untouched
+check "hbao is there" test "$(jq -r .technique hbao/journal.jsonl)" = hbao
+expect 2 "no case of others.yaml matches 'divisor=2', with the effects that are chosen" "$program" run others.yaml --out none --filter divisor=2 --quiet
+
+# A capture with materials is planned as `effects` plans it; one without them has no lit image.
+"$program" shot --technique none --scene gallery --view ball --size 64x36 --backend gl-egl --reference-spp 0 --out frame.exr >/dev/null
+config '{capture: frame.exr, light: sky}' '{name: gtao, params: {radius: 0.5}}' | sed '/^resolutions/d' >capture.yaml
+check "a capture" "$program" run capture.yaml --out capture --quiet
+check "its plan" "$program" effects capture:frame.exr --light sky --backend gl-egl --radius 0.5 --json plan.json
+check "is drawn" test "$(jq -c "$effects" capture/journal.jsonl)" = "$(jq -c .chosen.effects plan.json)"
+sed -i 's/light: sky/light: sky, materials: none/' capture.yaml
+expect 2 "capture:frame.exr: lit needs the base colour of the surfaces" "$program" run capture.yaml --out bare --quiet
+
+# Two builds are compared by the config of a view's set, which `effects` writes.
+cp "$AOBUDGET_BUILD/modules/gtao.so" a.so
+cat a.so <(echo) >b.so
+expect 2 "two.yaml:5:10: effects: auto is for \`aobudget run\` alone, which plans each view first: write a view's config with \`aobudget effects SCENE --out FILE.yaml\`, and give that" \
+  "$program" compare a.so b.so --config two.yaml --quiet
 finish

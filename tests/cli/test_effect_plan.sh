@@ -33,6 +33,8 @@ plan level rocks --light uniform
 check "a uniform sky never pays for directions" rule level directional
 plan gallery gallery --view ball
 check "polish is looked at" measured gallery specular
+check "gtao's own makes the image worse there, so it is not called for" test \
+  "$(row gallery specular '[.called, .by] == [false, "measured"]') $(jq '.chosen.rmse as $own | .effects[] | select(.name == "specular") | .otherwise.rmse > $own' gallery.json)" = "true true"
 check "so is what a sky lights" measured gallery directional
 check "a smaller tolerance leaves more to measure" "$program" effects matte_white_room --size 64x36 --backend gl-egl --tolerance 0.0001 --json fine.json
 check "specular among it" measured fine specular

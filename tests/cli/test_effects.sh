@@ -107,12 +107,12 @@ config "irradiance: [on]" >lit.yaml
 sed -i 's/{name: coloured_walls}/{name: corner, light: bad.exr}/' lit.yaml
 expect 2 "lit.yaml:2:10: " "$program" run lit.yaml --out lit --quiet
 
-# Who gives none says so; a capture has neither surfaces nor materials; an odd material is noted.
+# Who gives none says so; a capture has only the materials of its file; an odd material is noted.
 expect 2 "unsupported: hbao gives no visibility_rgb: leave the option visibility_rgb off for it" "$program" shot --technique hbao --scene corner --size 32x18 --backend gl-egl -p visibility_rgb=on
 for output in visibility_rgb specular irradiance; do
   expect 2 "unsupported: gtao gives no $output" "$program" shot --technique gtao --scene corner --size 32x18 --backend gl-egl -p weighting=uniform -p $output=on
 done
-expect 2 "there is no truth of specular: leave it off" "$program" shot --technique gtao --scene capture:lit.exr --fov 60 --backend gl-egl -p specular=on
+expect 2 "specular needs the roughness of the surfaces" "$program" shot --technique gtao --scene capture:lit.exr --fov 60 --backend gl-egl -p specular=on
 printf 'mtllib odd.mtl\nv -1 0 -1\nv 1 0 -1\nv 0 0 1\nusemtl odd\nf 1 3 2\n' >odd.obj
 printf 'newmtl odd\nKd 3 0.5 0\nPr -1\n' >odd.mtl
 "$program" shot --technique gtao --scene odd.obj --eye 0,2,3 --target 0,0,0 --size 32x18 --backend gl-egl -p visibility_rgb=on --reference-spp 16 >/dev/null 2>odd.err

@@ -28,6 +28,16 @@ target: {radius: 0.5}
 measure: {time: false}
 reference: {spp: 16}
 YAML
+cat >configs/sequence.yaml <<YAML
+name: sequence
+scenes: [{name: cornell, view: blocks, motion: {frames: 3}}]
+resolutions: [96x54]
+backends: [vulkan]
+techniques: [{name: gtao, params: {history: 8}}]
+target: {radius: 0.5}
+measure: {time: false}
+reference: {spp: 16}
+YAML
 check "packing" bash "$root/dev.d/gpu_check.sh" "$AOBUDGET_BUILD" configs pack
 expect 2 "exists and is no packed gpu-check" bash "$root/dev.d/gpu_check.sh" "$AOBUDGET_BUILD" configs configs
 touch pack/of_an_earlier_time
@@ -47,6 +57,9 @@ record '{outputs: ["visibility", "specular"]}'
 expect 2 "the image has nothing of the output visibility" "$AOBUDGET_BUILD/gpu-check-data" made lacking lacking
 record '{outputs: [], light: {name: "probe.exr"}}'
 expect 2 "cornell is lit by 'probe.exr', which is no listed light" "$AOBUDGET_BUILD/gpu-check-data" made lacking lacking
+record '{outputs: ["visibility"], view: "blocks-4-frames", camera: {eye: [0, 1, 4], target: [0, 1, 0], fov_deg: 50, ortho_height: 0, shift: [0, 0],
+  previous: {eye: [0, 1, 5], target: [0, 1, 0]}}, motion: {frames: 4}}'
+expect 2 "cornell blocks-4-frames moves: a sequence must be of a still view" "$AOBUDGET_BUILD/gpu-check-data" made lacking lacking
 mv pack "moved elsewhere"
 pack=$folder/moved\ elsewhere
 
@@ -83,15 +96,17 @@ for backend in vulkan gl-egl; do
   holds "$backend: its device" ".sections[] | select(.backend == \"$backend\" and .section == \"device\").items[0] |
     (.item | contains(\"llvmpipe\")) and .driver and .class == \"cpu\" and .software"
   holds "$backend: its images" "[.sections[] | select(.backend == \"$backend\" and .section == \"images\").items[]] |
-    length == 9 and all(.status == \"passed\" and .pixels > 5000 and .visible_share == 0 and .max < 1e-5 and
+    length == 10 and all(.status == \"passed\" and .pixels > 5000 and .visible_share == 0 and .max < 1e-5 and
                         .expected_rmse > 0.01 and .rmse > 0.01)"
   holds "$backend: its further outputs" "[.sections[] | select(.backend == \"$backend\" and .section == \"images\").items[] |
     select(.item | startswith(\"gtao bent_normal=on\"))] | map(.output) == [\"visibility\", \"bent_normal\",
     \"visibility_rgb\", \"specular\", \"irradiance\", \"lit\"] and all(.[1:][]; .output as \$o | .item |
     endswith(\" on gallery ball 96x54 \" + \$o)) and map(.scale)[:4] == [1, 2, 1, 1] and .[4].scale > 0.5 and .[4].scale < 1.5 and .[5].scale == .[4].scale"
   holds "$backend: its times" "[.sections[] | select(.backend == \"$backend\" and .section == \"times\").items[] |
-    select(.item != \"A/A\")] | length == 9 and all(.status == \"passed\" and .ms > 0 and .rounds > 0 and .fixed_ms > 0 and
+    select(.item != \"A/A\")] | length == 10 and all(.status == \"passed\" and .ms > 0 and .rounds > 0 and .fixed_ms > 0 and
     .control > 0 and (.passes | length) > 0)"
+  holds "$backend: the mean over time" "[.sections[] | select(.backend == \"$backend\" and .section == \"times\").items[] |
+    select(.item == \"gtao history=16\") | .passes[].name] | index(\"changes\") and index(\"temporal\")"
   holds "$backend: A/A" ".sections[] | select(.backend == \"$backend\" and .section == \"times\").items[-1] | .item == \"A/A\" and has(\"spread\")"
 done
 holds "a clock that lies is not used" '[.sections[] | select(.backend == "gl-egl")] |
@@ -101,14 +116,14 @@ holds "a clock that lies is not used" '[.sections[] | select(.backend == "gl-egl
 holds "one that tells the truth is" '[.sections[] | select(.backend == "vulkan")] |
   ((.[] | select(.section == "timer").status) == "passed") as $trusted |
   (.[] | select(.section == "times").items | all(.item == "A/A" or .clock == (if $trusted then "device" else "cpu" end)))'
-holds "the layer has nothing to say" '.sections[] | select(.section == "validation") | .status == "passed" and (.items | length) == 4'
-check "the table names each technique" test "$(grep -c ' x fixed pass' said)" -eq 18
+holds "the layer has nothing to say" '.sections[] | select(.section == "validation") | .status == "passed" and (.items | length) == 5'
+check "the table names each technique" test "$(grep -c ' x fixed pass' said)" -eq 20
 check "and the verdict" grep -q '^verdict: passed, 0 findings' said
 
 # Another radius than that of the expected image stands for a driver that draws something else.
 data="$pack/data/check.json"
 cp "$data" kept.json
-jq '(.images[] | select(.technique == "gtao" and .light == null).params.radius) = 0.45' kept.json >"$data"
+jq '(.images[] | select(.technique == "gtao" and .light == null and .frames == 1).params.radius) = 0.45' kept.json >"$data"
 run 1 "an image that differs" --backend vulkan --section images
 holds "is named" '.verdict == "disagrees" and (.findings | length) == 1 and
   (.findings[0] | startswith("vulkan, images: gtao on cornell blocks 96x54: "))'
@@ -117,6 +132,9 @@ changed() { # FILTER: what findings the data give with that change
   jq "$1" kept.json >"$data"
   run 1 "$1" --backend vulkan --section images
 }
+changed '(.images[] | select(.frames == 3).frames) = 1'
+holds "a frame without a history is another" '(.findings | length) == 1 and
+  (.findings[0] | startswith("vulkan, images: gtao history=8 on cornell blocks-3-frames 96x54: "))'
 changed '(.images[] | select(.light).light[0][]) *= 1.1'
 holds "another light is another irradiance and lit image, and nothing else" '(.findings | length) == 2 and
   (.findings[0] | test("^vulkan, images: gtao .* on gallery ball 96x54 irradiance: .*pixels differ by more than")) and
@@ -130,15 +148,17 @@ holds "an output without an image" '(.findings | length) == 1 and
   (.findings[0] | endswith("data/image-0.exr: it has no image of the output bent_normal: pack it again"))'
 jq '.images[3].light = [[1, 1, 1]]' kept.json >"$data"
 expect 2 "is not nine coefficients" "$pack/gpu-check" --out results.json
-jq '.schema = "aobudget gpu-check data 1"' kept.json >"$data"
-expect 2 "its schema is not 'aobudget gpu-check data 2': pack it again" "$pack/gpu-check" --out results.json
+jq '.images[3].frames = 0' kept.json >"$data"
+expect 2 "an image lacks a field" "$pack/gpu-check" --out results.json
+jq '.schema = "aobudget gpu-check data 2"' kept.json >"$data"
+expect 2 "its schema is 'aobudget gpu-check data 2', and this program reads 'aobudget gpu-check data 3': pack it again" "$pack/gpu-check" --out results.json
 jq '(.images[] | select(.technique == "gtao").params.radius) = 1e9' kept.json >"$data"
 run 1 "values that the technique refuses" --backend vulkan --section images
-holds "are no crash" '.sections[] | select(.section == "images") | .status == "failed" and (.items | length) == 4'
+holds "are no crash" '.sections[] | select(.section == "images") | .status == "failed" and (.items | length) == 5'
 jq '.techniques.hbao = "0"' kept.json >"$data"
 expect 2 "made with other techniques than this program's" "$pack/gpu-check" --out results.json
 echo '{"schema": "another"}' >"$data"
-expect 2 "its schema is not" "$pack/gpu-check" --out results.json
+expect 2 "its schema is 'another'" "$pack/gpu-check" --out results.json
 cp kept.json "$data"
 cp "$pack/data/image-0.exr" kept.exr
 head -c 1000 kept.exr >"$pack/data/image-0.exr"

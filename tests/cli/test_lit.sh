@@ -52,5 +52,5 @@ check "as without it" "${shot[@]}" -p visibility_rgb=on --out one.exr
 check "to the bit" same both.exr one.exr technique.visibility_rgb.R
 
 "$program" shot --technique gtao --scene corner --size 32x18 --backend gl-egl --reference-spp 0 --out corner.exr >/dev/null
-expect 2 "there is no truth of lit: leave it off" "$program" shot --technique gtao --scene capture:corner.exr --fov 60 --backend gl-egl -p lit=on
+expect 2 "lit needs the base colour of the surfaces, and the file has no channels albedo.R" "$program" shot --technique gtao --scene capture:corner.exr --fov 60 --backend gl-egl -p lit=on
 finish

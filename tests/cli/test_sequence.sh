@@ -94,6 +94,19 @@ check "and so has the page, over time" grep -q 'Over time' timed/report/index.ht
 check "with a chart of them" test "$(find timed/report/figures -name '*over-time.svg' | wc -l)$(grep -c 'not drawn' timed/report/index.html)" = 10
 check "a page of pictures has no such part" test "$(grep -c 'Over time' shared/report/index.html)" -eq 0
 
+# Fetches and operations are of a frame that has others before it: of a picture the one after it, of a sequence the last. The mean over
+# time reads ten texels before a still camera, and forty before one that moves: two textures at 4 x 4 pixels in place of one.
+config cached '{name: corner, view: far}, {name: corner, view: far, motion: {frames: 2}}, {name: corner, view: far, motion: {frames: 3, eye: [2.75, 4, 8], target: [0.25, 1, 0]}}' \
+  '{name: gtao, params: {blur: 0, history: 8}}, {name: gtao, params: {blur: 0}}' 'time: false, error: false, images: false, cache: ps5'
+check "a sequence in a cache" run cached
+passes() { of cached "$1" "map(select(.params.history == 8) | .cache.ps5 | [.passes[] | select(.name == \"temporal\") | $2]) | .[0][0]"; }
+check "a still camera reads the pixel of before" test "$(passes far '.fetches / .invocations')" = 10
+check "and so does a still sequence" test "$(passes far-2-frames .)" = "$(passes far .)"
+check "one that moves reads sixteen" test "$(passes far-3-frames '.fetches / .invocations')" = 40
+check "and what is traced is what is drawn" test "$(jq -sc 'map(.cache.ps5.texels_differ) | unique' cached/journal.jsonl)" = '[0]'
+without() { of cached "$1" 'map(select(.params.history == 0) | .cache.ps5.passes)'; }
+check "without a history nothing depends on what was before" test "$(without far-2-frames)" = "$(without far)"
+
 # What cannot follow says so.
 config drawn '{name: passing_box, motion: {frames: 3}}, {name: passing_box}' '{name: ao_volumes}'
 run drawn >/dev/null

@@ -19,8 +19,8 @@ done
 check "techniques" grep -qx gtao <(complete_line shot --technique g)
 check "scenes" grep -qx corner <(complete_line shot --scene co)
 check "backends" grep -qx gl-egl <(complete_line shot --backend "")
-check "flags" grep -qx -- --reference-spp <(complete_line shot --r)
-check "no flag of an old name" test "$(complete_line shot --r)" = --reference-spp
+check "flags" grep -qx -- --reference-spp <(complete_line shot --re)
+check "no flag of an old name" test "$(complete_line shot --re)" = --reference-spp
 check "weightings" test "$(complete_line shot --target-weighting u)" = uniform
 for flag in $("$program" shot --help | sed -n '/ is now /d; s/^  \(--*[a-z-]*\).*/\1/p'); do
   check "the man page knows $flag" grep -qF -- "${flag//-/\\-}" "$man"

@@ -180,17 +180,8 @@ static void test_sentences(void **state)
     check_says(&a, AOB_EFFECT_MULTI_BOUNCE,
                "no: it goes with visibility, and without any occlusion the image is within the tolerance");
     check_says(&a, AOB_EFFECT_HALF_SIZE, "no: it goes with visibility");
-    a = answer_with(0.3, INFINITY);
-    a.no_truth = true;
-    a.open = V | HALF;
-    for (int id = 0; id < AOB_EFFECT_COUNT; id++)
-        a.bounds.most[id] = id == AOB_EFFECT_DIRECTIONAL ? 0.2 : INFINITY;
-    check_says(&a, AOB_EFFECT_MULTI_BOUNCE, "not known: the base colour of a capture is not read");
     a.no_sequence = "a capture is one frame";
     check_says(&a, AOB_EFFECT_TEMPORAL, "not known: a capture is one frame");
-    check_says(&a, AOB_EFFECT_SPECULAR, "not known: roughness and metalness of a capture are not read");
-    check_says(&a, AOB_EFFECT_DIRECTIONAL,
-               "not known: by its direction the light changes the image by 20 % at most");
 }
 
 static void test_sentences_of_time(void **state)

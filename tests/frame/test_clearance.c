@@ -1,76 +1,8 @@
 /* What thrift leaves out: nothing that shows, and enough to be worth it. */
-#include "check.h"
-#include <math.h>
-#include <stdlib.h>
-#include "base/memory.h"
-#include "frame/left_out.h"
 #include "reference/oracle.h"
-#include "rig.h"
-#include "technique/registry.h"
-
-enum { W = 160, H = 90, PIXELS = W * H };
+#include "thrifty.h"
 
 static const char *const techniques[] = {"gtao", "hbao", "ray_march", "alchemy"};
-
-/* The largest difference of a pixel that thrift makes. */
-static double difference(const struct aob_rig *rig, struct aob_gpu *gpu, const char *technique,
-                         const char *params)
-{
-    float *images[2];
-    char text[128];
-    double worst = 0;
-    for (int on = 0; on < 2; on++) {
-        images[on] = AOB_NEW_ARRAY(float, PIXELS);
-        snprintf(text, sizeof text, "%s thrift=%s", params, on ? "on" : "off");
-        aob_rig_run(rig, gpu, technique, text, AOB_FETCH_SAMPLED, images[on]);
-    }
-    for (int i = 0; i < PIXELS; i++)
-        worst = fmax(worst, fabs((double)images[1][i] - (double)images[0][i]));
-    free(images[0]);
-    free(images[1]);
-    return worst;
-}
-
-/* A frame that has run, and its screen. */
-struct drawn {
-    struct aob_screen screen;
-    struct aob_frame frame;
-};
-
-static void draw(const struct aob_rig *rig, struct aob_gpu *gpu, const char *params, struct drawn *drawn)
-{
-    const struct aob_technique *gtao = NULL;
-    unsigned char values[4 * AOB_MAX_PARAM];
-    struct aob_options options;
-    struct aob_error error = {{0}};
-    for (const struct aob_technique *const *t = aob_builtin_techniques; *t; t++)
-        gtao = strcmp((*t)->name, "gtao") == 0 ? *t : gtao;
-    aob_rig_params(gtao, params, values, &options);
-    const struct aob_frame_desc desc = {
-        .technique = gtao, .values = values, .wanted = aob_options_wanted(&options)};
-    bool ok = aob_screen_init(&drawn->screen, gpu, &rig->gbuffer, &options, &error) &&
-              aob_frame_init_desc(&drawn->frame, &drawn->screen, &desc, &error) &&
-              aob_frame_run(&drawn->frame, 1, NULL, &error);
-    assert_string_equal(error.text, "");
-    assert_true(ok);
-}
-
-static void drawn_finish(struct drawn *drawn)
-{
-    aob_frame_finish(&drawn->frame);
-    aob_screen_finish(&drawn->screen);
-    free(drawn);
-}
-
-static double share_of(const struct aob_rig *rig, struct aob_gpu *gpu, const char *params)
-{
-    struct drawn *drawn = AOB_NEW(struct drawn);
-    double share;
-    draw(rig, gpu, params, drawn);
-    assert_true(aob_frame_left_out(&drawn->frame, &share, NULL));
-    drawn_finish(drawn);
-    return share;
-}
 
 /* A room, rocks and bushes, full and half size, with normals that lean. */
 static void test_nothing_shows(void **state)
@@ -93,16 +25,6 @@ static void test_nothing_shows(void **state)
     print_message("           a pixel differs by %.5f at most\n", worst);
     assert_true(worst <= 1 / 255.0);
     aob_gpu_close(gpu);
-}
-
-/* A floor left of x = 0, and right of it one that rises by `slope`, or lies `step` higher. */
-static void ramp_rig(struct aob_rig *rig, double slope, double step, const struct aob_camera *camera)
-{
-    struct aob_mesh mesh = {0};
-    aob_mesh_add_quad(&mesh, aob_vec(-20, 0, -20), aob_vec(0, 0, 40), aob_vec(20, 0, 0));
-    aob_mesh_add_quad(&mesh, aob_vec(0, step, -20), aob_vec(0, 0, 40), aob_vec(20, 20 * slope, 0));
-    aob_rig_init(rig, &mesh, camera, W, H, 0);
-    aob_mesh_finish(&mesh);
 }
 
 /* What rises hardly, everywhere about, and small steps before a long lens: with weights and strengths that make most of it. */
@@ -174,7 +96,7 @@ static void test_hostile_normals(void **state)
         aob_rig_scene(&rig, "spheres", "top", W, H, 0);
         for (int i = 0; i < 4 * PIXELS; i++)
             rig.gbuffer.normal[i] *= i % 4 < 3 ? scales[k] : 1;
-        assert_true(share_of(&rig, gpu, "radius=0.5 thrift=on") == 0);
+        assert_true(share_of(&rig, gpu, "gtao", "radius=0.5 thrift=on") == 0);
         aob_rig_finish(&rig);
     }
     aob_gpu_close(gpu);
@@ -194,7 +116,7 @@ static void test_backends(void **state)
     aob_mesh_finish(&mesh);
     for (size_t b = 0; b < AOB_COUNT(backends); b++) {
         struct aob_gpu *gpu = aob_rig_gpu(backends[b]);
-        double share = share_of(&rig, gpu, "radius=0.5 thrift=on");
+        double share = share_of(&rig, gpu, "gtao", "radius=0.5 thrift=on");
         print_message("           %s, orthographic: %.3f left out\n", backends[b], share);
         assert_true(difference(&rig, gpu, "gtao", "radius=0.5") <= 1 / 255.0);
         assert_true(share > 0.4);
@@ -219,7 +141,7 @@ static void test_shares(void **state)
     for (size_t i = 0; i < AOB_COUNT(rows); i++) {
         struct aob_rig rig;
         aob_rig_scene(&rig, rows[i].scene, rows[i].view, 640, 360, 0);
-        double share = share_of(&rig, gpu, rows[i].params);
+        double share = share_of(&rig, gpu, "gtao", rows[i].params);
         print_message("           %s %s, %s: %.3f left out\n", rows[i].scene, rows[i].view, rows[i].params,
                       share);
         assert_true(share >= rows[i].least && share <= rows[i].most);
@@ -253,10 +175,10 @@ static bool build_probe(struct aob_graph *graph, const void *values)
            aob_output(graph, AOB_OUT_VISIBILITY, v);
 }
 
-static float probe_sine(const void *values)
+static struct aob_clearance probe_clearance(const void *values)
 {
     (void)values;
-    return 0.05f;
+    return (struct aob_clearance){.sine = 0.05f};
 }
 
 enum { WIDE = 161, HIGH = 91 };
@@ -268,7 +190,7 @@ static void check_told(const struct aob_rig *rig, struct aob_gpu *gpu, float rad
                                                .param_count = 1,
                                                .values_size = sizeof(struct probe_values),
                                                .shaders = probe_shaders,
-                                               .clear_sine = probe_sine,
+                                               .clearance = probe_clearance,
                                                .build = build_probe};
     static float pixels[WIDE * HIGH];
     const struct probe_values values = {radius};
@@ -325,7 +247,7 @@ static void test_corner(void **state)
     int far = 0, far_clear = 0;
     (void)state;
     aob_rig_scene(&rig, "corner", "front", 320, 180, 0);
-    draw(&rig, gpu, "radius=0.5 thrift=on", drawn);
+    draw_technique(&rig, gpu, "gtao", "radius=0.5 thrift=on", drawn);
     const struct aob_gpu_texture *clear = drawn->frame.textures[drawn->frame.graph.clear];
     unsigned char *texels = aob_alloc((size_t)clear->width * (size_t)clear->height, 1);
     assert_true(aob_gpu_texture_read(gpu, clear, 0, texels, NULL));

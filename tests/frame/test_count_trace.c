@@ -7,6 +7,7 @@
 #include <spirv-tools/libspirv.h>
 #include "shader/blocks.h"
 #include "shader/counters.h"
+#include "frame/past.h"
 #include "traced.h"
 
 enum { W = 64, H = 36, GUARD = 4, BUFFER_WORDS = 1 << 14 };
@@ -26,6 +27,7 @@ static const struct setting settings[] = {
     {"crytek_ssao", "size=screen rotation=mirror amplification=off divisor=2 blur=0"},
     {"gtao", "weighting=uniform divisor=2 depth_divisor=4 blur=5"},
     {"gtao", "normals=from_depth depth_divisor=2 divisor=2"},
+    {"gtao", "history=8 blur=0"},
     {"hbao", "weighting=cosine tangents=per_direction directions=16 steps=3 blur=0"},
     {"hbao", "snapping=off depth_divisor=2 blur=5"},
     {"ray_march", "directions=4 rays=2 steps=4"},
@@ -74,6 +76,7 @@ static bool create_validated(struct aob_gpu *gpu, const struct aob_gpu_program_d
 /* --- A frame whose words are counted as glslang writes them --------------------------------------------------------- */
 
 struct raw {
+    struct aob_first first;
     struct aob_frame frame;
     struct aob_gpu_buffer *buffer;
     struct aob_gpu_rewrite rewrites[AOB_MAX_PASS];
@@ -114,12 +117,15 @@ static void raw_init(struct raw *raw, struct counted *counted, const struct coun
     *raw = (struct raw){.buffer = aob_gpu_buffer_create(counted->gpu, 4 * BUFFER_WORDS, &error)};
     for (int i = 0; i < AOB_MAX_PASS; i++)
         raw->rewrites[i] = (struct aob_gpu_rewrite){&raw->blocks[i], count_as_written};
-    const struct aob_frame_desc frame = {.technique = desc->technique,
-                                         .values = desc->values,
-                                         .fetch = (enum aob_fetch)desc->options->fetch,
-                                         .rewrites = raw->rewrites,
-                                         .storage = raw->buffer};
-    if (!raw->buffer || !aob_frame_init_desc(&raw->frame, &counted->screen, &frame, &error))
+    struct aob_frame_desc frame = {.technique = desc->technique,
+                                   .values = desc->values,
+                                   .fetch = (enum aob_fetch)desc->options->fetch,
+                                   .rewrites = raw->rewrites,
+                                   .storage = raw->buffer};
+    if (!raw->buffer || !aob_first_init(&raw->first, &counted->screen, &frame, &error))
+        fail_msg("%s", error.text);
+    frame.past = aob_first_past(&raw->first);
+    if (!aob_frame_init_desc(&raw->frame, &counted->screen, &frame, &error))
         fail_msg("%s", error.text);
     for (int i = 0; i < raw->frame.graph.pass_count; i++)
         if (raw->frame.passes[i])
@@ -130,6 +136,7 @@ static void raw_finish(struct raw *raw)
 {
     struct aob_gpu *gpu = raw->frame.screen->gpu;
     aob_frame_finish(&raw->frame);
+    aob_first_finish(&raw->first);
     aob_gpu_buffer_destroy(gpu, raw->buffer);
     for (int i = 0; i < AOB_MAX_PASS; i++)
         aob_blocks_finish(&raw->blocks[i]);

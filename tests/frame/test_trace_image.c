@@ -22,6 +22,7 @@ static const struct setting settings[] = {
     {"gtao", "slices=9 steps=3 falloff=0.5"},
     {"gtao", "weighting=uniform divisor=2 depth_divisor=4 blur=5"},
     {"gtao", "slices=1 steps=12 depth_divisor=2"},
+    {"gtao", "history=8"},
     {"hbao", "divisor=2 directions=4 steps=4 snapping=per_direction"},
     {"hbao", "weighting=cosine tangents=per_direction directions=16 steps=3 blur=0"},
     {"hbao", "snapping=off depth_divisor=2 blur=33"},

@@ -12,7 +12,8 @@ struct traced {
     struct aob_gpu *gpu;
     struct aob_geometry geometry;
     struct aob_screen screen;
-    struct aob_frame plain; /* has run; all its textures can be read back */
+    struct aob_frame
+        plain; /* has run, after its frame 0 where it keeps a history; all its textures can be read back */
     struct aob_trace trace;
 };
 struct traced_desc {
@@ -21,6 +22,14 @@ struct traced_desc {
     const struct aob_options *options;
     size_t device_bytes, host_bytes;
 };
+
+/* A technique with a history is traced where it has one. */
+static inline bool traced_draw_plain(struct aob_frame *plain, const void *values, struct aob_error *error)
+{
+    return aob_frame_run(plain, 1, NULL, error) &&
+           (!aob_graph_keeps_history(&plain->graph) ||
+            (aob_frame_set(plain, 1, values, error) && aob_frame_run(plain, 1, NULL, error)));
+}
 
 static inline void traced_init(struct traced *traced, const struct aob_rig *rig, struct aob_gpu *gpu,
                                const struct traced_desc *desc)
@@ -40,7 +49,8 @@ static inline void traced_init(struct traced *traced, const struct aob_rig *rig,
                                          .device_bytes = desc->device_bytes,
                                          .host_bytes = desc->host_bytes};
     if (!ok || !aob_frame_init_desc(&traced->plain, &traced->screen, &plain, &error) ||
-        !aob_frame_run(&traced->plain, 1, NULL, &error) || !aob_trace_init(&traced->trace, &trace, &error))
+        !traced_draw_plain(&traced->plain, desc->values, &error) ||
+        !aob_trace_init(&traced->trace, &trace, &error))
         fail_msg("%s", error.text);
 }
 

@@ -19,6 +19,7 @@ static const struct aob_param params[] = {
 };
 static const struct aob_shader shaders[] = {
     {"z", "void main() { o = aob_view_z(aob_pixel); }\n"},
+    {"error", "void main() { o = aob_depth_error(aob_view_z(aob_pixel)); }\n"},
     {"normal",
      "void main() { vec3 n = aob_normal(aob_pixel); o = COMPONENT == 0 ? n.x : COMPONENT == 1 ? n.y : "
      "n.z; }\n"},
@@ -30,7 +31,7 @@ static bool build(struct aob_graph *graph, const void *values)
     (void)values;
     aob_tex out = aob_texture(graph, .name = "o", .format = AOB_R32F);
     return aob_pass(graph, .name = "only", .shader = chosen,
-                    .reads = strcmp(chosen, "z") ? AOB_NORMAL : AOB_DEPTH,
+                    .reads = strcmp(chosen, "normal") ? AOB_DEPTH : AOB_NORMAL,
                     .out = {{.name = "o", .tex = out}}) &&
            aob_output(graph, AOB_OUT_VISIBILITY, out);
 }
@@ -103,12 +104,13 @@ static double step_of(const char *encoding, bool ortho, double z, double n, doub
 
 static void check_depth(const struct aob_rig *rig, const char *backend, const char *encoding, bool ortho)
 {
-    float pixels[W * H];
+    float pixels[W * H], errors[W * H]; /* errors: what shaders take for the most */
     struct aob_options options = {.near = 0.25f, .far = 50, .fetch = strcmp(backend, "vulkan") == 0};
-    double worst = 0;
+    double worst = 0, share = 0;
     size_t sky = 0;
     set_option(&options, "depth_encoding", encoding);
     probe(rig, backend, "z", 0, &options, pixels);
+    probe(rig, backend, "error", 0, &options, errors);
     for (int i = 0; i < W * H; i++) {
         if (rig->hits.depth[i] <= 0) {
             assert_true(pixels[i] >= 5e8f);
@@ -121,12 +123,15 @@ static void check_depth(const struct aob_rig *rig, const char *backend, const ch
             fail_msg("%s on %s: depth %.9g is read as %.9g, off by more than %.3g", encoding, backend, z,
                      (double)pixels[i], step);
         worst = fmax(worst, e);
+        share =
+            fmax(share, (e - z * 0x1p-21) / (double)errors[i]); /* below 0 where the error is taken for 0 */
     }
     assert_true(sky > 100);
+    assert_true(share <= 1 && (strstr(encoding, "16") == NULL || share > 0.5));
     /* an encoding that is not applied at all would pass the bound above */
     assert_true(strstr(encoding, "32") ? worst < 1e-3 : worst > 1e-7);
-    printf("%s %s%s: greatest error of depth %.2e\n", backend, encoding, ortho ? ", orthographic" : "",
-           worst);
+    printf("%s %s%s: greatest error of depth %.2e, %.2f of what shaders allow for\n", backend, encoding,
+           ortho ? ", orthographic" : "", worst, share);
 }
 
 static void test_depth_within_its_step(void **state)

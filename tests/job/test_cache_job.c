@@ -5,6 +5,8 @@
 #include "job/cache_job.h"
 
 static struct aob_cache_profile profiles[] = {{"/p/ps4.yaml", "0123"}, {"/q/mine.yaml", "4567"}};
+static struct aob_job_pose poses[] = {
+    {.camera = {.eye = {1, 2, 4}, .fov_deg = 50}, .gbuffer = "/cache/f.exr"}};
 static const struct aob_cache_job job = {
     .drawing = {.view = {.scene = "corner",
                          .width = 64,
@@ -15,6 +17,8 @@ static const struct aob_cache_job job = {
                 .device = "radeon",
                 .raster = true},
     .frame = {.technique = {"gtao", NULL, "89ab"}, .params = {0.5, 3}, .param_count = 2, .options = {16, 1}},
+    .poses = poses,
+    .pose_count = 1,
     .profiles = profiles,
     .profile_count = 2,
     .map = "/m.exr"};
@@ -38,6 +42,9 @@ static void a_cache_job(void **state)
     assert_string_equal(back.profiles[1].path, "/q/mine.yaml");
     assert_string_equal(back.profiles[1].digest, "4567");
     assert_string_equal(back.map, "/m.exr");
+    assert_int_equal(back.pose_count, 1);
+    assert_true(back.poses[0].camera.eye.z == 4);
+    assert_string_equal(back.poses[0].gbuffer, "/cache/f.exr");
     aob_cache_job_finish(&back);
     json_object_del(json_array_get(json_object_get(message, "profiles"), 1), "digest");
     assert_false(aob_cache_job_from_json(message, &back, &error));

@@ -5,19 +5,19 @@
 
 static struct aob_block_target targets[] = {{.radius = 0.25}, {.radius = 1, .uniform = true}};
 static struct aob_block_case cases[] = {{.frame = {.technique = {"none", NULL, "4567"}}}};
-static struct aob_block_pose poses[] = {{.camera = {.eye = {1, 2, 4}, .target = {0, 0, 0.5}, .fov_deg = 47},
-                                         .gbuffer = "/cache/g0.exr",
-                                         .truth = {"/cache/t0.exr", "/cache/u0.exr"}},
-                                        {.camera = {.eye = {1, 2, 3},
-                                                    .target = {0, 0, 0.25},
-                                                    .fov_deg = 47,
-                                                    .moves = true,
-                                                    .previous_eye = {1, 2, 4},
-                                                    .previous_target = {0, 0, 0.5}},
-                                         .frame = 6,
-                                         .seed = 1,
-                                         .gbuffer = "/cache/g1.exr",
-                                         .truth = {"/cache/t1.exr", "/cache/u1.exr"}}};
+static struct aob_job_pose poses[] = {{.camera = {.eye = {1, 2, 4}, .target = {0, 0, 0.5}, .fov_deg = 47},
+                                       .gbuffer = "/cache/g0.exr",
+                                       .truth = {"/cache/t0.exr", "/cache/u0.exr"}},
+                                      {.camera = {.eye = {1, 2, 3},
+                                                  .target = {0, 0, 0.25},
+                                                  .fov_deg = 47,
+                                                  .moves = true,
+                                                  .previous_eye = {1, 2, 4},
+                                                  .previous_target = {0, 0, 0.5}},
+                                       .frame = 6,
+                                       .seed = 1,
+                                       .gbuffer = "/cache/g1.exr",
+                                       .truth = {"/cache/t1.exr", "/cache/u1.exr"}}};
 static const struct aob_block_job block = {.drawing = {.view = {.scene = "passing_box",
                                                                 .camera = {.eye = {1, 2, 2}, .fov_deg = 47},
                                                                 .frame = 7,
@@ -44,7 +44,7 @@ static void every_field_comes_back(void **state)
     assert_int_equal(job.pose_count, 2);
     assert_int_equal(job.drawing.view.frame, 7);
     for (int i = 0; i < 2; i++) {
-        const struct aob_block_pose *pose = &job.poses[i];
+        const struct aob_job_pose *pose = &job.poses[i];
         assert_true(pose->camera.eye.z == poses[i].camera.eye.z && pose->camera.moves == (i == 1));
         assert_true(pose->camera.target.z == poses[i].camera.target.z);
         assert_true(pose->frame == poses[i].frame && pose->seed == poses[i].seed);
@@ -69,7 +69,7 @@ static void what_is_missing_is_said(void **state)
     assert_contains(error.text, "a camera lacks eye");
     json_array_clear(json_object_get(pose, "truth"));
     assert_false(aob_block_job_from_json(message, &job, &error));
-    assert_contains(error.text, "a pose of a block job lacks its G-buffer or its truths");
+    assert_contains(error.text, "a pose of a job lacks its G-buffer or its truths");
     json_decref(message);
 }
 

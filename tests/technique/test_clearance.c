@@ -32,11 +32,11 @@ static bool build_crowded(struct aob_graph *g, const void *values)
     return read_clearance(g, AOB_DEPTH | AOB_CLEARANCE, AOB_MAX_IN);
 }
 
-static float sine;
-static float clear_sine(const void *values)
+static struct aob_clearance told;
+static struct aob_clearance clearance(const void *values)
 {
     (void)values;
-    return sine;
+    return told;
 }
 
 static const struct aob_graph_pass *pass_of(const struct aob_pass_graph *graph, const char *name)
@@ -52,7 +52,7 @@ static void test_wanted(void **state)
     struct aob_pass_graph graph;
     struct aob_error error;
     (void)state;
-    sine = 0.0123456f;
+    told = (struct aob_clearance){.sine = 0.0123456f};
     assert_true(try_build_wanted(&graph, build_thrifty, AOB_WANT_THRIFT, &error));
     const struct aob_graph_pass *last = pass_of(&graph, "last");
     assert_int_equal(graph.pass_count, 5);
@@ -107,10 +107,11 @@ static void test_no_sine(void **state)
     struct aob_pass_graph graph;
     struct aob_error error;
     (void)state;
-    sine = 0;
+    told = (struct aob_clearance){.because = "of the rain"};
     assert_true(try_build_wanted(&graph, build_thrifty, AOB_WANT_THRIFT, &error));
     assert_int_equal(graph.clear, -1);
-    sine = 0.01f;
+    assert_string_equal(graph.unclear, "of the rain");
+    told.sine = 0.01f;
 }
 
 static bool build_taken(struct aob_graph *g, const void *values)
@@ -144,7 +145,7 @@ static void test_no_radius(void **state)
                                             .params = other,
                                             .param_count = 1,
                                             .values_size = sizeof(struct values),
-                                            .clear_sine = clear_sine,
+                                            .clearance = clearance,
                                             .build = build_thrifty};
     struct aob_pass_graph graph;
     struct aob_error error = {{0}};
@@ -156,7 +157,7 @@ static void test_no_radius(void **state)
 
 int main(void)
 {
-    trial_clear_sine = clear_sine;
+    trial_clearance = clearance;
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_wanted),     cmocka_unit_test(test_unwanted),  cmocka_unit_test(test_unread),
         cmocka_unit_test(test_crowded),    cmocka_unit_test(test_no_radius), cmocka_unit_test(test_no_sine),

@@ -210,7 +210,7 @@ static void test_foreign_files_are_refused(void **state)
     (void)state;
     char *old = module_path("tests/modules/old_abi.so"), *twice = module_path("tests/modules/twice.so");
     refused(twice, "twice.so: two of its techniques are named 'twice'");
-    refused(old, "made for module interface 3, this program has 10: build it again");
+    refused(old, "made for module interface 3, this program has 11: build it again");
     refused("/nonexistent/x.so", "cannot open");
     refused("/tmp", "is it a file?");
     refused("/etc/passwd", "cannot load");
@@ -234,10 +234,10 @@ static void test_bad_tables_are_refused(void **state)
     struct aob_error error;
     struct aob_technique bad = good_technique;
     assert_true(aob_technique_judge(&good_technique, &error));
-    bad.abi = 11;
+    bad.abi = 12;
     assert_false(aob_technique_judge(&bad, &error));
-    assert_contains(error.text, "made for module interface 11 ");
-    assert_contains(error.text, "this program has 10 ");
+    assert_contains(error.text, "made for module interface 12 ");
+    assert_contains(error.text, "this program has 11 ");
     bad = good_technique;
     bad.size = sizeof bad - 8;
     assert_false(aob_technique_judge(&bad, &error));

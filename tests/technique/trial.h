@@ -71,7 +71,8 @@ static inline bool defines_pass(struct aob_graph *g, const char *name)
            aob_output(g, AOB_OUT_VISIBILITY, raw);
 }
 
-static float (*trial_clear_sine)(const void *); /* of the technique; NULL: it leaves nothing out */
+static struct aob_clearance (*trial_clearance)(
+    const void *); /* of the technique; NULL: it leaves nothing out */
 
 static bool try_build_wanted(struct aob_pass_graph *graph, bool (*build)(struct aob_graph *, const void *),
                              uint32_t wanted, struct aob_error *error)
@@ -84,7 +85,7 @@ static bool try_build_wanted(struct aob_pass_graph *graph, bool (*build)(struct 
                                        .params = params,
                                        .param_count = 2,
                                        .values_size = sizeof(struct values),
-                                       .clear_sine = trial_clear_sine,
+                                       .clearance = trial_clearance,
                                        .build = build};
     *error = (struct aob_error){{0}};
     return aob_graph_build(graph, &technique, &(struct values){3, 1}, wanted, error);

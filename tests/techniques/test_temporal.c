@@ -200,19 +200,21 @@ static void test_what_moves_leaves_no_trail(void **state)
         path *moves, *rests;
         const char *name;
         double radius;
-    } rows[] = {{comes, stands, "comes", 0.5},
-                {creeps, stands, "creeps", 1},
-                {leaps, stands, "leaps", 0.5},
-                {goes, is_gone, "goes", 0.5}};
+        const char *encoding;
+    } rows[] = {{comes, stands, "comes", 0.5, "r32f"},   {creeps, stands, "creeps", 1, "r32f"},
+                {leaps, stands, "leaps", 0.5, "r32f"},   {goes, is_gone, "goes", 0.5, "r32f"},
+                {creeps, stands, "creeps", 0.5, "r16f"}, {comes, stands, "comes", 1, "r16f"},
+                {goes, is_gone, "goes", 0.5, "unorm16"}};
     static float moved[PIXELS], still[PIXELS];
     struct aob_gpu *gpu = aob_rig_gpu("vulkan");
     for (size_t i = 0; i < AOB_COUNT(rows); i++) {
-        char params[64];
-        snprintf(params, sizeof params, "radius=%g slices=24 steps=12 history=32", rows[i].radius);
+        char params[128];
+        snprintf(params, sizeof params, "radius=%g slices=24 steps=12 history=32 depth_encoding=%s",
+                 rows[i].radius, rows[i].encoding);
         film(gpu, rows[i].moves, params, moved);
         film(gpu, rows[i].rests, params, still);
-        printf("%s, radius %g: %.5f from the still image\n", rows[i].name, rows[i].radius,
-               largest(moved, still));
+        printf("%s, radius %g, %s: %.5f from the still image\n", rows[i].name, rows[i].radius,
+               rows[i].encoding, largest(moved, still));
         assert_true(largest(moved, still) <= 2 / 255.0);
     }
     aob_gpu_close(gpu);
