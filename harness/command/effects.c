@@ -110,7 +110,9 @@ static bool tell(struct options *o, const struct aob_effects *effects, struct ao
     return ok;
 }
 
-enum { STEPS = 3 }; /* a truth, images, times; a frame of full size may be timed behind them */
+enum {
+    STEPS = 5
+}; /* at most: a truth, images, those of a mean, flicker, times; a frame of full size may be timed behind them */
 
 static void show(void *user, const char *work)
 {

@@ -142,7 +142,6 @@ static void explain_no_data(const struct aob_effect_answer *answer, enum aob_eff
         aob_effect_explain_lack(id, text);
 }
 
-/* What the other set is like; flicker where it is another one. */
 /* What a rule says, with its bound. */
 static void explain_rule(const struct aob_effect_answer *answer, enum aob_effect_id id, struct aob_text *text)
 {
@@ -156,7 +155,7 @@ static void explain_rule(const struct aob_effect_answer *answer, enum aob_effect
         [AOB_EFFECT_SPECULAR] =
             "what these surfaces mirror is so little, or so wide, that its occlusion changes the image by",
         [AOB_EFFECT_TEMPORAL] =
-            "nothing moves, and a frame has so little noise that a mean of many brings the image nearer by",
+            "nothing moves, and a frame has so many samples that a mean of many brings the image nearer by",
     };
     const struct aob_effect_candidate *none = aob_effect_answer_find(answer, 0);
     double tolerance = 100 * aob_effect_ask_tolerance(&answer->ask);
@@ -172,6 +171,7 @@ static void explain_rule(const struct aob_effect_answer *answer, enum aob_effect
             text, "no: it goes with visibility, and without any occlusion the image is within the tolerance");
 }
 
+/* What the other set is like; flicker where it is another one. */
 static void explain_measured(const struct aob_effect_answer *answer, const struct aob_effect_candidate *other,
                              enum aob_effect_id id, struct aob_text *text)
 {

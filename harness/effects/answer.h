@@ -35,7 +35,7 @@ struct aob_effect_answer { /* zero it first */
     unsigned open; /* the effects that no rule took out */
     struct aob_effect_candidate candidates[AOB_EFFECT_SETS];
     size_t count;
-    int frames; /* of the view's sequence; 0: it is a picture */
+    int frames; /* of the view's sequence, if something moves in it; 0: it is a picture, or stands still */
     const char *
         no_sequence; /* why frames before this one are not looked at, to stand behind "not known: "; NULL: they are */
     double most; /* loss that a set may have to be taken */

@@ -33,7 +33,8 @@ static bool judge(const struct aob_config *config, struct aob_error *error)
         entries += strcmp(config->techniques[i].name.text, technique) == 0;
     if (entries != 1)
         return aob_fail(error, "effects: auto needs one entry of %s, and there are %d", technique, entries);
-    return has_one_value(config->options, config->option_count, error) &&
+    return aob_effect_frames_judge(config, (size_t)entry, error) &&
+           has_one_value(config->options, config->option_count, error) &&
            has_one_value(config->techniques[entry].axes, config->techniques[entry].axis_count, error);
 }
 
@@ -212,7 +213,7 @@ static bool is_kept(const struct aob_effects_auto *chooser, const struct aob_cas
         return own == set;
     if (strcmp(c->technique->name, "none") == 0)
         return own == 0 && (set == 0 || names_none(chooser->config_of, c->backend));
-    return (own & ~AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE)) == visible;
+    return (own & ~(AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE) | AOB_EFFECT_BIT(AOB_EFFECT_TEMPORAL))) == visible;
 }
 
 /* The first case of gtao that has the view of case i; NULL: gtao is not wanted there. */

@@ -17,7 +17,7 @@
  * specular: the open share of the lobe differs from V by at most the variation between lobe and cosine (lobe.h), where anything is
  *     closed; what it weighs is the mirrored light, or the bounced one that stands in for what is closed.
  *
- * temporal: not from these, but from a mean of two frames; by how much it may bring the image nearer (mean_gain.h).
+ * temporal: none.
  *
  * V is known by few rays, so each surface counts with the larger of what its own rays and those of its neighbourhood say. */
 struct aob_effect_bounds {

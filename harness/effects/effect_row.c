@@ -1,4 +1,5 @@
 #include "effect_row.h"
+#include <string.h>
 
 const struct aob_effect_row aob_effect_rows[AOB_EFFECT_COUNT] = {
     {.name = "visibility", .is = "what stands in the light's way within the radius"},
@@ -25,6 +26,20 @@ const struct aob_effect_row aob_effect_rows[AOB_EFFECT_COUNT] = {
      .is = "occlusion at half the image's width and height, sampled up",
      .param = {"divisor", "1", "2"}},
 };
+
+static bool is_named(const char *own, const char *name)
+{
+    return own && strcmp(own, name) == 0;
+}
+
+bool aob_effect_is_choice(const char *name)
+{
+    bool is = strcmp(name, "lit") == 0;
+    for (int id = 0; id < AOB_EFFECT_COUNT; id++)
+        is = is || is_named(aob_effect_rows[id].option, name) ||
+             is_named(aob_effect_rows[id].param.name, name);
+    return is;
+}
 
 bool aob_effect_has(unsigned set, enum aob_effect_id id)
 {

@@ -35,6 +35,9 @@ struct aob_effect_row {
 };
 extern const struct aob_effect_row aob_effect_rows[AOB_EFFECT_COUNT];
 
+/* Whether this is a run option or a parameter that a plan chooses itself: those of the rows, and `lit`. */
+bool aob_effect_is_choice(const char *name);
+
 bool aob_effect_has(unsigned set, enum aob_effect_id id);
 
 /* Whether visibility lies in one texture with a bent normal, because the set needs one. */

@@ -25,7 +25,7 @@ static bool judge_options(const struct aob_config *config, struct aob_error *err
             strcmp(config->options[i].values[0].text, "geometric") != 0)
             return aob_fail(error, "a plan of effects is of geometric normals: leave normals=%s out",
                             config->options[i].values[0].text);
-    return true;
+    return aob_effect_frames_judge(config, 0, error);
 }
 
 /* What the view is of: how many rays its size needs, and whether it has surfaces to trace. */
@@ -57,16 +57,28 @@ static bool trace_truth(struct aob_effect_planner *p, struct aob_error *error)
             aob_fail(error, "the view is black: its lit image has no error to speak of"));
 }
 
-/* Whether frames before this one are to be thought of. */
+/* Why a view without a motion of its own has no frames before it; NULL: it could stand still. */
+static const char *find_no_sequence(const struct aob_effect_planner *p, const struct aob_case *c)
+{
+    if (p->desc->picture)
+        return "the view is one picture; give it a motion";
+    if (aob_plan_scene_frame(c->scene, 1))
+        return "the scene moves, and this is one picture of it; --frames makes it a sequence";
+    if (c->scene->framed)
+        return "a sequence needs a camera; give --eye and --target";
+    return aob_case_options(c).gbuffer ? "a sequence is of ray-cast G-buffers; leave gbuffer out" : NULL;
+}
+
+/* Whether frames before this one are to be thought of. One in which nothing moves is as good as a picture. */
 static void look_at_sequence(struct aob_effect_planner *p)
 {
-    const struct aob_plan_scene *scene = p->effects->truth.plan.cases[0].scene;
+    const struct aob_case *c = &p->effects->truth.plan.cases[0];
+    const struct aob_motion *motion = &c->scene->motion;
     struct aob_effect_answer *a = &p->effects->answer;
-    a->frames = scene->motion.frames;
-    if (!a->frames && p->desc->picture)
-        a->no_sequence = "the view is one picture; give it a motion";
-    else if (scene->framed)
-        a->no_sequence = "a sequence needs a camera; give --eye and --target";
+    if (aob_motion_has_camera(motion) || aob_plan_scene_frame(c->scene, 1))
+        a->frames = motion->frames;
+    if (!motion->frames)
+        a->no_sequence = find_no_sequence(p, c);
 }
 
 /* Where nothing is off without any occlusion no other frame is needed: no set is cheaper than nothing. */

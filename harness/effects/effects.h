@@ -5,8 +5,8 @@
  * one at each size of occlusion, hold every output; the lit image of each set is made of them (drawn.h). Four frames at most are timed, and
  * the cost of a set is the sum of its passes (cost.h).
  *
- * The mean over time is a frame at each size more. Where the view is a sequence these end it, and the flicker of all four counts beside their
- * errors. Where nothing moves, two frames tell the noise first (mean_gain.h), and a sequence of AOB_EFFECT_HISTORY is drawn if that may matter.
+ * The mean over time is a frame at each size more, the last of the view's sequence, or of AOB_EFFECT_HISTORY frames that stand still. Where
+ * something moves, the flicker of all four counts beside their errors. Where nothing does, a mean that gains too little is left out.
  *
  * A capture has no surfaces to trace: its own image of full size stands for the truth, with the effects that its materials allow. It is one
  * frame, so it has no mean over time. */

@@ -22,6 +22,21 @@ static void add_values(struct aob_axis **axes, size_t *count, size_t *capacity, 
     axis->count = 2;
 }
 
+static bool judge_axes(const struct aob_axis *axes, size_t count, struct aob_error *error)
+{
+    for (size_t i = 0; i < count; i++)
+        if (aob_effect_is_choice(axes[i].name))
+            return aob_fail(error, "a plan of effects chooses '%s' itself: leave it out", axes[i].name);
+    return true;
+}
+
+bool aob_effect_frames_judge(const struct aob_config *config, size_t entry, struct aob_error *error)
+{
+    const struct aob_technique_choice *technique = &config->techniques[entry];
+    return judge_axes(config->options, config->option_count, error) &&
+           judge_axes(technique->axes, technique->axis_count, error);
+}
+
 void aob_effect_frames_widen(struct aob_config *config, size_t entry, unsigned some, bool unlit)
 {
     struct aob_technique_choice *technique = &config->techniques[entry];

@@ -35,6 +35,9 @@ json_t *aob_effect_frames_measure(const struct aob_effect_frames_desc *desc, str
 /* The file of a record's image below the folder; free() it. NULL without an image. */
 char *aob_effect_frames_image(const struct aob_effect_frames_desc *desc, const json_t *record);
 
+/* False after a line: a run option or a parameter of that entry is one that a plan chooses itself. */
+bool aob_effect_frames_judge(const struct aob_config *config, size_t entry, struct aob_error *error);
+
 /* Makes axes of what the effects in `some` choose, of the run options and of the entry of a technique; without `unlit` the lit image is wanted. */
 void aob_effect_frames_widen(struct aob_config *config, size_t entry, unsigned some, bool unlit);
 

@@ -1,14 +1,10 @@
 #include <math.h>
 #include "base/clock.h"
 #include "base/json.h"
-#include "mean_gain.h"
 #include "planner.h"
 
 static const unsigned half = AOB_EFFECT_BIT(AOB_EFFECT_HALF_SIZE), mean = AOB_EFFECT_BIT(AOB_EFFECT_TEMPORAL),
                       visible = AOB_EFFECT_BIT(AOB_EFFECT_VISIBILITY);
-
-/* The mean of so many frames tells the noise of one. */
-enum { FEW = 2 };
 
 /* Of visibility alone, which the flicker is of, whatever else a set has. */
 static bool measure_flicker(struct aob_effect_planner *p, struct aob_error *error)
@@ -34,35 +30,51 @@ static double flicker_of(const json_t *records, size_t at)
 double aob_effect_planner_flicker(const struct aob_effect_planner *p, unsigned set)
 {
     const struct aob_effects *e = p->effects;
+    if (!e->answer.frames)
+        return NAN;
     return set ? flicker_of(e->flicker_records, aob_effect_image_of(set)) : flicker_of(e->truth_records, 0);
 }
 
-/* Two frames tell the noise; where that may matter, the mean is drawn of as many as it counts. */
-static bool look_at_mean(struct aob_effect_planner *p, struct aob_error *error)
+/* How much nearer to the truth the mean is, of the set that it brings the nearest. */
+static double find_gain(const struct aob_effects *e)
 {
-    struct aob_effect_answer *a = &p->effects->answer;
-    const unsigned sets[2] = {a->open & ~half, a->open};
-    const struct aob_effect_turn turn = {.turn = 1, AOB_EFFECT_HISTORY, sets, 2};
-    a->bounds.most[AOB_EFFECT_TEMPORAL] = aob_effect_mean_gain(&p->effects->seen, p->effects->drawn, a->open);
-    if (a->bounds.most[AOB_EFFECT_TEMPORAL] <=
-        aob_effect_bounds_left(&a->bounds, aob_effect_ask_tolerance(&a->ask))) {
-        a->open &= ~mean;
-        return true;
+    unsigned sets[AOB_EFFECT_SETS];
+    size_t count = aob_effect_sets(e->answer.open & ~mean, sets);
+    double most = 0;
+    for (size_t i = 0; i < count; i++) {
+        const unsigned one = sets[i], many = one | mean;
+        if (one)
+            most = fmax(most, aob_drawn_error(&e->seen, &e->drawn[aob_effect_image_of(one)], one).rmse -
+                                  aob_drawn_error(&e->seen, &e->drawn[aob_effect_image_of(many)], many).rmse);
     }
-    return aob_effect_planner_draw(p, &turn, error);
+    return most;
+}
+
+/* Where nothing moves a mean can only bring the image nearer. If it brings no set nearer by what the rules have left of their share of the
+ * tolerance, frames have enough samples, and it is not taken to save a set that misses the tolerance by a hair. */
+static void judge_mean(struct aob_effect_answer *answer, double gain)
+{
+    answer->bounds.most[AOB_EFFECT_TEMPORAL] = gain;
+    if (gain <= aob_effect_bounds_left(&answer->bounds, aob_effect_ask_tolerance(&answer->ask)))
+        answer->open &= ~mean;
 }
 
 bool aob_effect_planner_look(struct aob_effect_planner *p, struct aob_error *error)
 {
-    const struct aob_effect_answer *a = &p->effects->answer;
-    const unsigned open = a->open, plain = open & ~(half | mean),
-                   sets[AOB_EFFECT_IMAGES] = {plain, plain | half, plain | mean, plain | half | mean};
-    const bool means = open & mean;
-    const struct aob_effect_turn turn = {
-        .still_frames = means ? FEW : 0, .sets = sets, .count = means ? 4 : 2};
+    struct aob_effect_answer *a = &p->effects->answer;
+    const unsigned open = a->open & ~mean, sizes[2] = {open & ~half, open},
+                   means[2] = {sizes[0] | mean, open | mean};
+    const struct aob_effect_turn one = {.sets = sizes, .count = 2}, many = {1, AOB_EFFECT_HISTORY, means, 2};
     if (!open)
         return true;
-    if (!aob_effect_planner_draw(p, &turn, error) || (a->frames && !measure_flicker(p, error)))
+    if (!aob_effect_planner_draw(p, &one, error))
         return false;
-    return !means || a->frames || look_at_mean(p, error);
+    if (!(a->open & mean))
+        return true;
+    if (!aob_effect_planner_draw(p, &many, error))
+        return false;
+    if (a->frames)
+        return measure_flicker(p, error);
+    judge_mean(a, find_gain(p->effects));
+    return true;
 }

@@ -31,7 +31,7 @@ bool aob_effect_planner_draw(struct aob_effect_planner *p, const struct aob_effe
                              struct aob_error *error);
 
 /* Draws all that is open (look.c): each size of occlusion, of one frame and of the mean over frames, and measures the flicker of a
- * sequence. Takes the mean out of what is open where nothing moves and the noise rules it out. */
+ * sequence. Takes the mean out of what is open where nothing moves and it gains too little. */
 bool aob_effect_planner_look(struct aob_effect_planner *p, struct aob_error *error);
 
 /* The flicker of a set; NAN where the view is no sequence. */

@@ -34,9 +34,10 @@ static json_t *names_to_json(unsigned set)
 
 static json_t *candidate_to_json(const struct aob_effect_candidate *c)
 {
-    return c ? json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:b, s:b, s:b}", "effects", names_to_json(c->set),
-                         "rmse", aob_json_number(c->error.rmse), "rmse_se", aob_json_number(c->error.rmse_se),
-                         "flip", aob_json_number(c->error.flip), "flicker", aob_json_number(c->flicker), "ms",
+    return c ? json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:b, s:b, s:b}", "effects",
+                         names_to_json(c->set), "rmse", aob_json_number(c->error.rmse), "rmse_se",
+                         aob_json_number(c->error.rmse_se), "flip", aob_json_number(c->error.flip), "flicker",
+                         aob_json_number(c->flicker), "loss", aob_json_number(c->loss), "ms",
                          aob_json_number(c->ms), "timed", c->drawn, "within", c->within, "fits", c->fits)
              : json_null();
 }
@@ -140,8 +141,9 @@ static const char *shortfall_of(const struct aob_effect_answer *a, const struct 
 {
     if (c->within)
         return "";
-    return isfinite(a->ask.budget_ms) ? "; no set within the tolerance fits the budget"
-                                      : "; no set is within the tolerance in both error and flicker";
+    if (isfinite(a->ask.budget_ms) && !isnan(a->ask.tolerance))
+        return "; no set within the tolerance fits the budget";
+    return "; no set is near the least in both error and flicker";
 }
 
 static void print_choice(const struct aob_effects *e, struct aob_text *out)
@@ -188,21 +190,6 @@ void aob_effects_print(const struct aob_effects *e, struct aob_text *out)
     print_choice(e, out);
 }
 
-static bool is_named(const char *own, const char *name)
-{
-    return own && strcmp(own, name) == 0;
-}
-
-/* What the plan itself chooses has its own line. */
-static bool is_own(const char *name)
-{
-    bool own = strcmp(name, "lit") == 0;
-    for (int id = 0; id < AOB_EFFECT_COUNT; id++)
-        own = own || is_named(aob_effect_rows[id].option, name) ||
-              is_named(aob_effect_rows[id].param.name, name);
-    return own;
-}
-
 static void add_params(unsigned set, struct aob_text *text)
 {
     const char *between = "";
@@ -219,7 +206,7 @@ static void add_params(unsigned set, struct aob_text *text)
 static void add_axes(const struct aob_axis *axes, size_t count, const char *between, struct aob_text *text)
 {
     for (size_t i = 0; i < count; i++) {
-        if (is_own(axes[i].name))
+        if (aob_effect_is_choice(axes[i].name))
             continue;
         aob_text_add(text, "%s%s: %s", between, axes[i].name, axes[i].values[0].text);
         between = ", ";

@@ -54,8 +54,8 @@ expect 2 "there is no profile 'nix'" "${small[@]}" --profile nix
 expect 2 "--tolerance: '2' is not a number within 0 .. 1" "${small[@]}" --tolerance 2
 expect 2 "--budget-ms: 'x' is not a number" "${small[@]}" --budget-ms x
 expect 2 "--reference-spp: 3 is not an even whole number" "${small[@]}" --reference-spp 3
-expect 2 "'lit' is given twice" "${small[@]}" -p lit=on
-expect 2 "'divisor' is given twice" "${small[@]}" -p divisor=2
+expect 2 "a plan of effects chooses 'lit' itself: leave it out" "${small[@]}" -p lit=on
+expect 2 "a plan of effects chooses 'divisor' itself: leave it out" "${small[@]}" -p divisor=2
 expect 2 "a plan of effects is of geometric normals: leave normals=shading out" "${small[@]}" -p normals=shading
 expect 2 "the backend null draws nothing" "$program" effects corner --backend null
 expect 2 "no/such.yaml" "${small[@]}" --out no/such.yaml

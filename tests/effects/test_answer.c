@@ -198,7 +198,7 @@ static void test_sentences_of_time(void **state)
     a.chosen = 0;
     a.bounds.most[AOB_EFFECT_TEMPORAL] = 0.0031;
     check_says(&a, AOB_EFFECT_TEMPORAL,
-               "no: nothing moves, and a frame has so little noise that a mean of many brings the image "
+               "no: nothing moves, and a frame has so many samples that a mean of many brings the image "
                "nearer by 0.31 % "
                "at most, of a tolerance of 2 %");
 }

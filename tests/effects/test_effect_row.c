@@ -43,6 +43,15 @@ static void test_print(void **state)
     aob_text_finish(&text);
 }
 
+static void test_choices(void **state)
+{
+    (void)state;
+    assert_true(aob_effect_is_choice("lit") && aob_effect_is_choice("visibility_rgb") &&
+                aob_effect_is_choice("history") && aob_effect_is_choice("divisor"));
+    assert_false(aob_effect_is_choice("radius") || aob_effect_is_choice("normals") ||
+                 aob_effect_is_choice("visibility"));
+}
+
 /* Each image holds the sets of its size and its frames, and no set lies in two. */
 static void test_images(void **state)
 {
@@ -60,10 +69,8 @@ static void test_images(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all),
-        cmocka_unit_test(test_some),
-        cmocka_unit_test(test_print),
-        cmocka_unit_test(test_images),
+        cmocka_unit_test(test_all),    cmocka_unit_test(test_some),    cmocka_unit_test(test_print),
+        cmocka_unit_test(test_images), cmocka_unit_test(test_choices),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
