@@ -1,8 +1,8 @@
 /* `aobudget effects`: which effects of ambient occlusion the lit image of a view calls for.
  *
  * The truth is traced once at the view's own size with few rays, and its noise, which two halves tell, is taken out of the
- * errors; so nothing has to be scaled from a smaller frame. Rules take out what changes the image too little to count (bound.h). Of what is left two frames,
- * one at each size of occlusion, hold every output; the lit image of each set is made of them (drawn.h). Four frames at most are timed, and
+ * errors; so nothing has to be scaled from a smaller frame. Rules take out what changes the image too little to count (bound.h). Of what is left a frame
+ * at each size of occlusion holds every output; the lit image of each set is made of them (drawn.h). Four frames at most are timed, and
  * the cost of a set is the sum of its passes (cost.h).
  *
  * The mean over time is a frame at each size more, the last of the view's sequence, or of AOB_EFFECT_HISTORY frames that stand still. Where
