@@ -51,6 +51,16 @@ static void test_the_table(void **state)
     aob_text_finish(&journal);
 }
 
+/* By the time of a frame; what has no flicker has no point. */
+static void check_flicker(const json_t *series)
+{
+    const json_t *points = json_array_get(series, 0);
+    assert_int_equal(json_array_size(series), 1);
+    assert_string_equal(json_string_value(json_object_get(points, "name")), "gtao");
+    assert_true(json_number_value(json_array_get(json_object_get(points, "x"), 0)) == 2.5);
+    assert_true(json_number_value(json_array_get(json_object_get(points, "y"), 0)) == 0.0375);
+}
+
 static void test_the_chart(void **state)
 {
     struct aob_text journal = {0};
@@ -69,6 +79,10 @@ static void test_the_chart(void **state)
         if (gallery.figures[i].kind != AOB_FIGURE_OVER_TIME)
             continue;
         charts++;
+        if (json_array_size(json_object_get(json_array_get(series, 0), "y")) == 1) {
+            check_flicker(series);
+            continue;
+        }
         assert_int_equal(json_array_size(series), 2);
         assert_string_equal(json_string_value(json_object_get(json_array_get(series, 0), "name")), "gtao");
         json_t *y = json_object_get(json_array_get(series, 0), "y");
@@ -78,7 +92,7 @@ static void test_the_chart(void **state)
         assert_int_equal(json_array_size(json_object_get(second, "y")), 2);
         assert_int_equal(json_integer_value(json_array_get(json_object_get(second, "x"), 1)), 2);
     }
-    assert_int_equal(charts, 2); /* as SVG and as PNG */
+    assert_int_equal(charts, 4); /* the error and the flicker, as SVG and as PNG */
     aob_gallery_finish(&gallery);
     aob_rows_finish(&rows);
     aob_text_finish(&journal);
