@@ -261,12 +261,22 @@ static bool plan_views(struct aob_effects_auto *chooser, const struct aob_plan *
     return ok;
 }
 
+/* Whether the filter keeps views from being planned, whose cases are not known then. */
+static bool is_part(const struct aob_plan *plan, const char *filter)
+{
+    for (size_t i = 0; i < plan->case_count; i++)
+        if (first_planned(plan, i) && !is_asked(plan, i, filter))
+            return true;
+    return false;
+}
+
 static bool choose(void *user, struct aob_plan *plan, const char *filter, struct aob_error *error)
 {
     struct aob_effects_auto *chooser = user;
     unsigned *sets = AOB_NEW_ARRAY(unsigned, plan->case_count + 1);
     bool ok = plan_views(chooser, plan, filter, sets, error);
     size_t kept = 0;
+    plan->part = is_part(plan, filter);
     for (size_t i = 0; i < plan->case_count; i++)
         if (is_kept(chooser, &plan->cases[i], sets[i]))
             plan->cases[kept++] = plan->cases[i];

@@ -34,6 +34,8 @@ static bool look(struct aob_effect_planner *p, bool *captured, unsigned *materia
     struct aob_config config = {0};
     bool ok = p->desc->maker.make(p->desc->maker.user, &config, error) && judge_options(&config, error);
     *captured = ok && config.scenes[0].capture;
+    if (*captured && p->desc->spp)
+        ok = aob_fail(error, "a capture has no surfaces to trace: leave --reference-spp out");
     ok = ok && (!*captured || aob_captures_load(&config, p->desc->dispatch, error));
     *materials = ok ? config.scenes[0].materials : 0;
     if (ok && !*captured)

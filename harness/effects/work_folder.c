@@ -55,7 +55,7 @@ static void __attribute__((noreturn)) keep(const char *path, int end)
     _exit(0);
 }
 
-/* Workers get the end that is written to, and never write to it: so it closes with the last of them. Without a keeper only an orderly
+/* Workers get the end that is written to, and never write to it: so it closes with the last of them. An orderly end writes a byte. Without a keeper only an orderly
  * end removes the folder. */
 static void start_keeper(struct aob_work_folder *folder)
 {
@@ -92,6 +92,9 @@ void aob_work_folder_remove(struct aob_work_folder *folder)
 {
     remove_all(folder->path);
     if (folder->alive >= 0) {
+        /* A driver may have left a process behind that still holds the pipe: so the keeper is told, and does not wait for it. */
+        ssize_t told = write(folder->alive, "", 1);
+        (void)told;
         close(folder->alive);
         waitpid(folder->keeper, NULL, 0);
     }

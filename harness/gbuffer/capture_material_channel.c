@@ -14,8 +14,9 @@ static const char *const words[AOB_MATERIAL_CHANNELS][MOST_WORDS] = {
 /* 1: it is such a word; 2: it ends with one; NONE. */
 static int rank_word(const char *part, enum aob_material_channel which)
 {
-    static const char *const others[] = {"denois",  "spec",    "coat", "sheen",
-                                         "transmi", "refract", "sss",  "subsurface"};
+    static const char *const others[] = {"denois",  "spec", "coat", "sheen",      "transmi",
+                                         "refract", "refl", "sss",  "subsurface", "volume",
+                                         "emis",    "inv",  "recip"};
     for (size_t i = 0; i < AOB_COUNT(others); i++)
         if (strstr(part, others[i]))
             return NONE;

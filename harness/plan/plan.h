@@ -75,6 +75,7 @@ struct aob_plan {
     struct aob_plan_profile *profiles;
     size_t profile_count;
     struct aob_variation variation; /* of the whole plan: a filter changes no description */
+    bool part; /* by `effects: auto`: views that the filter leaves out have no cases here */
 };
 
 enum { AOB_BLOCK_MAX = 6 }; /* cases of a block */

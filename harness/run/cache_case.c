@@ -64,10 +64,11 @@ static void take_answer(void *user, const json_t *object)
         take_figures(asked, &answer);
 }
 
-/* Ten times what a pixel of two hundred fetches takes with each profile. */
-static double time_limit(const struct aob_plan *plan, const struct aob_case *c)
+/* Ten times what a pixel of two hundred fetches takes with each profile, and what a block has for each frame before it. */
+static double time_limit(const struct aob_plan *plan, const struct aob_case *c, size_t poses)
 {
-    return 300 + 3e-4 * (double)(1 + plan->profile_count) * c->width * c->height;
+    double pixels = (double)c->width * c->height;
+    return 300 + (3e-4 * (double)(1 + plan->profile_count) + 1e-5 * (double)poses) * pixels;
 }
 
 static bool send(struct asked *asked, const struct aob_view_files *files, struct aob_error *error)
@@ -89,7 +90,7 @@ static bool send(struct asked *asked, const struct aob_view_files *files, struct
     bool ok = aob_dispatch_job(asked->m->dispatch,
                                &(struct aob_job_desc){.job = aob_cache_job_to_json(&job),
                                                       .env = (const char *const *)env.texts,
-                                                      .timeout_s = time_limit(plan, c),
+                                                      .timeout_s = time_limit(plan, c, files->pose_count),
                                                       .on_answer = take_answer,
                                                       .user = asked},
                                error);

@@ -59,7 +59,7 @@ static json_t *make_job(const struct aob_scene_choice *choice)
     return aob_capture_job_to_json(&job);
 }
 
-/* A frame of 40 million pixels takes about 2.5 GB, and a damaged header may claim one. */
+/* A frame of 40 million pixels takes about 2.5 GB, and with materials twice that; a damaged header may claim one. */
 static bool load(struct aob_scene_choice *choice, const struct aob_cache *cache,
                  const struct aob_dispatch *dispatch, struct aob_error *error)
 {
@@ -68,7 +68,7 @@ static bool load(struct aob_scene_choice *choice, const struct aob_cache *cache,
     choice->gbuffer = aob_cache_path(cache, "capture", choice->digest, ".exr");
     struct aob_job_desc desc = {.job = make_job(choice),
                                 .timeout_s = 60 + 2e-6 * (double)aob_file_size(choice->capture),
-                                .memory_limit = (size_t)4 << 30,
+                                .memory_limit = (size_t)8 << 30,
                                 .on_answer = take_answer,
                                 .user = choice,
                                 .file = choice->capture};

@@ -74,6 +74,7 @@ void aob_run_info_plan(json_t *info, const struct aob_sweep *sweep)
 {
     json_object_set_new(info, "cases", json_integer((json_int_t)sweep->plan.case_count));
     json_object_set_new(info, "keys", keys_to_json(&sweep->plan));
+    json_object_set_new(info, "part", json_boolean(sweep->plan.part));
     json_object_set_new(info, "techniques", techniques_to_json(sweep));
 }
 

@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const size_t VALUE_LIMIT = (size_t)1 << 28; /* pixels x channels */
+/* Pixels x channels: 40 million of a G-buffer with materials, which has 13. */
+static const size_t VALUE_LIMIT = (size_t)1 << 29;
 
 static void ignore_message(exr_const_context_t context, exr_result_t code, const char *message)
 {

@@ -107,6 +107,20 @@ static void keep_asked(const json_t *earlier, json_t *info)
     json_decref(has);
 }
 
+/* The cases of views that this call's filter left unplanned are those that an earlier call planned. */
+static void keep_planned(const json_t *earlier, json_t *info)
+{
+    json_t *keys = json_object_get(info, "keys"), *has = keys_of(info, "keys"), *key;
+    size_t at;
+    json_array_foreach(json_object_get(earlier, "keys"), at, key)
+    {
+        if (json_string_value(key) && !json_object_get(has, json_string_value(key)))
+            json_array_append(keys, key);
+    }
+    json_object_set_new(info, "cases", json_integer((json_int_t)json_array_size(keys)));
+    json_decref(has);
+}
+
 /* Without a record there is nothing that could be lost or mixed: such a run was stopped before its first case. */
 static bool judge_earlier_run(const struct aob_run_folder *folder, json_t *info, struct aob_error *error)
 {
@@ -117,6 +131,8 @@ static bool judge_earlier_run(const struct aob_run_folder *folder, json_t *info,
     bool ok = other ? aob_fail(error, "%s holds %s: use --fresh to discard it, or another --out",
                                folder->path, other)
                     : judge_devices(folder, earlier, info, error);
+    if (ok && json_is_true(json_object_get(info, "part")))
+        keep_planned(earlier, info);
     if (ok)
         keep_asked(earlier, info);
     json_decref(earlier);

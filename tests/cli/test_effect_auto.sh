@@ -99,6 +99,9 @@ check "and measured" test "$(jq -c '[.scene, .technique]' one/journal.jsonl)" = 
 "$program" run two.yaml --out one >told 2>&1
 check "without it the other one comes" test "$(jq -s -c 'map(.scene)' one/journal.jsonl)" = '["open_sky","matte_white_room"]'
 check "as in a run of both" test "$(jq -s -c 'map(.key) | sort' one/journal.jsonl)" = "$(jq -s -c 'map(.key) | sort' two/journal.jsonl)"
+"$program" run two.yaml --out one --filter open_sky --quiet
+check "with it again both are still planned" test "$(jq -c '[.cases, (.keys | length)]' one/run.json)" = '[2,2]'
+check "and on the page" test "$("$program" report one --json - --quiet | jq '.runs[0].planned // .planned')" = 2
 touch -d '2001-01-01' tmp
 check "nobody asks about gtao" "$program" run others.yaml --out hbao --filter hbao --quiet
 check "so nothing is planned" untouched

@@ -72,6 +72,9 @@ static void test_names(void **state)
         {.names = {"diffuse_albedo.B", "diffuse_albedo.G", "diffuse_albedo.R", "specular_albedo.B",
                    "specular_albedo.G", "specular_albedo.R", "coat_roughness", "specular_roughness"},
          .found = {"diffuse_albedo.R"}},
+        {.names = {"Reflection Albedo.B", "Reflection Albedo.G", "Reflection Albedo.R", "inv_roughness",
+                   "reciprocal_roughness"},
+         .found = {NULL}},
     };
     (void)state;
     check_choices(choices, AOB_COUNT(choices));
