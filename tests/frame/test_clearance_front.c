@@ -26,7 +26,7 @@ static void test_gentle_slopes(void **state)
 {
     const struct aob_camera wide = {.eye = {0, 2.5, 4}, .target = {0, 0, 0}, .fov_deg = 60},
                             tele = {.eye = {0.3, 1.5, 0.1}, .target = {0, 0, 0}, .fov_deg = 10};
-    static const double slopes[] = {1e-5, 4e-4, 0.03}, steps[] = {3e-5, 3e-4, 2e-3};
+    static const double slopes[] = {1e-5, 4e-4, 4e-3, 0.03}, steps[] = {3e-5, 3e-4, 2e-3, 0.012};
     struct aob_gpu *gpu = aob_rig_gpu("vulkan");
     double worst = 0;
     (void)state;
@@ -93,12 +93,13 @@ static void test_halos(void **state)
 static void test_edges(void **state)
 {
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    static const double tilts[] = {0, 30, 60, 75};
     double worst = 0;
     (void)state;
-    for (int tilt = 0; tilt <= 75; tilt += 25) {
+    for (size_t i = 0; i < AOB_COUNT(tilts); i++) {
         struct aob_rig rig;
         aob_rig_plane(&rig, &(struct aob_rig_plane){
-                                .tilt_deg = tilt, .azimuth_deg = 35 + tilt, .width = W, .height = H});
+                                .tilt_deg = tilts[i], .azimuth_deg = 35 + tilts[i], .width = W, .height = H});
         worst = fmax(worst, worst_of(&rig, gpu, FEW + 2, "radius=0.4"));
         aob_rig_finish(&rig);
     }
@@ -235,7 +236,9 @@ static void test_who_takes_part(void **state)
         {"volumetric_obscurance", "resolutions=one hemisphere=off amplification=off", "brighter than open"},
         {"volumetric_obscurance", "samples=4", "fewer than six"},
         {"starcraft2_ssao", "", NULL},
-        {"starcraft2_ssao", "epsilon=0", "epsilon is 0"},
+        {"starcraft2_ssao", "epsilon=0", "a millionth of the radius"},
+        {"starcraft2_ssao", "radius=2 epsilon=1e-6", "a millionth of the radius"},
+        {"starcraft2_ssao", "radius=2 epsilon=1e-5", NULL},
         {"starcraft2_ssao", "small_radius=0.6", "reaches farther"},
         {"starcraft2_ssao", "small_radius=0.6 radii=one", NULL},
         {"crytek_ssao", "hemisphere=on", NULL},
@@ -258,12 +261,9 @@ static void test_who_takes_part(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nothing_shows),
-        cmocka_unit_test(test_gentle_slopes),
-        cmocka_unit_test(test_halos),
-        cmocka_unit_test(test_shares),
-        cmocka_unit_test(test_edges),
-        cmocka_unit_test(test_search),
+        cmocka_unit_test(test_nothing_shows),  cmocka_unit_test(test_gentle_slopes),
+        cmocka_unit_test(test_halos),          cmocka_unit_test(test_shares),
+        cmocka_unit_test(test_edges),          cmocka_unit_test(test_search),
         cmocka_unit_test(test_who_takes_part),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

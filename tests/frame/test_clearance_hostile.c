@@ -139,6 +139,24 @@ static void test_grazing_steps(void **state)
     aob_gpu_close(gpu);
 }
 
+/* A plane whose G-buffer holds normals that lean from it by a twentieth, but in the first pixel of each tile: it rises before those. */
+static void test_leaning_normals(void **state)
+{
+    struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
+    struct aob_rig rig;
+    (void)state;
+    aob_rig_plane(&rig, &(struct aob_rig_plane){.width = W, .height = H});
+    for (int i = 0; i < PIXELS; i++)
+        if (i % W % 8 || i / W % 8) {
+            rig.gbuffer.normal[4 * i] = 0.05f;
+            rig.gbuffer.normal[4 * i + 1] = 0;
+            rig.gbuffer.normal[4 * i + 2] = sqrtf(1 - 0.05f * 0.05f);
+        }
+    check_worst(worst_of(&rig, gpu, FEW, "radius=0.4"));
+    aob_rig_finish(&rig);
+    aob_gpu_close(gpu);
+}
+
 /* A depth that is none is nearer than all else to these techniques, and what is no normal is mended. */
 static void test_hostile_gbuffers(void **state)
 {
@@ -251,13 +269,10 @@ static void test_backends(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_small_radii),
-        cmocka_unit_test(test_specks),
-        cmocka_unit_test(test_least_pixels),
-        cmocka_unit_test(test_divided_places),
-        cmocka_unit_test(test_grazing_steps),
-        cmocka_unit_test(test_hostile_gbuffers),
-        cmocka_unit_test(test_hostile_orthographic),
+        cmocka_unit_test(test_small_radii),      cmocka_unit_test(test_specks),
+        cmocka_unit_test(test_least_pixels),     cmocka_unit_test(test_divided_places),
+        cmocka_unit_test(test_grazing_steps),    cmocka_unit_test(test_leaning_normals),
+        cmocka_unit_test(test_hostile_gbuffers), cmocka_unit_test(test_hostile_orthographic),
         cmocka_unit_test(test_backends),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
