@@ -93,7 +93,7 @@ static void test_halos(void **state)
 static void test_edges(void **state)
 {
     struct aob_gpu *gpu = aob_rig_gpu("gl-egl");
-    static const double tilts[] = {0, 30, 60, 75};
+    static const double tilts[] = {0, 30, 45, 75};
     double worst = 0;
     (void)state;
     for (size_t i = 0; i < AOB_COUNT(tilts); i++) {
