@@ -25,12 +25,13 @@ static bool reads_whole_depth(const struct aob_pass_graph *graph)
     return true;
 }
 
-/* As aob_is_clear: the ball of the radius about the surface of a pixel covers less than half of it. */
+/* As aob_is_clear: no sample in the ball of the radius about the surface of a pixel leaves it. */
 static bool is_small(const struct aob_projection *view, double radius, size_t x, size_t y, double z)
 {
     double along = ((double)x + 0.5 - view->cx) * view->sx, up = ((double)y + 0.5 - view->cy) * view->sy;
     double longer = view->perspective ? sqrt(1 + along * along + up * up) : 1;
-    return radius / (view->sy * (view->perspective ? z : 1)) * longer < 0.5;
+    double nearest = view->perspective ? z - radius * longer : 1;
+    return nearest > 0 && radius / (view->sy * nearest) * longer < 0.5;
 }
 
 bool aob_frame_left_out(const struct aob_frame *frame, double *share, struct aob_error *error)

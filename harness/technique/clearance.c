@@ -37,6 +37,9 @@ bool aob_clearance_lay(struct aob_pass_graph *graph, const void *values)
     const struct aob_clearance way = aob_clearance_of(graph->technique, values);
     const bool in_front = way.occluders == AOB_OCCLUDERS_IN_FRONT;
     struct aob_graph *g = &graph->interface;
+    if (!(way.rise >= 0))
+        return aob_fail(graph->error, "clearance() says a rise of %g, which must be 0 or more",
+                        (double)way.rise);
     if (millionths(way.sine) == 0 || (way.rise > 0 && millionths(way.rise) == 0)) {
         graph->unclear = way.because;
         return true;

@@ -324,7 +324,8 @@ struct aob_sampling {
 enum aob_occluders {
     AOB_OCCLUDERS_NEAR, /* those within the radius */
     AOB_OCCLUDERS_IN_FRONT, /* those that are drawn where the ball of the radius is, and lie in front of the surface's plane, however
-                               far in front. What lies behind the ball darkens nothing; behind by r z / (z - r), at depth z */
+                               far in front. What lies behind the ball darkens nothing: behind a surface at depth z by
+                               r z / (z - r) with perspective, and by r without */
 };
 struct aob_clearance {
     enum aob_occluders occluders;
@@ -332,7 +333,8 @@ struct aob_clearance {
      * elevation. 0 where the technique leaves nothing out with these values: they are `unsupported` with the option. */
     float sine;
     /* The next three are for AOB_OCCLUDERS_IN_FRONT. How far at most a surface may lie in front of that plane, along the view axis
-     * and along the plane's normal, as a share of the radius; 0: `sine` alone says it. */
+     * and along the plane's normal, as a share of the radius; 0: `sine` alone says it. Between 0 and a millionth, which a shader cannot
+     * tell from 0, nothing is left out, as where sine is 0. A rise below 0 or that is no number is refused with a line. */
     float rise;
     int32_t least_pixels; /* that the radius must cover in the image */
     bool inside; /* the ball must not leave the image, since reads outside it find the edge (AOB_CLAMP) */

@@ -16,6 +16,8 @@ void main()
         n = n == vec3(0.0) ? of : n;
         hull up = hull_of(tile, 8, of, own, n), down = hull_of(tile, 8, of, own, -n);
         found = vec4(min(found.x, -down.top), max(found.y, up.top), min(found.z, own.z), max(found.w, own.w));
+        if (n == vec3(0.0)) /* heights along no direction bound nothing */
+            found.xy = vec2(-1e30, 1e30);
     }
     plane = vec4(n, 0.0);
     ends = found;

@@ -33,9 +33,9 @@ void main()
         ivec2 q = first + ivec2(i & 7, i >> 3);
         vec3 position;
         if (!surface_at(q, position)) {
-            /* A depth that is none is at the eye, if it is not the sky's. */
+            /* A depth that is none is at the eye, if it is not the sky's: where that is along n nothing says. */
             if (IN_FRONT == 1 && all(lessThan(q, aob_size)) && !(-position.z >= 1e-15))
-                found = vec4(min(found.x, 0.0), max(found.y, 0.0), 0.0, max(found.w, 0.0));
+                found = vec4(-1e30, 1e30, 0.0, max(found.w, 0.0));
             continue;
         }
         vec3 own = aob_normal(q);
@@ -44,6 +44,8 @@ void main()
         /* A normal that is none, or looks away, makes a technique mend it: the tile is not clear. */
         lean = off <= 4.0 && abs(dot(n, n) - 1.0) <= 1e-3 && faces(n, position) ? max(lean, off) : 4.0;
         found = vec4(min(found.x, height), max(found.y, height), min(found.z, -position.z), max(found.w, -position.z));
+        if (n == vec3(0.0)) /* heights along no direction bound nothing */
+            found.xy = vec2(-1e30, 1e30);
     }
     plane = vec4(n, sqrt(lean));
     ends = found;

@@ -215,11 +215,13 @@ static struct aob_clearance clearance(const void *values)
 {
     const struct values *v = values;
     bool within = v->radii != RADII_TWO || v->small_radius <= v->radius;
+    bool takes_part = within && (double)v->epsilon >= 1e-6 * (double)v->radius && v->radius > 0;
     return (struct aob_clearance){
         .occluders = AOB_OCCLUDERS_IN_FRONT,
-        .sine = within && v->epsilon > 0 ? 1 : 0,
-        .rise = v->epsilon / v->radius,
-        .because = within ? "the rounding of depths darkens open planes where epsilon is 0"
+        .sine = takes_part ? 1 : 0,
+        .rise = takes_part ? v->epsilon / v->radius : 0,
+        .because = within ? "the rounding of depths darkens open planes where epsilon is below a millionth "
+                            "of the radius"
                           : "small_radius, which reaches farther than radius, is no part of the proof"};
 }
 

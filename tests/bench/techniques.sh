@@ -192,20 +192,31 @@ gtao scattered_rocks down 1 0.6
 gtao scattered_rocks low 0.5
 gtao scattered_rocks low 1
 gtao atrium nave 0.5 0.15
+gtao atrium nave 1
 gtao atrium aisle 0.5 0.15
 gtao atrium aisle 1
 gtao gallery hall 0.5
+gtao gallery hall 1
 gtao thicket edge 0.5
 gtao thicket edge 1
 volumetric_obscurance scattered_rocks down 0.5
+volumetric_obscurance scattered_rocks low 0.5
 volumetric_obscurance atrium nave 0.5
+volumetric_obscurance atrium aisle 0.5
 volumetric_obscurance thicket edge 0.5
+volumetric_obscurance gallery hall 0.5
 starcraft2_ssao scattered_rocks down 0.5
+starcraft2_ssao scattered_rocks low 0.5
 starcraft2_ssao atrium nave 0.5
+starcraft2_ssao atrium aisle 0.5
 starcraft2_ssao thicket edge 0.5
+starcraft2_ssao gallery hall 0.5
 crytek_ssao scattered_rocks down 0.5
+crytek_ssao scattered_rocks low 0.5
 crytek_ssao atrium nave 0.5
+crytek_ssao atrium aisle 0.5
 crytek_ssao thicket edge 0.5
+crytek_ssao gallery hall 0.5
 ROWS
 fi
 

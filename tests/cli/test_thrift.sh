@@ -48,7 +48,7 @@ says() { check "$1 says that it leaves nothing out" test "$(jq -r "select(.techn
 says crytek_ssao ", because an open plane has no one value without hemisphere = on"
 says ao_volumes ", because triangles darken what they are near to, and no depth image shows them all"
 says none ""
-says starcraft2_ssao ", because the rounding of depths darkens open planes where epsilon is 0"
+says starcraft2_ssao ", because the rounding of depths darkens open planes where epsilon is below a millionth of the radius"
 # Two textures of 20 x 12 x 16 bytes, two of 5 x 3 x 16, and one of 20 x 12.
 check "its bytes" test $(($(of gtao on .memory_bytes) - $(of gtao off .memory_bytes))) = $((20 * 12 * 32 + 5 * 3 * 32 + 20 * 12))
 finish

@@ -26,7 +26,7 @@ static inline void draw_both(const struct aob_rig *rig, struct aob_gpu *gpu, con
 {
     char text[512];
     for (int on = 0; on < 2; on++) {
-        images[on] = AOB_NEW_ARRAY(float, PIXELS);
+        images[on] = AOB_NEW_ARRAY(float, (size_t)(rig->width * rig->height));
         snprintf(text, sizeof text, "%s thrift=%s", params, on ? "on" : "off");
         aob_rig_run(rig, gpu, technique, text, AOB_FETCH_SAMPLED, images[on]);
     }
@@ -39,7 +39,7 @@ static inline double difference(const struct aob_rig *rig, struct aob_gpu *gpu, 
     float *images[2];
     double worst = 0;
     draw_both(rig, gpu, technique, params, images);
-    for (int i = 0; i < PIXELS; i++)
+    for (int i = 0; i < rig->width * rig->height; i++)
         worst = fmax(worst, fabs((double)images[1][i] - (double)images[0][i]));
     free(images[0]);
     free(images[1]);

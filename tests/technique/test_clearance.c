@@ -1,6 +1,8 @@
 /* What thrift lays in front of a technique's passes. */
 #include "technique/clearance.h"
+#include <math.h>
 #include <string.h>
+#include "base/memory.h"
 #include "trial.h"
 
 static bool read_clearance(struct aob_graph *g, uint32_t reads, int inputs)
@@ -114,6 +116,33 @@ static void test_no_sine(void **state)
     told.sine = 0.01f;
 }
 
+/* A rise is a share: one below a millionth leaves nothing out, and what is none is refused. */
+static void test_rises(void **state)
+{
+    static const struct {
+        float rise;
+        const char *says; /* NULL: it is taken */
+        bool left_out;
+    } rows[] = {{0, NULL, true},
+                {1e-3f, NULL, true},
+                {2, NULL, true},
+                {5e-7f, NULL, false},
+                {-1e-3f, "a rise of -0.001", false},
+                {NAN, "which must be 0 or more", false}};
+    (void)state;
+    for (size_t i = 0; i < AOB_COUNT(rows); i++) {
+        struct aob_pass_graph graph;
+        struct aob_error error = {{0}};
+        told = (struct aob_clearance){.occluders = AOB_OCCLUDERS_IN_FRONT, .sine = 1, .rise = rows[i].rise};
+        assert_int_equal(try_build_wanted(&graph, build_thrifty, AOB_WANT_THRIFT, &error), !rows[i].says);
+        if (rows[i].says)
+            assert_contains(error.text, rows[i].says);
+        else
+            assert_int_equal(graph.clear >= 0, rows[i].left_out);
+    }
+    told = (struct aob_clearance){.sine = 0.01f};
+}
+
 static bool build_taken(struct aob_graph *g, const void *values)
 {
     (void)values;
@@ -161,7 +190,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_wanted),     cmocka_unit_test(test_unwanted),  cmocka_unit_test(test_unread),
         cmocka_unit_test(test_crowded),    cmocka_unit_test(test_no_radius), cmocka_unit_test(test_no_sine),
-        cmocka_unit_test(test_taken_name),
+        cmocka_unit_test(test_taken_name), cmocka_unit_test(test_rises),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
