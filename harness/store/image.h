@@ -42,7 +42,7 @@ void aob_image_finish(struct aob_image *image);
 bool aob_image_write(const struct aob_image *image, const char *path, struct aob_error *error);
 
 /* Reads all channels and attributes of a file that aob_image_write wrote under this name; any other is refused with one
- * line, unseen. It refuses more than 2^28 pixels x channels. */
+ * line, unseen. It refuses more than 2^29 pixels x channels. */
 bool aob_image_read(struct aob_image *image, const char *path, struct aob_error *error);
 
 /* Reads some channels of another program's file, scan lines or tiles (their first level), from any of its parts, as
@@ -50,7 +50,7 @@ bool aob_image_read(struct aob_image *image, const char *path, struct aob_error 
  * among all names, or fails with a line. A name in a file with several parts is PART.CHANNEL, unless it begins with its
  * part's name already. The image is the display window of the first part, and NAN where a channel has no pixels;
  * attributes are the first part's. It refuses, with one line, deep and damaged files, the compressions B44, B44A, DWAA
- * and DWAB, more than 2^28 pixels x channels of the chosen ones, pixels that are not square, and sizes beyond these. */
+ * and DWAB, more than 2^29 pixels x channels of the chosen ones, pixels that are not square, and sizes beyond these. */
 enum { AOB_LAYERS_MAX_SIDE = 16384, AOB_LAYERS_MAX_PIXELS = 40000000 };
 typedef bool aob_image_choose(void *user, const char *const *names, size_t count, bool *wanted,
                               struct aob_error *error);
