@@ -110,9 +110,8 @@ static bool tell(struct options *o, const struct aob_effects *effects, struct ao
     return ok;
 }
 
-enum {
-    STEPS = 5
-}; /* at most: a truth, images, those of a mean, flicker, times; a frame of full size may be timed behind them */
+/* At most: a truth, images, those of a mean, flicker, times; a frame of full size may be timed behind them. */
+enum { STEPS = 5 };
 
 static void show(void *user, const char *work)
 {

@@ -17,7 +17,7 @@
  * specular: the open share of the lobe differs from V by at most the variation between lobe and cosine (lobe.h), where anything is
  *     closed; what it weighs is the mirrored light, or the bounced one that stands in for what is closed.
  *
- * temporal: none.
+ * temporal: no bound, so INFINITY, until the mean is drawn of a view in which nothing moves: then what it gains at most (look.c).
  *
  * V is known by few rays, so each surface counts with the larger of what its own rays and those of its neighbourhood say. */
 struct aob_effect_bounds {

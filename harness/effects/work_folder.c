@@ -55,8 +55,8 @@ static void __attribute__((noreturn)) keep(const char *path, int end)
     _exit(0);
 }
 
-/* Workers get the end that is written to, and never write to it: so it closes with the last of them. An orderly end writes a byte. Without a keeper only an orderly
- * end removes the folder. */
+/* Workers get the end that is written to, and never write to it: so it closes with the last of them. An orderly end writes a byte.
+ * Without a keeper only an orderly end removes the folder. */
 static void start_keeper(struct aob_work_folder *folder)
 {
     int ends[2];

@@ -1,5 +1,6 @@
 /* Sets of effects: each that can be made is listed once. */
 #include "check.h"
+#include <stdlib.h>
 #include <string.h>
 #include "effects/effect_row.h"
 
@@ -64,6 +65,8 @@ static void test_images(void **state)
     assert_int_equal(aob_effect_image_of(visible | mean), 2);
     assert_int_equal(aob_effect_image_of(visible | mean | half), 3);
     assert_int_equal(aob_effect_image_of(visible | mean | more), 2);
+    /* What a still view is judged by is as long as the mean that a config gets. */
+    assert_int_equal(atoi(aob_effect_rows[AOB_EFFECT_TEMPORAL].param.on), AOB_EFFECT_HISTORY);
 }
 
 int main(void)
