@@ -72,7 +72,7 @@ split_scene() {
 
 if wanted split; then
   split_scene atrium '{name: atrium}' 0.5
-  hall=$(ls "${AOBUDGET_SCENES:-none}"/sponza-crytek.* 2>/dev/null | head -1)
+  hall=$(find "${AOBUDGET_SCENES:-none}" -name "sponza-crytek.*" 2>/dev/null | head -1 || true)
   if [ -n "$hall" ]; then # in centimetres
     split_scene hall '{name: sponza-crytek, eye: [-1100, 220, -40], target: [800, 400, -40], fov_deg: 70}' 100
   else
