@@ -1,9 +1,20 @@
-#include "plan/plan.h"
 #include <stdio.h>
 #include "base/json.h"
 #include "command.h"
+#include "plan/shard.h"
 #include "run/record.h"
 #include "run/sweep.h"
+
+struct options {
+    struct aob_common common;
+    const char *shard;
+};
+
+static const struct aob_flag flags[] = {
+    {"shard", "I/N", "the cases of this part of the plan, such as 2/4; env: as for `run`", AOB_FLAG_TEXT,
+     offsetof(struct options, shard)},
+    {0},
+};
 
 static bool write_plan(const struct aob_plan *plan, const char *json, struct aob_error *error)
 {
@@ -31,12 +42,20 @@ static void print_plan(const struct aob_plan *plan, bool quiet, struct aob_text 
                       seconds % 60);
 }
 
-static enum aob_exit plan(void *options, struct aob_error *error)
+static enum aob_exit plan(void *from, struct aob_error *error)
 {
-    struct aob_common *common = options;
+    struct options *options = from;
+    struct aob_common *common = &options->common;
     struct aob_sweep sweep = {0};
+    struct aob_shard shard = {0};
+    if (options->shard && !aob_shard_parse(options->shard, &shard, error)) {
+        aob_fail_in(error, "--shard");
+        return AOB_EXIT_USAGE;
+    }
     bool ok = aob_config_read(&sweep.config, common->words.items[0], error) &&
               aob_sweep_expand(&sweep, &common->dispatch, error);
+    if (ok)
+        aob_plan_keep_shard(&sweep.plan, &shard);
     if (ok && common->json)
         ok = write_plan(&sweep.plan, common->json, error);
     else if (ok)
@@ -48,11 +67,12 @@ static enum aob_exit plan(void *options, struct aob_error *error)
 const struct aob_command aob_command_plan = {
     .name = "plan",
     .help = "the cases that a config comes to",
-    .usage = "CONFIG",
+    .usage = "CONFIG [--shard I/N]",
     .summary = "The expanded cases, their number and the estimated time.",
+    .flags = flags,
     .modules = true,
     .least = 1,
     .most = 1,
-    .size = sizeof(struct aob_common),
+    .size = sizeof(struct options),
     .run = plan,
 };

@@ -5,7 +5,7 @@
 
 struct options {
     struct aob_common common;
-    const char *out, *filter, *precision;
+    const char *out, *filter, *shard, *precision;
     bool resume, fresh;
 };
 
@@ -16,6 +16,9 @@ static const struct aob_flag flags[] = {
     {"fresh", NULL, "discard what DIR holds", AOB_FLAG_SWITCH, offsetof(struct options, fresh)},
     {"filter", "TEXT", "only cases whose line in `plan` holds the text", AOB_FLAG_TEXT,
      offsetof(struct options, filter)},
+    {"shard", "I/N",
+     "only this part of the plan, such as 2/4; env: of the array of tasks that this is one of", AOB_FLAG_TEXT,
+     offsetof(struct options, shard)},
     {"precision", "P%", "timing a case ends where its interval is so narrow (as the config says, or 3%)",
      AOB_FLAG_TEXT, offsetof(struct options, precision)},
     {0},
@@ -25,12 +28,17 @@ static enum aob_exit run(void *from, struct aob_error *error)
 {
     const struct options *options = from;
     double precision = 0;
+    struct aob_shard shard = {0};
     if (options->resume && options->fresh) {
         aob_fail(error, "run: give --resume or --fresh, not both");
         return AOB_EXIT_USAGE;
     }
     if (options->precision && !aob_config_parse_precision(options->precision, &precision, error)) {
         aob_fail_in(error, "--precision");
+        return AOB_EXIT_USAGE;
+    }
+    if (options->shard && !aob_shard_parse(options->shard, &shard, error)) {
+        aob_fail_in(error, "--shard");
         return AOB_EXIT_USAGE;
     }
     struct aob_effects_auto chooser = {.dispatch = &options->common.dispatch,
@@ -42,6 +50,7 @@ static enum aob_exit run(void *from, struct aob_error *error)
                                           .config = options->common.words.items[0],
                                           .out = options->out,
                                           .filter = options->filter,
+                                          .shard = shard,
                                           .json = options->common.json,
                                           .precision = precision,
                                           .fresh = options->fresh,
@@ -52,8 +61,8 @@ static enum aob_exit run(void *from, struct aob_error *error)
 const struct aob_command aob_command_run_config = {
     .name = "run",
     .help = "a sweep: times, errors, images, report",
-    .usage = "CONFIG [--out DIR] [--resume|--fresh] [--filter TEXT] [--precision P%] [--device NAME|N] "
-             "[--module FILE.so]",
+    .usage = "CONFIG [--out DIR] [--resume|--fresh] [--filter TEXT] [--shard I/N] [--precision P%] "
+             "[--device NAME|N] [--module FILE.so]",
     .summary = "The sweep: journal, images, report.",
     .flags = flags,
     .modules = true,

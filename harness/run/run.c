@@ -13,10 +13,12 @@
 #include "config/config_builds.h"
 #include "info.h"
 #include "measurement.h"
+#include "plan/block.h"
 #include "progress.h"
 #include "record.h"
 #include "reports/page/page.h"
 #include "run_effects.h"
+#include "run_part.h"
 #include "store/run_folder.h"
 #include "stored.h"
 
@@ -46,7 +48,8 @@ static bool read_config(struct run *run, struct aob_error *error)
     struct aob_config *config = &run->sweep.config;
     if (!(desc->again ? aob_run_again_read(desc->again, desc->config, config, error)
                       : aob_config_read(config, desc->config, error)) ||
-        (desc->builds && !aob_config_take_builds(config, desc->builds, error)))
+        (desc->builds && !aob_config_take_builds(config, desc->builds, error)) ||
+        !aob_run_part_judge(desc, config, error))
         return false;
     for (size_t i = 0; i < config->size_count; i++)
         if (desc->max_width && config->sizes[i].width > desc->max_width)
@@ -67,18 +70,6 @@ static bool describe(struct run *run, struct aob_error *error)
 {
     run->info = aob_run_info_create(&run->sweep, &run->desc->dispatch, error);
     return run->info;
-}
-
-static bool apply_filter(struct run *run, struct aob_error *error)
-{
-    if (run->desc->filter) {
-        aob_plan_filter(&run->sweep.plan, run->desc->filter);
-        aob_run_info_ask(run->info, &run->sweep.plan);
-    }
-    if (!run->sweep.plan.case_count && !run->desc->filter)
-        return aob_fail(error, "no case of %s is left to measure", run->desc->config);
-    return run->sweep.plan.case_count || aob_fail(error, "no case of %s matches '%s'; see: aobudget plan %s",
-                                                  run->desc->config, run->desc->filter, run->desc->config);
 }
 
 static bool open_folder(struct run *run, struct aob_error *error)
@@ -205,35 +196,6 @@ static void store_refused(struct run *run)
     }
 }
 
-/* How many cases from `at` on are builds of one case, as far as they are pending. */
-static size_t pending_builds(const struct run *run, size_t at, size_t *behind)
-{
-    const struct aob_plan *plan = &run->sweep.plan;
-    size_t count = 0, i = at;
-    for (; i < plan->case_count && aob_case_same_but_build(&plan->cases[at], &plan->cases[i]); i++)
-        count += run->measurement.states[i].stage == AOB_PENDING;
-    *behind = i;
-    return count;
-}
-
-/* The pending ones of the block that begins at *at, as many as are timed together; *at moves behind them. Cases of one
- * block lie together. Builds of one case are not parted, as they are what is compared, unless they are too many. */
-static size_t next_block(const struct run *run, size_t *at, size_t indices[AOB_BLOCK_MAX])
-{
-    const struct aob_plan *plan = &run->sweep.plan;
-    size_t first = *at, used = 0, behind;
-    while (*at < plan->case_count && used < AOB_BLOCK_MAX &&
-           aob_case_same_block(&plan->cases[first], &plan->cases[*at])) {
-        size_t builds = pending_builds(run, *at, &behind);
-        if (used && used + builds > AOB_BLOCK_MAX)
-            break;
-        for (; *at < behind && used < AOB_BLOCK_MAX; (*at)++)
-            if (run->measurement.states[*at].stage == AOB_PENDING)
-                indices[used++] = *at;
-    }
-    return used;
-}
-
 static void measure_caches(struct run *run)
 {
     for (size_t i = 0; i < run->sweep.plan.case_count && !*run->store_error.text; i++)
@@ -245,12 +207,16 @@ static void measure_caches(struct run *run)
 static bool measure_blocks(struct run *run, struct aob_error *error)
 {
     size_t indices[AOB_BLOCK_MAX];
+    bool *pending = AOB_NEW_ARRAY(bool, run->sweep.plan.case_count);
     measure_caches(run);
+    for (size_t i = 0; i < run->sweep.plan.case_count; i++)
+        pending[i] = run->measurement.states[i].stage == AOB_PENDING;
     for (size_t at = 0; at < run->sweep.plan.case_count && !*run->store_error.text;) {
-        size_t used = next_block(run, &at, indices);
+        size_t used = aob_plan_next_block(&run->sweep.plan, pending, &at, indices);
         if (used)
             aob_measurement_block(&run->measurement, indices, used);
     }
+    free(pending);
     if (!*run->store_error.text)
         aob_journal_check(&run->folder.journal, &run->store_error);
     *error = run->store_error;
@@ -343,7 +309,7 @@ static json_t *summary_to_json(const struct run *run)
     for (size_t i = 0; i < AOB_COUNT(status_names); i++)
         json_object_set_new(counts, status_names[i], json_integer((json_int_t)run->counts[i]));
     double seconds = run->foretold && run->foretold == run->imprecise ? run->seconds_needed : NAN;
-    return json_pack("{s:s, s:s, s:i, s:o, s:{s:i, s:o}, s:O}", "name", run->sweep.config.name, "folder",
+    return json_pack("{s:s, s:s?, s:i, s:o, s:{s:i, s:o}, s:O?}", "name", run->sweep.config.name, "folder",
                      run->folder.path, "cases", (int)run->sweep.plan.case_count, "status", counts,
                      "imprecise", "cases", (int)run->imprecise, "seconds_needed", aob_json_number(seconds),
                      "seconds", json_object_get(run->info, "seconds"));
@@ -352,6 +318,11 @@ static json_t *summary_to_json(const struct run *run)
 static void note_summary(const struct run *run)
 {
     struct aob_text imprecise = {0};
+    if (!run->sweep.plan.case_count) {
+        aob_note("shard %d/%d of %s has no case to measure: nothing was written", run->desc->shard.index,
+                 run->desc->shard.count, run->sweep.config.name);
+        return;
+    }
     add_imprecise(run, &imprecise);
     aob_note("%zu cases: %zu ok, %zu unsupported, %zu invalid, %zu failed%s; page: %s/report/index.html",
              run->sweep.plan.case_count, run->counts[0], run->counts[1], run->counts[2], run->counts[3],
@@ -382,14 +353,27 @@ static enum aob_exit verdict(const struct run *run, struct aob_error *error)
     return AOB_EXIT_USAGE;
 }
 
+/* What can be said before anything is measured. */
+static bool prepare(struct run *run, struct aob_error *error)
+{
+    const struct aob_run_desc *desc = run->desc;
+    return read_config(run, error) && aob_sweep_expand(&run->sweep, &desc->dispatch, error) &&
+           (!desc->again || aob_run_again_choose(desc->again, &run->sweep, error)) && describe(run, error) &&
+           aob_run_effects_choose(desc, &run->sweep, run->info, error) &&
+           aob_run_part_choose(desc, &run->sweep.plan, run->info, error);
+}
+
+/* A shard without a case has no folder. */
+static bool carry_out(struct run *run, struct aob_error *error)
+{
+    return !run->sweep.plan.case_count || (open_folder(run, error) && measure(run, error) &&
+                                           (run->desc->no_page || write_report(run, error)));
+}
+
 enum aob_exit aob_run(const struct aob_run_desc *desc, struct aob_error *error)
 {
     struct run run = {.desc = desc, .sweep.choice = desc->choice, .start_ns = aob_clock_wall_ns()};
-    bool ok = read_config(&run, error) && aob_sweep_expand(&run.sweep, &desc->dispatch, error) &&
-              (!desc->again || aob_run_again_choose(desc->again, &run.sweep, error)) &&
-              describe(&run, error) && aob_run_effects_choose(desc, &run.sweep, run.info, error) &&
-              apply_filter(&run, error) && open_folder(&run, error) && measure(&run, error) &&
-              (desc->no_page || write_report(&run, error)) && print_summary(&run, error);
+    bool ok = prepare(&run, error) && carry_out(&run, error) && print_summary(&run, error);
     enum aob_exit code = ok ? verdict(&run, error) : AOB_EXIT_USAGE;
     json_decref(run.info);
     aob_best_finish(&run.best);

@@ -4,6 +4,7 @@
 #include <stdbool.h>
 #include "base/error.h"
 #include "dispatch.h"
+#include "plan/shard.h"
 
 struct aob_config_builds;
 struct aob_run_again;
@@ -11,11 +12,12 @@ struct aob_sweep_choice;
 
 struct aob_run_desc {
     struct aob_dispatch dispatch;
-    const char *config; /* path */
-    const char *out;    /* folder; NULL: results/NAME */
-    const char *filter; /* only cases whose description holds this text; NULL: all */
-    const char *json;   /* summary document to this file, "-": standard output; NULL: none */
-    bool fresh, quiet;  /* fresh: what the folder held of an earlier run is removed first */
+    const char *config;     /* path */
+    const char *out;        /* folder; NULL: results/NAME, of a shard results/NAME-2-of-4 */
+    struct aob_shard shard; /* of the plan, what this machine measures; zero: all of it */
+    const char *filter;     /* only cases whose description holds this text; NULL: all */
+    const char *json;       /* summary document to this file, "-": standard output; NULL: none */
+    bool fresh, quiet;      /* fresh: what the folder held of an earlier run is removed first */
     const struct aob_config_builds
         *builds; /* each case with both of them (config/config_builds.h); NULL: as it is */
     const struct aob_run_again *

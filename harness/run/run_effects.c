@@ -2,14 +2,9 @@
 #include <stdlib.h>
 #include "base/file.h"
 #include "base/json.h"
-#include "base/memory.h"
 #include "info.h"
+#include "run_part.h"
 #include "store/run_folder.h"
-
-char *aob_run_path(const struct aob_run_desc *desc, const struct aob_config *config)
-{
-    return desc->out ? aob_strdup(desc->out) : aob_path_join("results", config->name);
-}
 
 static bool judge_filter(const struct aob_run_desc *desc, const struct aob_plan *plan, const char *whose,
                          struct aob_error *error)

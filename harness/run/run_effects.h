@@ -5,9 +5,6 @@
 #include "run.h"
 #include "sweep.h"
 
-/* The folder of a run: the one that was asked for, else results/NAME; free() it. */
-char *aob_run_path(const struct aob_run_desc *desc, const struct aob_config *config);
-
 /* Judges filter, folder and document, then chooses the cases (aob_sweep_choose) and puts them into `info`, which was made of all that could
  * be chosen. Does nothing for a config without effects. False after a line. */
 bool aob_run_effects_choose(const struct aob_run_desc *desc, struct aob_sweep *sweep, json_t *info,
