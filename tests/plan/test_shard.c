@@ -54,7 +54,7 @@ static void test_parts(void **state)
     }
 }
 
-/* 48 blocks in 4 parts: 12 each, with a standard deviation of 3. Both halves of a part's blocks are not of one backend. */
+/* 48 blocks in 4 parts: 12 each, with a standard deviation of 3. */
 static void test_spread(void **state)
 {
     (void)state;
@@ -66,6 +66,30 @@ static void test_spread(void **state)
     for (int i = 1; i <= 4; i++)
         assert_true(blocks[i] >= 3 && blocks[i] <= 24);
     assert_int_equal(blocks[1] + blocks[2] + blocks[3] + blocks[4], BLOCKS);
+}
+
+/* One block for each view, size and backend: dealt out in turn, each of two parts would have one backend alone. */
+static void test_neighbours(void **state)
+{
+    (void)state;
+    struct aob_config config;
+    struct aob_plan plan;
+    struct aob_error error;
+    static const char one[] =
+        "name: t\nscenes: [{name: corner, views: [front, far]}, {name: plane, views: [front, low]}]\n"
+        "resolutions: [64x36, 32x18]\nbackends: [vulkan, null]\ntechniques: [{name: gtao}]\n";
+    for (int index = 1; index <= 2; index++) {
+        bool drawn = false, null = false;
+        if (!make(one, &config, &plan, &error))
+            fail_msg("%s", error.text);
+        assert_int_equal(plan.case_count, GROUPS);
+        aob_plan_keep_shard(&plan, &(struct aob_shard){index, 2});
+        for (size_t i = 0; i < plan.case_count; i++)
+            *(strcmp(plan.cases[i].backend, "null") == 0 ? &null : &drawn) = true;
+        assert_true(drawn && null);
+        aob_plan_finish(&plan);
+        aob_config_finish(&config);
+    }
 }
 
 static void test_parse(void **state)
@@ -137,10 +161,8 @@ static void test_environment(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_parts),
-        cmocka_unit_test(test_spread),
-        cmocka_unit_test(test_parse),
-        cmocka_unit_test(test_environment),
+        cmocka_unit_test(test_parts), cmocka_unit_test(test_spread),      cmocka_unit_test(test_neighbours),
+        cmocka_unit_test(test_parse), cmocka_unit_test(test_environment),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
