@@ -86,6 +86,9 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
                       struct aob_view_files *files, struct aob_error *error);
 void aob_view_files_finish(struct aob_view_files *files);
 
+/* A number of the case's view (scene, camera, size and guard band), below the number of the plan's cases. */
+size_t aob_view_number(const struct aob_measurement *m, size_t index);
+
 /* Bytes that a job which casts rays may take; 0: no limit. */
 size_t aob_view_memory_limit(void);
 

@@ -49,7 +49,7 @@ static bool read_config(struct run *run, struct aob_error *error)
     if (!(desc->again ? aob_run_again_read(desc->again, desc->config, config, error)
                       : aob_config_read(config, desc->config, error)) ||
         (desc->builds && !aob_config_take_builds(config, desc->builds, error)) ||
-        !aob_run_part_judge(desc, config, error))
+        (desc->shard.count && !aob_run_part_judge(desc, config, error)))
         return false;
     for (size_t i = 0; i < config->size_count; i++)
         if (desc->max_width && config->sizes[i].width > desc->max_width)

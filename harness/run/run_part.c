@@ -20,11 +20,12 @@ char *aob_run_path(const struct aob_run_desc *desc, const struct aob_config *con
 bool aob_run_part_judge(const struct aob_run_desc *desc, const struct aob_config *config,
                         struct aob_error *error)
 {
-    return !desc->shard.count || !config->effects.text ||
+    return !config->effects.text ||
            aob_fail(
                error,
-               "%s: effects: auto has no shards, as each would choose its cases by its own measurements: run "
-               "it whole, or give the config of a view's set, which `aobudget effects --out` writes",
+               "%s: effects: auto chooses its cases by what it measures, so neither --shard nor --truth-only "
+               "knows them: run it whole, or give the config of a view's set, which `aobudget effects --out` "
+               "writes",
                desc->config);
 }
 
@@ -47,7 +48,7 @@ bool aob_run_part_choose(const struct aob_run_desc *desc, struct aob_plan *plan,
     aob_plan_keep_shard(plan, &desc->shard);
     if (desc->filter)
         aob_plan_filter(plan, desc->filter);
-    if (desc->filter || desc->shard.count)
+    if (info && (desc->filter || desc->shard.count))
         aob_run_info_ask(info, plan);
     return true;
 }

@@ -8,11 +8,12 @@
 /* The folder of a run: the one that was asked for, else results/NAME, and results/NAME-2-of-4 of a shard; free() it. */
 char *aob_run_path(const struct aob_run_desc *desc, const struct aob_config *config);
 
-/* A config with `effects: auto` has no shards: each would choose the cases by its own measurements. False after a line. */
+/* For a shard, and for truths alone: a config with `effects: auto` is refused, as its cases are chosen by what is measured. False after a
+ * line. */
 bool aob_run_part_judge(const struct aob_run_desc *desc, const struct aob_config *config,
                         struct aob_error *error);
 
-/* Takes the other cases out of the plan, and puts those that are left into `info` as the ones that are asked for. None may be left of a
+/* Takes the other cases out of the plan, and puts those that are left into `info` (NULL: nobody asks) as the ones that are asked for. None may be left of a
  * shard, where the plan has few blocks. False after a line if the filter leaves none of the whole plan. */
 bool aob_run_part_choose(const struct aob_run_desc *desc, struct aob_plan *plan, json_t *info,
                          struct aob_error *error);

@@ -203,7 +203,8 @@ static bool same_view(const struct aob_case *a, const struct aob_case *b)
            aob_case_options(a).guard_band == aob_case_options(b).guard_band;
 }
 
-static size_t first_of_view(const struct aob_measurement *m, size_t index)
+/* Its first place in by_view. */
+size_t aob_view_number(const struct aob_measurement *m, size_t index)
 {
     const struct aob_case *cases = m->plan->cases;
     size_t first = m->place[index];
@@ -218,7 +219,7 @@ static void want_whole_view(struct aob_measurement *m, size_t index, struct aob_
     const struct aob_case *cases = m->plan->cases, *c = &cases[index];
     bool wanted[2] = {false, false}; /* truths without and with their mean open directions */
     unsigned outputs = 0;
-    for (size_t i = first_of_view(m, index); i < m->plan->case_count; i++) {
+    for (size_t i = aob_view_number(m, index); i < m->plan->case_count; i++) {
         size_t at = m->by_view[i];
         if (!same_view(c, &cases[at]))
             break;
@@ -303,7 +304,7 @@ bool aob_view_prepare(struct aob_measurement *m, const size_t *indices, size_t c
 {
     int64_t start = aob_clock_wall_ns();
     char view[24];
-    snprintf(view, sizeof view, "%zu", first_of_view(m, indices[0]));
+    snprintf(view, sizeof view, "%zu", aob_view_number(m, indices[0]));
     const char *failed = json_string_value(json_object_get(m->failed_views, view));
     if (failed)
         return aob_fail(error, "%s", failed);

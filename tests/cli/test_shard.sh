@@ -62,5 +62,5 @@ expect 2 "--shard: '4/3' is no shard: give 2/4 for the second of four" "$program
 expect 2 "--shard: 'x' is no shard" "$program" plan sweep.yaml --shard x
 expect 2 "no case of sweep.yaml matches 'nix'" "$program" run sweep.yaml --shard 1/3 --filter nix --out nix
 sed 's/^reference.*/effects: auto/; /sweep:/d; /name: none/a \  - {name: gtao}' sweep.yaml >auto.yaml
-expect 2 "auto.yaml: effects: auto has no shards" "$program" run auto.yaml --shard 1/3
+expect 2 "auto.yaml: effects: auto chooses its cases by what it measures" "$program" run auto.yaml --shard 1/3
 finish
