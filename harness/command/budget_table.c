@@ -204,6 +204,7 @@ static void print_whole(const struct aob_answer *answer, const struct aob_answer
 static void print_lost(const struct aob_answer *answer, struct aob_text *out)
 {
     const struct aob_answer_cases *c = &answer->cases;
+    const struct aob_run *run = &answer->rows->runs[0];
     size_t lost = c->failed + c->invalid + c->unsupported + c->missing;
     struct aob_text text = {0};
     for (size_t i = 0; i < answer->place_count; i++) {
@@ -215,6 +216,9 @@ static void print_lost(const struct aob_answer *answer, struct aob_text *out)
         aob_text_finish(&place);
     }
     aob_answer_print_lost(c, &text);
+    if (run->asked < run->planned)
+        aob_text_add_line(out, "a part of the run is judged: %zu of %zu cases were asked for", run->asked,
+                          run->planned);
     if (lost)
         aob_text_add_line(out, "%zu of %zu cases are not there: %s", lost, lost + c->ok, text.data);
     else if (!aob_answer_is_whole(answer))

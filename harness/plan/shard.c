@@ -10,8 +10,8 @@ bool aob_shard_parse(const char *text, struct aob_shard *shard, struct aob_error
     int end = 0;
     if (strcmp(text, "env") == 0)
         return aob_shard_from_environment(shard, error);
-    bool plain = strspn(text, "0123456789/") == strlen(text) && strlen(text) < 16;
-    if (plain && sscanf(text, "%d/%d%n", &shard->index, &shard->count, &end) == 2 && !text[end] &&
+    bool plain = strspn(text, "0123456789/") == strlen(text);
+    if (plain && sscanf(text, "%5d/%5d%n", &shard->index, &shard->count, &end) == 2 && !text[end] &&
         shard->index >= 1 && shard->index <= shard->count && shard->count <= AOB_SHARD_MOST)
         return true;
     *shard = (struct aob_shard){0};
@@ -34,15 +34,22 @@ static int shard_of(const struct aob_plan *plan, const size_t *block, size_t siz
     return (int)(strtoul(key, NULL, 16) % (unsigned)count) + 1;
 }
 
-static void mark_shard(const struct aob_plan *plan, const struct aob_shard *shard, bool *mine)
+/* Each block of the whole plan becomes one by itself, so that those which stay are not packed anew. */
+static void mark_shard(struct aob_plan *plan, const struct aob_shard *shard, bool *mine)
 {
-    size_t block[AOB_BLOCK_MAX];
-    for (size_t at = 0; at < plan->case_count;) {
+    size_t block[AOB_BLOCK_MAX], number = 0;
+    size_t *blocks = AOB_NEW_ARRAY(size_t, plan->case_count);
+    for (size_t at = 0; at < plan->case_count; number++) {
         size_t size = aob_plan_next_block(plan, NULL, &at, block);
         bool here = shard_of(plan, block, size, shard->count) == shard->index;
-        for (size_t i = 0; i < size; i++)
+        for (size_t i = 0; i < size; i++) {
             mine[block[i]] = here;
+            blocks[block[i]] = number;
+        }
     }
+    for (size_t i = 0; i < plan->case_count; i++)
+        plan->cases[i].block = blocks[i];
+    free(blocks);
 }
 
 void aob_plan_keep_shard(struct aob_plan *plan, const struct aob_shard *shard)

@@ -19,10 +19,10 @@ bool aob_shard_parse(const char *text, struct aob_shard *shard, struct aob_error
 
 /* The task of an array of Slurm, of GitLab's `parallel` or of a job of Open MPI, by the variables that these set. A Slurm array
  * counts from 0 or from 1 without gaps. Of another one, and of one task, the shard cannot be told, as it may be a part that was
- * submitted again. False after a line, also where there is none and where two of them disagree. */
+ * started again. One that begins at 0 or 1 may be a part too, which nothing shows. False after a line, also where there is none and where two of them disagree. */
 bool aob_shard_from_environment(struct aob_shard *shard, struct aob_error *error);
 
-/* Keeps the shard's cases, in their order; it may be none. Does nothing without a shard. Call it before aob_plan_filter: what a filter leaves
+/* Keeps the shard's cases, in their order and in the blocks of the whole plan; it may be none. Does nothing without a shard. Call it before aob_plan_filter: what a filter leaves
  * would make other blocks. */
 void aob_plan_keep_shard(struct aob_plan *plan, const struct aob_shard *shard);
 #endif

@@ -1,6 +1,5 @@
-#include <math.h>
 #include <stdlib.h>
-#include "base/text.h"
+#include <string.h>
 #include "shard.h"
 
 /* What an engine tells its tasks. */
@@ -18,36 +17,41 @@ static const struct engine engines[] = {
     {0},
 };
 
-static bool read_number(const char *name, long *value, struct aob_error *error)
+/* An empty variable is none. */
+static const char *find(const char *name)
 {
     const char *text = getenv(name);
-    double number;
-    if (text && aob_parse_double(text, &number) && number >= 0 && number <= 1e9 && number == floor(number)) {
-        *value = (long)number;
+    return text && *text ? text : NULL;
+}
+
+static bool read_number(const char *name, long *value, struct aob_error *error)
+{
+    const char *text = find(name);
+    if (text && strlen(text) <= 9 && strspn(text, "0123456789") == strlen(text)) {
+        *value = strtol(text, NULL, 10);
         return true;
     }
     return text ? aob_fail(error, "%s is '%s', which is no number of a task", name, text)
                 : aob_fail(error, "%s is not set", name);
 }
 
-/* An array of 3 and 7 says as little of the others as one that begins at 3, or has one task. */
+/* An array of 3 and 7 says as little of the others as one that begins at 3. */
 static bool is_whole(long first, long last, long count)
 {
-    return count >= 2 && first <= 1 && last - first + 1 == count;
+    return first <= 1 && last - first + 1 == count;
 }
 
 static bool read_bounds(const struct engine *engine, long count, long *first, struct aob_error *error)
 {
-    long last = 0;
+    long last = engine->from + count - 1;
     *first = engine->from;
-    if (!engine->first)
-        return true;
-    if (!read_number(engine->first, first, error) || !read_number(engine->last, &last, error))
+    if (engine->first &&
+        (!read_number(engine->first, first, error) || !read_number(engine->last, &last, error)))
         return false;
-    return is_whole(*first, last, count) ||
+    return (count >= 2 && is_whole(*first, last, count)) ||
            aob_fail(
                error,
-               "the array of %s has %ld tasks from %ld to %ld, which may be a part that was submitted again: "
+               "%s says that its tasks are %ld from %ld to %ld, which may be a part that was started again: "
                "state the shard, such as 2/4",
                engine->name, count, *first, last);
 }
@@ -71,7 +75,7 @@ bool aob_shard_from_environment(struct aob_shard *shard, struct aob_error *error
     *shard = (struct aob_shard){0};
     for (const struct engine *engine = engines; engine->name; engine++) {
         struct aob_shard found;
-        if (!getenv(engine->task))
+        if (!find(engine->task))
             continue;
         if (!read_engine(engine, &found, error))
             return false;

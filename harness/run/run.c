@@ -309,7 +309,7 @@ static json_t *summary_to_json(const struct run *run)
     for (size_t i = 0; i < AOB_COUNT(status_names); i++)
         json_object_set_new(counts, status_names[i], json_integer((json_int_t)run->counts[i]));
     double seconds = run->foretold && run->foretold == run->imprecise ? run->seconds_needed : NAN;
-    return json_pack("{s:s, s:s?, s:i, s:o, s:{s:i, s:o}, s:O?}", "name", run->sweep.config.name, "folder",
+    return json_pack("{s:s, s:s, s:i, s:o, s:{s:i, s:o}, s:O}", "name", run->sweep.config.name, "folder",
                      run->folder.path, "cases", (int)run->sweep.plan.case_count, "status", counts,
                      "imprecise", "cases", (int)run->imprecise, "seconds_needed", aob_json_number(seconds),
                      "seconds", json_object_get(run->info, "seconds"));
@@ -318,11 +318,6 @@ static json_t *summary_to_json(const struct run *run)
 static void note_summary(const struct run *run)
 {
     struct aob_text imprecise = {0};
-    if (!run->sweep.plan.case_count) {
-        aob_note("shard %d/%d of %s has no case to measure: nothing was written", run->desc->shard.index,
-                 run->desc->shard.count, run->sweep.config.name);
-        return;
-    }
     add_imprecise(run, &imprecise);
     aob_note("%zu cases: %zu ok, %zu unsupported, %zu invalid, %zu failed%s; page: %s/report/index.html",
              run->sweep.plan.case_count, run->counts[0], run->counts[1], run->counts[2], run->counts[3],
@@ -363,17 +358,11 @@ static bool prepare(struct run *run, struct aob_error *error)
            aob_run_part_choose(desc, &run->sweep.plan, run->info, error);
 }
 
-/* A shard without a case has no folder. */
-static bool carry_out(struct run *run, struct aob_error *error)
-{
-    return !run->sweep.plan.case_count || (open_folder(run, error) && measure(run, error) &&
-                                           (run->desc->no_page || write_report(run, error)));
-}
-
 enum aob_exit aob_run(const struct aob_run_desc *desc, struct aob_error *error)
 {
     struct run run = {.desc = desc, .sweep.choice = desc->choice, .start_ns = aob_clock_wall_ns()};
-    bool ok = prepare(&run, error) && carry_out(&run, error) && print_summary(&run, error);
+    bool ok = prepare(&run, error) && open_folder(&run, error) && measure(&run, error) &&
+              (desc->no_page || write_report(&run, error)) && print_summary(&run, error);
     enum aob_exit code = ok ? verdict(&run, error) : AOB_EXIT_USAGE;
     json_decref(run.info);
     aob_best_finish(&run.best);

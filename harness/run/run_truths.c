@@ -99,12 +99,13 @@ static bool print_summary(const struct truths *t, struct aob_error *error)
     double seconds = (double)(aob_clock_wall_ns() - t->start_ns) * 1e-9;
     size_t good = t->views - json_array_size(t->failed);
     if (!t->desc->quiet)
-        aob_note("%zu of %zu views have their truths in %s (%.1f s)", good, t->views, t->m.cache.folder, seconds);
+        aob_note("%zu of %zu views have their truths in %s (%.1f s)", good, t->views, t->m.cache.folder,
+                 seconds);
     if (!t->desc->json)
         return true;
     json_t *document = json_pack("{s:s, s:o, s:i, s:O, s:f}", "name", t->sweep.config.name, "cache",
-                                 aob_json_text(t->m.cache.folder), "views", (int)t->views, "failed", t->failed,
-                                 "seconds", seconds);
+                                 aob_json_text(t->m.cache.folder), "views", (int)t->views, "failed",
+                                 t->failed, "seconds", seconds);
     bool ok = aob_json_write(document, t->desc->json, error);
     json_decref(document);
     return ok;

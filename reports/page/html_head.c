@@ -104,6 +104,23 @@ static void add_counts(struct aob_text *page, const struct aob_rows *rows)
     aob_text_add(page, "</p>\n");
 }
 
+static void add_incomplete(struct aob_text *page, const struct aob_run *run)
+{
+    aob_text_add(page, "<p class=banner role=status><strong>Incomplete: %zu of %zu cases</strong> of ",
+                 run->asked - run->missing, run->asked);
+    aob_html_escape(page, run->name);
+    aob_text_add(page, ". The same <code>aobudget run</code> command goes on where it stopped.</p>\n");
+}
+
+/* What a shard or a filter left out. */
+static void add_part(struct aob_text *page, const struct aob_run *run)
+{
+    aob_text_add(page, "<p class=banner role=status><strong>A part: %zu of %zu cases</strong> of ",
+                 run->asked, run->planned);
+    aob_html_escape(page, run->name);
+    aob_text_add(page, ". The run was asked for no more.</p>\n");
+}
+
 static void add_banners(struct aob_text *page, const struct aob_rows *rows)
 {
     for (size_t i = 0; i < rows->run_count; i++) {
@@ -113,12 +130,10 @@ static void add_banners(struct aob_text *page, const struct aob_rows *rows)
             aob_html_escape(page, run->damage.text);
             aob_text_add(page, "</p>\n");
         }
-        if (run->planned <= run->cases)
-            continue;
-        aob_text_add(page, "<p class=banner role=status><strong>Incomplete: %zu of %zu cases</strong> of ",
-                     run->cases, run->planned);
-        aob_html_escape(page, run->name);
-        aob_text_add(page, ". The same <code>aobudget run</code> command goes on where it stopped.</p>\n");
+        if (run->missing)
+            add_incomplete(page, run);
+        else if (run->asked < run->planned)
+            add_part(page, run);
     }
 }
 

@@ -26,17 +26,63 @@ static char *page_text(const struct aob_gallery *gallery)
     return page.data;
 }
 
+/* Runs of parts of one plan, by its shards or by filters, are one run here: its cases count once, and are good if they are in one of
+ * them. */
+struct parts {
+    json_t *planned, *ok; /* names of an object: the plan's config and program, and the key */
+};
+
+static bool is_part(const struct aob_run *run)
+{
+    return json_object_get(run->info, "asked") && json_object_get(run->info, "keys");
+}
+
+static void add_case(json_t *cases, const struct aob_run *run, const char *key)
+{
+    struct aob_text name = {0};
+    aob_text_add(&name, "%s %s %s", aob_member_text(run->info, "config_hash"),
+                 aob_member_text(run->info, "build"), key);
+    json_object_set_new(cases, name.data, json_true());
+    aob_text_finish(&name);
+}
+
+static void count_planned(struct aob_page_summary *summary, const struct aob_run *run, struct parts *parts)
+{
+    const json_t *key;
+    size_t i;
+    if (!is_part(run)) {
+        summary->planned += run->planned;
+        return;
+    }
+    json_array_foreach(json_object_get(run->info, "keys"), i, key)
+    {
+        add_case(parts->planned, run, json_string_value(key) ? json_string_value(key) : "");
+    }
+}
+
 static void summarise(struct aob_page_summary *summary, const struct aob_gallery *gallery)
 {
     const struct aob_rows *rows = gallery->rows;
+    struct parts parts = {json_object(), json_object()};
     *summary = (struct aob_page_summary){.cases = rows->count, .figures = gallery->count};
-    for (size_t i = 0; i < rows->count; i++)
-        summary->ok += aob_row_is_ok(&rows->list[i]);
+    for (size_t i = 0; i < rows->count; i++) {
+        const struct aob_run *run = &rows->runs[rows->list[i].run];
+        if (!aob_row_is_ok(&rows->list[i]))
+            continue;
+        if (is_part(run))
+            add_case(parts.ok, run, rows->list[i].key);
+        else
+            summary->ok++;
+    }
     for (size_t i = 0; i < rows->run_count; i++)
-        summary->planned += rows->runs[i].planned;
+        count_planned(summary, &rows->runs[i], &parts);
+    summary->planned += json_object_size(parts.planned);
+    summary->ok += json_object_size(parts.ok);
     for (size_t i = 0; i < gallery->count; i++)
         summary->drawn += !gallery->figures[i].failure;
     aob_fail(&summary->damage, "%s", aob_rows_damage(rows));
+    json_decref(parts.planned);
+    json_decref(parts.ok);
 }
 
 static bool write_page(const struct aob_page_desc *desc, const struct aob_gallery *gallery,

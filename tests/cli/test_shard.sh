@@ -22,7 +22,7 @@ untimed() { cat "${@/%//journal.jsonl}" | jq -cS 'del(.time)' | sort; }
 check "three shards are the whole run" diff <(untimed whole) <(untimed results/sweep-?-of-3)
 check "it has 42 cases, each once" test "$(untimed results/sweep-?-of-3 | jq -r .key | sort -u | wc -l) $(untimed results/sweep-?-of-3 | wc -l)" = "42 42"
 check "every case was timed" jq -es 'all(.[] | select(.status == "ok"); .time.ratio_to_ref > 0)' results/sweep-?-of-3/journal.jsonl
-check "no shard has all, none is empty" test "$(cat results/sweep-?-of-3/journal.jsonl | wc -l)" -eq 42 -a "$(find results -name journal.jsonl -size +0 | wc -l)" -eq 3
+check "no shard has all" test "$(wc -l <results/sweep-1-of-3/journal.jsonl)" -lt 42 -a "$(wc -l <results/sweep-2-of-3/journal.jsonl)" -lt 42
 for i in 1 2 3; do
   check "plan says what shard $i has" diff <("$program" plan sweep.yaml --shard $i/3 --json - | jq -r '.cases[].key' | sort) \
     <(jq -r .key results/sweep-$i-of-3/journal.jsonl | sort)
@@ -37,24 +37,51 @@ check "a shard goes on" "$program" run sweep.yaml --shard 2/3 --quiet
 check "and what it had stays" diff kept <(head -2 results/sweep-2-of-3/journal.jsonl)
 check "it is whole again" diff <(untimed whole) <(untimed results/sweep-?-of-3)
 check "a filter" "$program" run sweep.yaml --shard 2/3 --filter slices=2 --out some --quiet
-check "leaves a part of the shard" diff <(jq -r 'select(.params.slices == 2) | .key' results/sweep-2-of-3/journal.jsonl | sort) <(jq -r .key some/journal.jsonl | sort)
+check "leaves some" test -s some/journal.jsonl
+check "namely a part of the shard" diff <(jq -r 'select(.params.slices == 2) | .key' results/sweep-2-of-3/journal.jsonl | sort) <(jq -r .key some/journal.jsonl | sort)
 
-# More shards than blocks: what is left for some of them is nothing, which is no error.
+# More shards than blocks: some have no case, which is no error.
 "$program" run sweep.yaml --shard 1/1 --filter none --out one --quiet
 check "one of one is the whole" test "$(wc -l <one/journal.jsonl)" -eq 6
 empty=
 for i in $(seq 40); do
   [ -n "$empty" ] || "$program" plan sweep.yaml --shard $i/40 | grep -q '^0 cases' && empty=${empty:-$i}
 done
-expect 0 "shard $empty/40 of sweep has no case to measure: nothing was written" "$program" run sweep.yaml --shard "$empty/40" --json empty.json
-check "it has no folder" test ! -e "results/sweep-$empty-of-40"
-check "and says so" jq -e '.folder == null and .cases == 0 and .status.ok == 0' empty.json
+check "no case is no error" "$program" run sweep.yaml --shard "$empty/40" --out empty --json empty.json --quiet
+check "and is told" jq -e '.folder == "empty" and .cases == 0 and .status.ok == 0' empty.json
+check "the folder is there, of this config" jq -e '.cases == 42 and .asked == []' empty/run.json
+check "report takes it along" test "$("$program" report empty results/sweep-?-of-3 --out page --json - 2>/dev/null | jq -c '[.planned, .cases, .ok]')" = "[42,42,42]"
+sed 's/spp: 2/spp: 4/' sweep.yaml >other.yaml
+cp -r results/sweep-1-of-3 old
+for i in $(seq 40); do "$program" plan other.yaml --shard $i/40 | grep -q '^0 cases' && break; done
+expect 2 "old holds a run of another config" "$program" run other.yaml --shard $i/40 --out old --quiet
+check "what it held is there" cmp old/journal.jsonl results/sweep-1-of-3/journal.jsonl
+check "unless it is discarded" "$program" run other.yaml --shard $i/40 --out old --fresh --quiet
+check "which it is" test ! -s old/journal.jsonl
+
+# A part is no whole, and no run that was stopped; all parts together are a whole.
+for i in 1 2 3; do cp -r results/sweep-$i-of-3 good-$i; done
+check "the page says what part" grep -q "<strong>A part: $(wc -l <good-1/journal.jsonl) of 42 cases</strong> of sweep. The run was asked for no more" good-1/report/index.html
+check "and nothing of a stop" test "$(grep -c Incomplete good-1/report/index.html)" -eq 0
+"$program" report good-1 good-2 --out page --quiet
+check "two of three parts are not all" test $? -eq 3
+cp -r good-2 good-2x
+"$program" report good-1 good-2 good-2x --out page --quiet
+check "nor if one is there twice" test $? -eq 3
+check "all of them are" "$program" report good-1 good-2 good-3 --out page --quiet --json page.json
+check "each case counts once" jq -e '.planned == 42 and .ok == 42 and .cases == 42' page.json
+"$program" budget good-1 --ms 1000 >told
+check "budget says that it judges a part" grep -q "^a part of the run is judged: $(wc -l <good-1/journal.jsonl) of 42 cases were asked for$" told
+head -1 good-1/journal.jsonl >cut
+cp cut good-1/journal.jsonl
+"$program" report good-1 --quiet
+check "a part that was stopped is incomplete" grep -q "<strong>Incomplete: 1 of $(jq '.asked | length' good-1/run.json) cases</strong> of sweep" good-1/report/index.html
 
 # The tasks of an array know which they are.
 export SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_MIN=0 SLURM_ARRAY_TASK_MAX=2
 check "a task of an array" env SLURM_ARRAY_TASK_ID=1 "$program" run sweep.yaml --shard env --out task --quiet
 check "is its shard" diff <(untimed results/sweep-2-of-3) <(untimed task)
-expect 2 "--shard: the array of Slurm has 1 tasks from 1 to 1" env SLURM_ARRAY_TASK_ID=1 SLURM_ARRAY_TASK_COUNT=1 SLURM_ARRAY_TASK_MIN=1 SLURM_ARRAY_TASK_MAX=1 \
+expect 2 "--shard: Slurm says that its tasks are 1 from 1 to 1" env SLURM_ARRAY_TASK_ID=1 SLURM_ARRAY_TASK_COUNT=1 SLURM_ARRAY_TASK_MIN=1 SLURM_ARRAY_TASK_MAX=1 \
   "$program" run sweep.yaml --shard env
 check "without the flag the whole is planned" test "$(SLURM_ARRAY_TASK_ID=1 "$program" plan sweep.yaml --json - | jq '.cases | length')" -eq 42
 

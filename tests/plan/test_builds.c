@@ -5,23 +5,6 @@
 #include "plan/twins.h"
 #include "technique/param.h"
 
-/* gtao once more, as a module of that path would bring it. */
-static void add_build(const char *file, char digit)
-{
-    size_t at = 0;
-    while (strcmp(techniques.items[at].name, "gtao") != 0 || techniques.items[at].module)
-        at++;
-    json_t *json = aob_technique_info_to_json(&techniques.items[at]);
-    json_object_del(json, "module");
-    assert_true(aob_technique_list_add(&techniques, json));
-    json_decref(json);
-    struct aob_technique_info *info = &techniques.items[techniques.count - 1];
-    info->module = aob_strdup(file);
-    info->file = aob_strdup(file);
-    info->offered = false;
-    memset(info->digest, digit, sizeof info->digest - 1);
-}
-
 static int set_up_builds(void **state)
 {
     set_up(state);

@@ -1,6 +1,7 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "made.h"
+#include "plan/block.h"
 #include "plan/shard.h"
 
 /* 4 views x 2 backends x 2 sizes: 16 block groups of 16 cases, so 3 blocks each, the last of 4 cases. */
@@ -92,12 +93,58 @@ static void test_neighbours(void **state)
     }
 }
 
+/* The blocks of the whole plan: none and two pairs of builds, then the third and the fourth pair. A run of a part has the same. */
+static void test_blocks(void **state)
+{
+    (void)state;
+    struct aob_config config;
+    struct aob_plan plan;
+    struct aob_error error;
+    size_t at = 0, indices[AOB_BLOCK_MAX];
+    add_build("a.so", 'a');
+    if (!make("name: t\nscenes: [{name: corner, view: front}]\nresolutions: [64x36]\nbackends: [null]\n"
+              "techniques:\n  - {name: none}\n"
+              "  - {name: gtao, sweep: [{param: slices, values: [1, 2, 3, 4]}]}\n"
+              "  - {name: gtao, module: a.so, sweep: [{param: slices, values: [1, 2, 3, 4]}]}\n",
+              &config, &plan, &error))
+        fail_msg("%s", error.text);
+    aob_plan_keep_shard(&plan, &(struct aob_shard){1, 1});
+    assert_int_equal(plan.case_count, 9);
+    assert_int_equal(aob_plan_next_block(&plan, NULL, &at, indices), 5);
+    assert_int_equal(aob_plan_next_block(&plan, NULL, &at, indices), 4);
+    /* Where one is measured already, what is left of its block is not filled up. */
+    const bool left[9] = {false, true, true, true, true, true, true, true, true};
+    at = 0;
+    assert_int_equal(aob_plan_next_block(&plan, left, &at, indices), 4);
+    assert_int_equal(aob_plan_next_block(&plan, left, &at, indices), 4);
+    assert_int_equal(at, 9);
+    aob_plan_finish(&plan);
+    aob_config_finish(&config);
+}
+
 static void test_parse(void **state)
 {
     (void)state;
-    static const char *const bad[] = {
-        "",      "2",     "/4",   "2/",   "0/4",   "5/4",     "-1/4", "1/0",
-        "1/4/2", "1 / 4", "1/4x", "+1/4", "1e0/4", "2/10001", "Env",  "4294967297/4294967298"};
+    static const char *const bad[] = {"",
+                                      "2",
+                                      "/4",
+                                      "2/",
+                                      "0/4",
+                                      "5/4",
+                                      "-1/4",
+                                      "1/0",
+                                      "1/4/2",
+                                      "1 / 4",
+                                      "1/4x",
+                                      "+1/4",
+                                      "1e0/4",
+                                      "2/10001",
+                                      "Env",
+                                      "4294967297/4294967298",
+                                      "1/4294967297",
+                                      "2/4294967300",
+                                      "4294967298/9",
+                                      "100002/100004"};
     struct aob_shard shard;
     struct aob_error error = {{0}};
     assert_true(aob_shard_parse("2/4", &shard, &error));
@@ -145,24 +192,36 @@ static void test_environment(void **state)
         "none of SLURM_ARRAY_TASK_ID, CI_NODE_INDEX and OMPI_COMM_WORLD_RANK is set");
     ask((const char *const[8]){"2", "4", "1", "4", "3", "4"}, "Slurm says shard 2/4 and GitLab 3/4");
     ask((const char *const[8]){"2", "4", "1", "4", "2", "5"}, "Slurm says shard 2/4 and GitLab 2/5");
-    ask((const char *const[8]){"3", "1", "3", "3"}, "has 1 tasks from 3 to 3, which may be a part");
-    ask((const char *const[8]){"1", "1", "1", "1"}, "has 1 tasks from 1 to 1, which may be a part");
-    ask((const char *const[8]){"3", "2", "3", "4"}, "has 2 tasks from 3 to 4, which may be a part");
-    ask((const char *const[8]){"1", "3", "1", "7"}, "has 3 tasks from 1 to 7, which may be a part");
-    ask((const char *const[8]){"4", "4", "0", "12"}, "has 4 tasks from 0 to 12, which may be a part");
+    ask((const char *const[8]){"3", "1", "3", "3"},
+        "says that its tasks are 1 from 3 to 3, which may be a part");
+    ask((const char *const[8]){"1", "1", "1", "1"},
+        "says that its tasks are 1 from 1 to 1, which may be a part");
+    ask((const char *const[8]){"3", "2", "3", "4"},
+        "says that its tasks are 2 from 3 to 4, which may be a part");
+    ask((const char *const[8]){"1", "3", "1", "7"},
+        "says that its tasks are 3 from 1 to 7, which may be a part");
+    ask((const char *const[8]){"4", "4", "0", "12"},
+        "says that its tasks are 4 from 0 to 12, which may be a part");
     ask((const char *const[8]){"2", "4"}, "SLURM_ARRAY_TASK_MIN is not set");
     ask((const char *const[8]){"2", NULL, "1", "4"}, "SLURM_ARRAY_TASK_COUNT is not set");
     ask((const char *const[8]){[4] = "0", "4"}, "CI_NODE_INDEX=0 is none of CI_NODE_TOTAL=4 tasks from 1");
     ask((const char *const[8]){[4] = "5", "4"}, "CI_NODE_INDEX=5 is none of CI_NODE_TOTAL=4 tasks from 1");
     ask((const char *const[8]){[4] = "two", "4"}, "CI_NODE_INDEX is 'two', which is no number of a task");
+    ask((const char *const[8]){[4] = "1", "1"}, "GitLab says that its tasks are 1 from 1 to 1");
+    ask((const char *const[8]){[6] = "0", "1"}, "Open MPI says that its tasks are 1 from 0 to 0");
+    ask((const char *const[8]){[4] = "1", "0x4"}, "CI_NODE_TOTAL is '0x4', which is no number of a task");
+    ask((const char *const[8]){[4] = "1", "4e0"}, "CI_NODE_TOTAL is '4e0'");
+    ask((const char *const[8]){[4] = "1", "4294967300"}, "CI_NODE_TOTAL is '4294967300'");
+    ask((const char *const[8]){[4] = "", "4", "2", "4"}, "3/4");
+    ask((const char *const[8]){[5] = "1"}, "none of SLURM_ARRAY_TASK_ID");
     ask((const char *const[8]){[6] = "0", "10001"}, "or these are more than 10000");
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_parts), cmocka_unit_test(test_spread),      cmocka_unit_test(test_neighbours),
-        cmocka_unit_test(test_parse), cmocka_unit_test(test_environment),
+        cmocka_unit_test(test_parts),  cmocka_unit_test(test_spread), cmocka_unit_test(test_neighbours),
+        cmocka_unit_test(test_blocks), cmocka_unit_test(test_parse),  cmocka_unit_test(test_environment),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
