@@ -70,7 +70,7 @@ check "nor if one is there twice" test $? -eq 3
 check "all of them are" "$program" report good-1 good-2 good-3 --out page --quiet --json page.json
 check "each case counts once" jq -e '.planned == 42 and .ok == 42 and .cases == 42' page.json
 sed 's/time: false/seconds: 0.05/' sweep.yaml >timed.yaml
-"$program" run timed.yaml --shard 1/1 --filter "corner/front none" --out timed --quiet
+"$program" run timed.yaml --shard 1/1 --filter "plane/front gtao radius=0.5 slices=1" --out timed --quiet
 "$program" budget timed --ms 1000 >told
 check "budget says that it judges a part" grep -q "^a part of the run is judged: $(wc -l <timed/journal.jsonl) of 42 cases were asked for$" told
 check "of some cases" test -s timed/journal.jsonl
