@@ -31,10 +31,11 @@ static bool judge_flags(const struct options *o, struct aob_error *error)
 {
     if (o->resume && o->fresh)
         return aob_fail(error, "run: give --resume or --fresh, not both");
-    return !o->truth_only || !(o->out || o->resume || o->fresh || o->precision) ||
-           aob_fail(error,
-                    "run: --truth-only makes no folder and times nothing: it takes no --out, --resume, "
-                    "--fresh or --precision");
+    return !o->truth_only ||
+           !(o->out || o->resume || o->fresh || o->precision || o->common.dispatch.device) ||
+           aob_fail(error, "run: --truth-only makes no folder, times nothing and opens no device: it takes "
+                           "no --out, --resume, "
+                           "--fresh, --precision or --device");
 }
 
 static bool read_flags(const struct options *o, struct aob_run_desc *desc, struct aob_error *error)

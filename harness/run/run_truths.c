@@ -1,5 +1,6 @@
 #include "run_truths.h"
 #include <stdlib.h>
+#include <string.h>
 #include "base/clock.h"
 #include "base/json.h"
 #include "base/memory.h"
@@ -13,8 +14,8 @@ struct truths {
     struct aob_sweep sweep;
     struct aob_measurement m;
     struct aob_progress progress;
-    size_t views;
-    json_t *failed; /* a line for each view */
+    size_t views, lost; /* with cases to measure; those of them whose truths could not be made */
+    json_t *failed;     /* a line for each of these, and for each reason why a case was not laid out */
     int64_t start_ns;
 };
 
@@ -39,8 +40,14 @@ static void say_view(void *user, size_t index, const char *work)
     aob_text_finish(&text);
 }
 
-/* The first block of a view makes what all of them need. One that failed fails for each of its blocks, and is told once. */
-static void trace_block(struct truths *t, const size_t *indices, size_t count)
+static void tell_failure(struct truths *t, const char *line)
+{
+    aob_warn("%s", line);
+    json_array_append_new(t->failed, aob_json_text(line));
+}
+
+/* A view that failed fails for each of its blocks, and is told once. */
+static void trace_cases(struct truths *t, const size_t *indices, size_t count)
 {
     struct aob_view_files files = {0};
     struct aob_error error = {{0}};
@@ -48,9 +55,38 @@ static void trace_block(struct truths *t, const size_t *indices, size_t count)
     if (aob_view_prepare(&t->m, indices, count, &files, &error))
         aob_view_files_finish(&files);
     else if (json_object_size(t->m.failed_views) > failed) {
-        aob_warn("%s", error.text);
-        json_array_append_new(t->failed, aob_json_text(error.text));
+        tell_failure(t, error.text);
+        t->lost++;
     }
+}
+
+/* A truth with mean open directions serves the other cases of a block as well; in a run that has not the same blocks, because it goes on or is
+ * filtered, they need their own. */
+static void trace_block(struct truths *t, const size_t *indices, size_t count)
+{
+    for (int bent = 0; bent < 2; bent++) {
+        size_t some[AOB_BLOCK_MAX], used = 0;
+        for (size_t i = 0; i < count; i++)
+            if ((t->m.states[indices[i]].outputs >> AOB_OUT_BENT_NORMAL & 1) == (unsigned)bent)
+                some[used++] = indices[i];
+        if (used)
+            trace_cases(t, some, used);
+    }
+}
+
+/* What a case is compared with is not known if its technique could not be asked. One that refuses it needs nothing. */
+static void tell_unasked(struct truths *t)
+{
+    json_t *told = json_object();
+    for (size_t i = 0; i < t->sweep.plan.case_count; i++) {
+        const struct aob_state *state = &t->m.states[i];
+        if (state->stage != AOB_REFUSED || strcmp(state->status, "failed") != 0 ||
+            json_object_get(told, state->reason))
+            continue;
+        json_object_set_new(told, state->reason, json_true());
+        tell_failure(t, state->reason);
+    }
+    json_decref(told);
 }
 
 /* Adds one to `views` for each view of which no case was here before. */
@@ -80,6 +116,7 @@ static void trace(struct truths *t)
     t->m.on_work = say_view;
     t->m.user = t;
     aob_measurement_layout(&t->m);
+    tell_unasked(t);
     bool *pending = mark_pending(t), *seen = AOB_NEW_ARRAY(bool, t->sweep.plan.case_count);
     aob_progress_init(&t->progress, t->views, t->desc->quiet);
     for (size_t at = 0; at < t->sweep.plan.case_count;) {
@@ -97,7 +134,7 @@ static void trace(struct truths *t)
 static bool print_summary(const struct truths *t, struct aob_error *error)
 {
     double seconds = (double)(aob_clock_wall_ns() - t->start_ns) * 1e-9;
-    size_t good = t->views - json_array_size(t->failed);
+    size_t good = t->views - t->lost;
     if (!t->desc->quiet)
         aob_note("%zu of %zu views have their truths in %s (%.1f s)", good, t->views, t->m.cache.folder,
                  seconds);
@@ -113,9 +150,10 @@ static bool print_summary(const struct truths *t, struct aob_error *error)
 
 static enum aob_exit verdict(const struct truths *t, struct aob_error *error)
 {
-    size_t failed = json_array_size(t->failed);
-    if (failed < t->views || !t->views)
-        return failed ? AOB_EXIT_PART : AOB_EXIT_OK;
+    if (!json_array_size(t->failed))
+        return AOB_EXIT_OK;
+    if (t->lost < t->views)
+        return AOB_EXIT_PART;
     aob_fail(error, "no view of %s has its truths: the warnings say why", t->desc->config);
     return AOB_EXIT_USAGE;
 }

@@ -6,7 +6,7 @@
 #include "run.h"
 
 /* Of `desc` the dispatch, config, filter, shard, json and quiet. A view that fails is told in a warning, and the others are made
- * all the same. OK: all views that some technique accepts have their truths. PART: some have not. USAGE: none has, or the
+ * all the same. OK: all cases that their techniques accept have their truths. PART: some have not, or a technique could not be asked. USAGE: none has, or the
  * config cannot be planned. A line in `error` then. */
 enum aob_exit aob_run_truths(const struct aob_run_desc *desc, struct aob_error *error);
 #endif

@@ -26,15 +26,24 @@ static char *page_text(const struct aob_gallery *gallery)
     return page.data;
 }
 
-/* Runs of parts of one plan, by its shards or by filters, are one run here: its cases count once, and are good if they are in one of
- * them. */
+/* Where a plan was measured in parts, by shards or filters, all runs of it are one here: a case counts once, and is good if it is
+ * so in each of them that has it. Sets of names: the plan's config and program, and the key. */
 struct parts {
-    json_t *planned, *ok; /* names of an object: the plan's config and program, and the key */
+    json_t *planned, *cases, *bad;
 };
 
-static bool is_part(const struct aob_run *run)
+static bool same_plan(const struct aob_run *a, const struct aob_run *b)
 {
-    return json_object_get(run->info, "asked") && json_object_get(run->info, "keys");
+    return strcmp(aob_member_text(a->info, "config_hash"), aob_member_text(b->info, "config_hash")) == 0 &&
+           strcmp(aob_member_text(a->info, "build"), aob_member_text(b->info, "build")) == 0;
+}
+
+static bool is_of_parts(const struct aob_rows *rows, const struct aob_run *run)
+{
+    bool parts = false;
+    for (size_t i = 0; i < rows->run_count; i++)
+        parts = parts || (json_object_get(rows->runs[i].info, "asked") && same_plan(&rows->runs[i], run));
+    return parts && json_object_get(run->info, "keys");
 }
 
 static void add_case(json_t *cases, const struct aob_run *run, const char *key)
@@ -46,15 +55,26 @@ static void add_case(json_t *cases, const struct aob_run *run, const char *key)
     aob_text_finish(&name);
 }
 
-static void count_planned(struct aob_page_summary *summary, const struct aob_run *run, struct parts *parts)
+static void count_run(struct aob_page_summary *summary, const struct aob_rows *rows, size_t index,
+                      struct parts *parts)
 {
+    const struct aob_run *run = &rows->runs[index];
+    bool of_parts = is_of_parts(rows, run);
     const json_t *key;
     size_t i;
-    if (!is_part(run)) {
-        summary->planned += run->planned;
-        return;
+    for (size_t at = 0; at < rows->count; at++) {
+        const struct aob_row *row = &rows->list[at];
+        if (row->run != index)
+            continue;
+        summary->cases += !of_parts;
+        summary->ok += !of_parts && aob_row_is_ok(row);
+        if (of_parts)
+            add_case(parts->cases, run, row->key);
+        if (of_parts && !aob_row_is_ok(row))
+            add_case(parts->bad, run, row->key);
     }
-    json_array_foreach(json_object_get(run->info, "keys"), i, key)
+    summary->planned += of_parts ? 0 : run->planned;
+    json_array_foreach(of_parts ? json_object_get(run->info, "keys") : NULL, i, key)
     {
         add_case(parts->planned, run, json_string_value(key) ? json_string_value(key) : "");
     }
@@ -63,26 +83,19 @@ static void count_planned(struct aob_page_summary *summary, const struct aob_run
 static void summarise(struct aob_page_summary *summary, const struct aob_gallery *gallery)
 {
     const struct aob_rows *rows = gallery->rows;
-    struct parts parts = {json_object(), json_object()};
-    *summary = (struct aob_page_summary){.cases = rows->count, .figures = gallery->count};
-    for (size_t i = 0; i < rows->count; i++) {
-        const struct aob_run *run = &rows->runs[rows->list[i].run];
-        if (!aob_row_is_ok(&rows->list[i]))
-            continue;
-        if (is_part(run))
-            add_case(parts.ok, run, rows->list[i].key);
-        else
-            summary->ok++;
-    }
+    struct parts parts = {json_object(), json_object(), json_object()};
+    *summary = (struct aob_page_summary){.figures = gallery->count};
     for (size_t i = 0; i < rows->run_count; i++)
-        count_planned(summary, &rows->runs[i], &parts);
+        count_run(summary, rows, i, &parts);
     summary->planned += json_object_size(parts.planned);
-    summary->ok += json_object_size(parts.ok);
+    summary->cases += json_object_size(parts.cases);
+    summary->ok += json_object_size(parts.cases) - json_object_size(parts.bad);
     for (size_t i = 0; i < gallery->count; i++)
         summary->drawn += !gallery->figures[i].failure;
     aob_fail(&summary->damage, "%s", aob_rows_damage(rows));
     json_decref(parts.planned);
-    json_decref(parts.ok);
+    json_decref(parts.cases);
+    json_decref(parts.bad);
 }
 
 static bool write_page(const struct aob_page_desc *desc, const struct aob_gallery *gallery,

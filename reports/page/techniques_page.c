@@ -170,8 +170,10 @@ static void add_opening(struct aob_text *page, const struct aob_techniques *t)
     aob_text_add(page, ", aobudget ");
     aob_md_escape(page, aob_member_text(run->info, "program"));
     aob_text_add(page, "): what is changed by hand is lost.\n\n");
-    if (run->planned > run->cases)
-        aob_text_add(page, "**Incomplete: %zu of %zu cases.**\n\n", run->cases, run->planned);
+    if (run->missing)
+        aob_text_add(page, "**Incomplete: %zu of %zu cases.**\n\n", run->asked - run->missing, run->asked);
+    else if (run->asked < run->planned)
+        aob_text_add(page, "**A part: %zu of %zu cases.**\n\n", run->asked, run->planned);
     if (row)
         add_machine(page, row);
     aob_text_add(page,

@@ -67,6 +67,13 @@ check "two of three parts are not all" test $? -eq 3
 cp -r good-2 good-2x
 "$program" report good-1 good-2 good-2x --out page --quiet
 check "nor if one is there twice" test $? -eq 3
+check "all are enough, one of them twice" "$program" report good-1 good-2 good-2x good-3 --out page --quiet --json page.json
+check "which counts once" jq -e '.planned == 42 and .ok == 42 and .cases == 42' page.json
+check "a part beside the whole adds nothing" "$program" report whole good-1 --out page --quiet --json page.json
+check "to what is planned" jq -e '.planned == 42 and .ok == 42' page.json
+sed '1s/"status": *"ok"/"status":"failed"/' good-2x/journal.jsonl >bad && cp bad good-2x/journal.jsonl
+"$program" report good-1 good-2 good-2x good-3 --out page --quiet
+check "what is bad in one of them is not good" test $? -eq 3
 check "all of them are" "$program" report good-1 good-2 good-3 --out page --quiet --json page.json
 check "each case counts once" jq -e '.planned == 42 and .ok == 42 and .cases == 42' page.json
 sed 's/time: false/seconds: 0.05/' sweep.yaml >timed.yaml

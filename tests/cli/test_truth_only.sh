@@ -17,7 +17,7 @@ techniques:
 YAML
 # What was traced or cast; the names are those of what it depends on.
 traced() { find "$1" -name 'gbuffer-*' -o -name 'visibility-*' | sed 's|.*/||' | sort; }
-digests() { (cd "$1" && find . -name 'gbuffer-*' -o -name 'visibility-*' | sort | xargs sha256sum); }
+marks() { (cd "$1" && find . -type f | sort | xargs stat -c '%n %i %y'); } # a file that is made again is another
 errors() { jq -cS '[.key, .errors, .sequence]' "$1/journal.jsonl" | sort; }
 
 export AOBUDGET_CACHE=$folder/fresh
@@ -32,12 +32,31 @@ check "one line says it" grep -q "^aobudget: 3 of 3 views have their truths in $
 check "there is no more" test "$(wc -l <told)" -eq 1
 check "it has made what the run needs, and nothing else" diff needed <(traced "$AOBUDGET_CACHE")
 check "no folder was made" test ! -e results
-digests "$AOBUDGET_CACHE" >before
+marks "$AOBUDGET_CACHE" >before
 "$program" run sweep.yaml --out with --quiet
 check "a run with" test $? -eq 3
-check "has traced nothing" diff before <(digests "$AOBUDGET_CACHE")
+check "has traced nothing" diff before <(marks "$AOBUDGET_CACHE")
 check "and has the same errors" diff <(errors without) <(errors with)
 check "36 of them have one" test "$(jq -c 'select(.error.rmse > 0)' with/journal.jsonl | wc -l)" -ge 36
+
+# A run of a part needs no more, whatever else is there: bent truths serve other cases too, but not where none is measured.
+export AOBUDGET_CACHE=$folder/bent
+sed 's/bent_normal: \[off, on\]/bent_normal: [on]/' sweep.yaml >bent.yaml
+check "truths of bent normals" "$program" run bent.yaml --truth-only --quiet
+check "then of all" "$program" run sweep.yaml --truth-only --quiet
+marks "$AOBUDGET_CACHE" >before
+"$program" run sweep.yaml --filter bent_normal=off --out plain --quiet
+check "a run of the others alone traces nothing" diff before <(marks "$AOBUDGET_CACHE")
+check "though it ran" test "$(jq -s "map(select(.status == \"ok\")) | length" plain/journal.jsonl)" -ge 12
+export AOBUDGET_CACHE=$folder/shards
+for i in 1 2 3; do check "truths of shard $i" "$program" run sweep.yaml --truth-only --shard $i/3 --quiet; done
+check "are those of all" diff needed <(traced "$AOBUDGET_CACHE")
+
+# A technique that cannot be asked is no technique that needs nothing.
+{ sed '/sweep:/d; s/backends: .*/backends: ["null"]/; /^options/d' sweep.yaml; echo '  - {name: crash_build}'; } >crash.yaml
+"$program" run crash.yaml --truth-only --module "$AOBUDGET_BUILD/tests/modules/crash_build.so" --quiet --json crash.json 2>told
+check "its death is told" test $? -eq 3 -a "$(grep -c crash_build told)" -ge 1
+check "in the document too" jq -e '.views == 3 and (.failed | length) == 1' crash.json
 
 # A shard or a filter has fewer views; what another technique claims is its own.
 export AOBUDGET_CACHE=$folder/part
@@ -55,8 +74,9 @@ sed -i 's/{name: corner, view: front}, //' empty.yaml
 check "none is left: a usage error" test $? -eq 2
 check "and a line says it" grep -q 'no view of empty.yaml has its truths: the warnings say why' told
 
-expect 2 "run: --truth-only makes no folder and times nothing: it takes no --out" "$program" run sweep.yaml --truth-only --out x
+expect 2 "run: --truth-only makes no folder, times nothing and opens no device: it takes no --out" "$program" run sweep.yaml --truth-only --out x
 expect 2 "run: --truth-only makes no folder" "$program" run sweep.yaml --truth-only --fresh
+expect 2 "run: --truth-only makes no folder" "$program" run sweep.yaml --truth-only --device 1
 expect 2 "no case of sweep.yaml matches 'nix'" "$program" run sweep.yaml --truth-only --filter nix
 { sed '/^options/d; /sweep:/d; s/^reference.*/effects: auto/' sweep.yaml; echo '  - {name: gtao}'; } >auto.yaml
 expect 2 "auto.yaml: effects: auto chooses its cases by what it measures" "$program" run auto.yaml --truth-only
