@@ -92,6 +92,11 @@ static double within(double t, size_t freedom)
     return odd ? 2 / M_PI * (angle + sin(angle) * sum) : sin(angle) * sum;
 }
 
+double aob_student_tail(double t, size_t freedom)
+{
+    return 1 - within(t, freedom);
+}
+
 double aob_student(double alpha, size_t freedom)
 {
     double low = 0, high = 2;

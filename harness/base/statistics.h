@@ -17,6 +17,9 @@ bool aob_median_interval(const double *x, size_t n, double *low, double *high);
  * 1. */
 double aob_student(double alpha, size_t freedom);
 
+/* P(|T| > t), t >= 0 or infinite: what aob_student is the inverse of. */
+double aob_student_tail(double t, size_t freedom);
+
 /* The ratio of two costs from paired rounds is exp of the median of ln(a_i/b_i); its interval is the one above,
  * carried through exp. The pairing removes what both sides of a round share (drift, load). */
 struct aob_ratio {

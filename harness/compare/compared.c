@@ -14,17 +14,24 @@ static const char *folder_of(const struct aob_compared_table *table, const struc
     return table->rows->runs[row->run].folder;
 }
 
-static void compare_costs(struct aob_compared_table *table)
+void aob_compared_cost(struct aob_compared_table *table)
 {
-    size_t used = 0;
+    table->items = AOB_NEW_ARRAY(struct aob_compared, table->couples->count + 1);
     for (size_t i = 0; i < table->couples->count; i++) {
         struct aob_compared *item = &table->items[i];
         const struct aob_couple *couple = item->couple = &table->couples->items[i];
         const struct aob_cost_side a = {folder_of(table, couple->a), couple->a->json},
                                    b = {folder_of(table, couple->b), couple->b->json};
-        used += aob_cost_compare(&a, &b, &item->cost, &item->unfit);
+        aob_cost_compare(&a, &b, &item->cost, &item->unfit);
     }
-    table->alpha = aob_compare_alpha(used);
+}
+
+static void widen(struct aob_compared_table *table, double alpha)
+{
+    size_t used = 0;
+    for (size_t i = 0; i < table->couples->count; i++)
+        used += !*table->items[i].unfit.text;
+    table->alpha = alpha > 0 ? alpha : aob_compare_alpha(used);
     for (size_t i = 0; i < table->couples->count; i++) {
         struct aob_compared *item = &table->items[i];
         item->wide = aob_widen(&item->cost.cost, item->cost.processes, table->alpha);
@@ -189,12 +196,11 @@ static void find_blame(const struct aob_compared_table *table)
     free(blames);
 }
 
-bool aob_compared_judge(struct aob_compared_table *table, struct aob_error *error)
+bool aob_compared_judge(struct aob_compared_table *table, double alpha, struct aob_error *error)
 {
     bool ok = true;
-    table->items = AOB_NEW_ARRAY(struct aob_compared, table->couples->count + 1);
     discard_maps(table);
-    compare_costs(table);
+    widen(table, alpha);
     for (size_t i = 0; i < table->couples->count && ok; i++) {
         struct aob_compared *item = &table->items[i];
         ok = compare_images(table, item, error);

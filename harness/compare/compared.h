@@ -29,13 +29,16 @@ struct aob_compared_table {
     double precision;                  /* the difference that is asked for, a share */
     bool same_program;                 /* that measured A and B */
     struct aob_compared *items;
-    double alpha; /* of the whole table, over as many as have a cost */
+    double alpha; /* of each interval (aob_compared_judge) */
 };
 
-/* Fills in items and alpha; aob_compared_finish frees the items. Writes the maps of what moved as EXR files, in place of
- * those of an earlier comparison. False with a
- * line if one of these cannot be written. */
-bool aob_compared_judge(struct aob_compared_table *table, struct aob_error *error);
+/* Makes the items, each with its couple and what that costs; aob_compared_finish frees them. */
+void aob_compared_cost(struct aob_compared_table *table);
+
+/* What is said of each item. An interval misses the truth with the probability `alpha`; 0: with that of a table in which one
+ * of all does so with AOB_COMPARE_ALPHA (quotient.h). Writes the maps of what moved as EXR files, in place of those of an
+ * earlier comparison. False with a line if one of these cannot be written. */
+bool aob_compared_judge(struct aob_compared_table *table, double alpha, struct aob_error *error);
 void aob_compared_finish(struct aob_compared_table *table);
 
 /* Draws the maps: a picture (.png) and a file for ParaView (.vti) each, by aobudget-plot, which is beside `program`. What

@@ -13,6 +13,10 @@ double aob_compare_alpha(size_t comparisons);
  * Student's quantiles with processes - 1 degrees of freedom. Unbounded for fewer than two processes. */
 struct aob_ratio aob_widen(const struct aob_ratio *ratio, size_t processes, double alpha);
 
+/* The p-value of "both cost the same": the alpha at which the interval that aob_widen makes ends at 1, two-sided. 1 where the
+ * ratio is 1; NAN for what is unbounded, or fewer than two processes. */
+double aob_ratio_p(const struct aob_ratio *ratio, size_t processes);
+
 /* The half-width that an interval of 95 % would have at the level 1 - alpha, as a logarithm to its wider side, if what
  * it is made of were known from many processes: the normal quantile in place of Student's. What it owes to few processes
  * at 95 % is still in it, so it is an upper bound. INFINITY where it is not bounded. */

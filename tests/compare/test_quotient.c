@@ -66,9 +66,35 @@ static void test_no_interval(void **state)
     assert_near(same.high, 1.1, 1e-9);
 }
 
+/* Any printed table of Student's t: with 4 degrees of freedom 2.776 is exceeded in 5 %, 4.604 in 1 %, 8.610 in .1 %. The
+ * interval of 95 % ends at 2.776 standard errors, so a ratio that lies 4.604 of them beside 1 has a p-value of 1 %. */
+static void test_p_value(void **state)
+{
+    (void)state;
+    const struct {
+        double t, p;
+    } rows[] = {{2.776, 0.05}, {4.604, 0.01}, {8.610, 0.001}};
+    for (size_t i = 0; i < 3; i++) {
+        double se = 0.01, off = rows[i].t * se, half = 2.776 * se;
+        struct aob_ratio dearer = {exp(off), exp(off - half), exp(off + 3 * half), true};
+        struct aob_ratio cheaper = {exp(-off), exp(-off - 3 * half), exp(-off + half), true};
+        assert_near(aob_ratio_p(&dearer, 5), rows[i].p, rows[i].p * 2e-3);
+        assert_near(aob_ratio_p(&cheaper, 5), rows[i].p, rows[i].p * 2e-3);
+    }
+    struct aob_ratio exact = {1.1, 1.1, 1.1, true}, equal = {1, 0.9, 1.1, true};
+    assert_near(aob_ratio_p(&exact, 5), 0, 1e-15);
+    assert_near(aob_ratio_p(&equal, 5), 1, 1e-15);
+    equal.low = equal.high = 1; /* an exact clock */
+    assert_near(aob_ratio_p(&equal, 5), 1, 1e-15);
+    assert_true(isnan(aob_ratio_p(&exact, 1)));
+    exact.bounded = false;
+    assert_true(isnan(aob_ratio_p(&exact, 5)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_tables_of_equal_costs),
-                                       cmocka_unit_test(test_lasting), cmocka_unit_test(test_no_interval)};
+                                       cmocka_unit_test(test_lasting), cmocka_unit_test(test_p_value),
+                                       cmocka_unit_test(test_no_interval)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
