@@ -13,7 +13,8 @@ static void choose_sides(struct aob_contest *c)
         c->sides[side] = AOB_NEW_ARRAY(const struct aob_row *, c->rows.count + 1);
         for (size_t i = 0; i < c->rows.count; i++) {
             const struct aob_row *row = &c->rows.list[i];
-            if (row->run == run && (!c->modules[side] || strcmp(row->module, c->modules[side]) == 0))
+            bool named = !c->keys || side == 0 || aob_table_find(c->keys, row->key, NULL);
+            if (row->run == run && named && (!c->modules[side] || strcmp(row->module, c->modules[side]) == 0))
                 c->sides[side][c->counts[side]++] = row;
         }
     }

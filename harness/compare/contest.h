@@ -1,6 +1,7 @@
 /* A contest: one table, from its two sides to what is said of them. */
 #ifndef AOB_COMPARE_CONTEST_H
 #define AOB_COMPARE_CONTEST_H
+#include "base/table.h"
 #include "compared.h"
 #include "couple.h"
 
@@ -8,8 +9,9 @@ struct aob_contest {        /* the caller sets the first part, zeroes the rest, 
     const char *names[2];   /* of its sides */
     const char *folders[2]; /* the runs that these are in: one and NULL, or two */
     const char *modules[2]; /* whose cases of those runs they are; NULL: all */
-    const char *maps;       /* the folder that the maps of what moved go to */
-    double precision;       /* the difference that counts, a share; 0: AOB_COMPARE_PRECISION */
+    const struct aob_table *keys; /* of the cases of B; NULL: all */
+    const char *maps;             /* the folder that the maps of what moved go to */
+    double precision;             /* the difference that counts, a share; 0: AOB_COMPARE_PRECISION */
 
     struct aob_rows rows;
     const struct aob_row **sides[2];

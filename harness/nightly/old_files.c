@@ -1,0 +1,53 @@
+#include "old_files.h"
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "base/file.h"
+#include "base/memory.h"
+#include "base/text.h"
+
+static const char *file_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+static char *find_given(const char *given, const char *module)
+{
+    struct stat info;
+    if (!given)
+        return NULL;
+    if (stat(given, &info) != 0 || !S_ISDIR(info.st_mode))
+        return aob_strdup(given);
+    char *path = aob_path_join(given, file_name(module));
+    if (aob_file_exists(path))
+        return path;
+    free(path);
+    return NULL;
+}
+
+/* OLD/DIGEST/gtao.so: two builds of one module may be asked for. */
+static char *write_kept(const struct aob_old_files *files, const struct aob_point *old,
+                        struct aob_error *error)
+{
+    char *folder = aob_path_join(files->folder, old->build),
+         *path = aob_path_join(folder, file_name(old->module));
+    bool ok =
+        aob_folder_create(folder, error) && aob_night_module_write(files->history, old->build, path, error);
+    free(folder);
+    if (ok)
+        return path;
+    free(path);
+    return NULL;
+}
+
+char *aob_old_files_find(const struct aob_old_files *files, const struct aob_point *old,
+                         const struct aob_point *now, struct aob_error *error)
+{
+    if (!*now->module) {
+        aob_fail(error, "it is built into the program, so no old build of it can be set beside it");
+        return NULL;
+    }
+    char *given = find_given(files->given, now->module);
+    return given ? given : write_kept(files, old, error);
+}

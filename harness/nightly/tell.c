@@ -1,0 +1,206 @@
+#include "tell.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/file.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "reports/trend/night_page.h"
+#include "reports/trend/trend.h"
+
+/* Worst first. First cases and such as did not stand out are counted only. */
+static const enum aob_night_verdict ranks[] = {AOB_NIGHT_BROKEN, AOB_NIGHT_SLOWER,  AOB_NIGHT_MOVED,
+                                               AOB_NIGHT_OPEN,   AOB_NIGHT_MACHINE, AOB_NIGHT_CHANGED,
+                                               AOB_NIGHT_FASTER, AOB_NIGHT_OUTLIER};
+
+static struct aob_night_item item_of(const struct aob_suspect *s)
+{
+    return (struct aob_night_item){.line = s->line,
+                                   .now = s->now,
+                                   .before = s->before,
+                                   .verdict = s->verdict,
+                                   .said = s->said,
+                                   .before_ratio = s->watch.before,
+                                   .after_ratio = s->watch.before * s->watch.shift,
+                                   .beside = s->beside,
+                                   .low = s->low,
+                                   .high = s->high,
+                                   .map = s->map};
+}
+
+/* Of each verdict what is worse comes before what is not. `items` has room for all. */
+static size_t gather(const struct aob_suspects *suspects, struct aob_night_item *items)
+{
+    size_t count = 0;
+    for (size_t r = 0; r < AOB_COUNT(ranks); r++)
+        for (int worse = 1; worse >= 0; worse--)
+            for (size_t i = 0; i < suspects->count; i++) {
+                const struct aob_suspect *s = &suspects->items[i];
+                if (s->verdict == ranks[r] && (s->outcome == AOB_OUTCOME_WORSE) == worse)
+                    items[count++] = item_of(s);
+            }
+    return count;
+}
+
+static size_t count_verdict(const struct aob_suspects *suspects, enum aob_night_verdict verdict)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < suspects->count; i++)
+        count += suspects->items[i].verdict == verdict;
+    return count;
+}
+
+static size_t count_outcome(const struct aob_suspects *suspects, enum aob_outcome outcome)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < suspects->count; i++)
+        count += suspects->items[i].outcome == outcome;
+    return count;
+}
+
+static size_t count_good(const struct aob_suspects *suspects)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < suspects->count; i++)
+        count += strcmp(suspects->items[i].now->status, "ok") == 0;
+    return count;
+}
+
+static size_t count_suspects(const struct aob_suspects *suspects)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < suspects->count; i++)
+        count += aob_suspect_stands_out(&suspects->items[i]);
+    return count;
+}
+
+json_t *aob_night_summary(const struct aob_night_told *told)
+{
+    struct aob_text line = {0};
+    json_t *counts = json_object();
+    for (size_t r = 0; r < AOB_COUNT(ranks); r++) {
+        size_t count = count_verdict(told->suspects, ranks[r]);
+        json_object_set_new(counts, aob_night_verdict_names[ranks[r]], json_integer((json_int_t)count));
+        if (count)
+            aob_text_add(&line, "%s%zu %s", line.size ? ", " : "", count, aob_night_verdict_names[ranks[r]]);
+    }
+    json_t *summary =
+        json_pack("{s:s, s:i, s:i, s:i, s:o}", "line", line.size ? line.data : "nothing changed", "worse",
+                  (int)count_outcome(told->suspects, AOB_OUTCOME_WORSE), "open",
+                  (int)count_outcome(told->suspects, AOB_OUTCOME_OPEN), "first",
+                  (int)count_verdict(told->suspects, AOB_NIGHT_FIRST), "verdicts", counts);
+    aob_text_finish(&line);
+    return summary;
+}
+
+enum aob_exit aob_night_code(const struct aob_night_told *told)
+{
+    if (count_outcome(told->suspects, AOB_OUTCOME_WORSE))
+        return AOB_EXIT_BAD;
+    return told->partial || count_outcome(told->suspects, AOB_OUTCOME_OPEN) ? AOB_EXIT_PART : AOB_EXIT_OK;
+}
+
+static json_t *item_to_json(const struct aob_night_item *item, enum aob_outcome outcome)
+{
+    static const char *const outcomes[] = {"good", "worse", "open"};
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:s}", "series", item->line->series,
+                     "case", item->line->text, "verdict", aob_night_verdict_names[item->verdict], "outcome",
+                     outcomes[outcome], "said", item->said, "before", aob_json_number(item->before_ratio),
+                     "after", aob_json_number(item->after_ratio), "beside", aob_json_number(item->beside),
+                     "low", aob_json_number(item->low), "high", aob_json_number(item->high), "map",
+                     item->map ? item->map : "");
+}
+
+static bool write_document(const struct aob_night_told *told, struct aob_error *error)
+{
+    json_t *document = aob_night_summary(told), *cases = json_array();
+    if (!told->desc->json) {
+        json_decref(document);
+        json_decref(cases);
+        return true;
+    }
+    for (size_t i = 0; i < told->suspects->count; i++) {
+        const struct aob_suspect *s = &told->suspects->items[i];
+        struct aob_night_item item = item_of(s);
+        if (*s->said)
+            json_array_append_new(cases, item_to_json(&item, s->outcome));
+    }
+    json_object_set_new(document, "night", json_integer(told->start->id));
+    json_object_set_new(document, "date", json_string(told->start->date));
+    json_object_set_new(document, "folder", aob_json_text(told->start->folder));
+    json_object_set_new(document, "watched", json_integer((json_int_t)told->suspects->watched));
+    json_object_set_new(document, "suspects", json_integer((json_int_t)count_suspects(told->suspects)));
+    json_object_set_new(document, "cases", cases);
+    bool ok = aob_json_write(document, told->desc->json, error);
+    json_decref(document);
+    return ok;
+}
+
+static bool write_trend(const struct aob_night_told *told, struct aob_error *error)
+{
+    struct aob_nights nights = {0};
+    struct aob_lines lines = {0};
+    char *folder = aob_path_join(told->start->out, "trend");
+    const struct aob_lines_ask ask = {.config = told->start->name};
+    bool ok = aob_folder_create(folder, error) &&
+              aob_nights_read(told->history, told->start->name, &nights, error) &&
+              aob_lines_read(told->history, &ask, &lines, error) &&
+              aob_trend_write(&(struct aob_trend_desc){&lines, &nights, folder, told->start->name}, error);
+    aob_lines_finish(&lines);
+    aob_nights_finish(&nights);
+    free(folder);
+    return ok;
+}
+
+static bool write_page(const struct aob_night_told *told, const struct aob_night_page *page,
+                       struct aob_text *out, struct aob_error *error)
+{
+    struct aob_text markdown = {0};
+    bool ok = aob_night_page_write(page, told->start->folder, error);
+    aob_night_page_screen(page, out);
+    aob_night_page_markdown(page, &markdown);
+    ok = ok &&
+         (!told->desc->markdown || aob_file_write(told->desc->markdown, markdown.data, markdown.size, error));
+    aob_text_finish(&markdown);
+    return ok;
+}
+
+/* The first cause stands for all; each case has its own. */
+static char *note_of(const struct aob_night_item *items, size_t count)
+{
+    size_t open = 0;
+    const char *first = "";
+    for (size_t i = 0; i < count; i++)
+        if (items[i].verdict == AOB_NIGHT_OPEN && !open++)
+            first = items[i].said;
+    if (!open)
+        return NULL;
+    struct aob_text text = {0};
+    aob_text_add(&text, "%zu could not be decided: %s", open, first);
+    return text.data;
+}
+
+bool aob_night_tell(const struct aob_night_told *told, struct aob_text *out, struct aob_error *error)
+{
+    const struct aob_night_start *start = told->start;
+    struct aob_night_item *items = AOB_NEW_ARRAY(struct aob_night_item, told->suspects->count + 1);
+    size_t count = gather(told->suspects, items);
+    char *report = aob_path_join(start->run, "report/index.html"), *absolute = aob_path_absolute(report);
+    char *note = note_of(items, count);
+    const struct aob_night_page page = {.title = start->name,
+                                        .date = start->date,
+                                        .old_note = note,
+                                        .cases = told->suspects->count,
+                                        .ok = count_good(told->suspects),
+                                        .watched = told->suspects->watched,
+                                        .suspects = count_suspects(told->suspects),
+                                        .items = items,
+                                        .count = count,
+                                        .trend = "../trend/index.html",
+                                        .run_page = start->measured ? absolute : "report/index.html"};
+    bool ok = write_trend(told, error) && write_page(told, &page, out, error) && write_document(told, error);
+    free(note);
+    free(report);
+    free(absolute);
+    free(items);
+    return ok;
+}
