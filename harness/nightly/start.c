@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/member.h"
+#include "base/memory.h"
 #include "config/config.h"
 
 /* What a night is of. */
@@ -165,7 +166,7 @@ static bool begin(struct aob_history *history, const struct subject *subject, st
 bool aob_night_start(struct aob_history *history, const struct aob_nightly_desc *desc,
                      struct aob_night_start *start, struct aob_error *error)
 {
-    struct subject subject = {{0}};
+    struct subject subject = {"", "", ""};
     start->measured = is_folder(desc->config);
     if (!(start->measured ? subject_of_run(desc->config, &subject, error)
                           : subject_of_config(desc, &subject, error)))
