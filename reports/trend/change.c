@@ -1,0 +1,127 @@
+#include "change.h"
+#include <math.h>
+#include <stdlib.h>
+#include "base/memory.h"
+
+/* Levels are fitted anew each night, so a border may lie elsewhere than when a verdict was given on it. */
+#define NEAR_DOTS 2
+
+/* Which of two verdicts on one change stands: what was decided before what was not. */
+static int rank_of(int64_t verdict)
+{
+    switch (verdict) {
+    case AOB_NIGHT_SLOWER:
+    case AOB_NIGHT_FASTER:
+        return 3;
+    case AOB_NIGHT_MACHINE:
+        return 2;
+    case AOB_NIGHT_OPEN:
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+static size_t since_of(const struct aob_trend_series *series, size_t told)
+{
+    size_t night = aob_trend_calendar_place(series->calendar, series->dots[told].point->since);
+    for (size_t i = 0; night != SIZE_MAX && i < told; i++)
+        if (series->dots[i].night >= night)
+            return i;
+    return told;
+}
+
+static double level_before(const struct aob_trend_series *series, size_t dot)
+{
+    while (dot-- > 0)
+        if (series->dots[dot].level != SIZE_MAX)
+            return series->levels.values[series->dots[dot].level];
+    return NAN;
+}
+
+static void tell(struct aob_trend_change *change, size_t told)
+{
+    int64_t verdict = change->series->dots[told].point->verdict;
+    if (change->told != SIZE_MAX && rank_of(verdict) < rank_of((int64_t)change->verdict))
+        return;
+    change->told = told;
+    change->verdict = (enum aob_night_verdict)verdict;
+}
+
+/* The series' change of cost that began at that dot or near it; NULL: none so far. */
+static struct aob_trend_change *find_change(struct aob_trend_changes *changes, size_t first, size_t since)
+{
+    for (size_t i = first; i < changes->count; i++) {
+        struct aob_trend_change *change = &changes->items[i];
+        size_t off = change->since > since ? change->since - since : since - change->since;
+        if (off <= NEAR_DOTS && isfinite(change->before))
+            return change;
+    }
+    return NULL;
+}
+
+static void add_told(struct aob_trend_changes *changes, const struct aob_trend_series *series, size_t first,
+                     size_t told)
+{
+    const struct aob_point *point = series->dots[told].point;
+    bool of_cost = rank_of(point->verdict) > 0;
+    size_t since = of_cost ? since_of(series, told) : told;
+    if (!of_cost && point->verdict != AOB_NIGHT_MOVED && point->verdict != AOB_NIGHT_BROKEN)
+        return;
+    struct aob_trend_change *change = of_cost ? find_change(changes, first, since) : NULL;
+    if (!change) {
+        change = AOB_PUSH(changes->items, changes->count, changes->capacity);
+        *change = (struct aob_trend_change){series, since, SIZE_MAX, AOB_NIGHT_NONE, NAN, NAN};
+        if (of_cost) {
+            change->before = level_before(series, since);
+            change->after = point->ratio;
+        }
+    }
+    tell(change, told);
+}
+
+static void find_in(struct aob_trend_changes *changes, const struct aob_trend_series *series)
+{
+    const struct aob_levels *levels = &series->levels;
+    size_t first = changes->count;
+    for (size_t k = 1; k < levels->count; k++)
+        *AOB_PUSH(changes->items, changes->count, changes->capacity) = (struct aob_trend_change){
+            series, levels->starts[k], SIZE_MAX, AOB_NIGHT_NONE, levels->values[k - 1], levels->values[k]};
+    for (size_t i = 0; i < series->count; i++)
+        add_told(changes, series, first, i);
+}
+
+static double day_of(const struct aob_trend_change *change)
+{
+    return floor(change->series->calendar->days[change->series->dots[change->since].night]);
+}
+
+static double size_of(const struct aob_trend_change *change)
+{
+    double size = fabs(log(change->after / change->before));
+    return change->verdict == AOB_NIGHT_BROKEN ? INFINITY : isfinite(size) ? size : -1;
+}
+
+static int greater_first(double a, double b)
+{
+    return (a < b) - (a > b);
+}
+
+static int compare(const void *a, const void *b)
+{
+    const struct aob_trend_change *p = a, *q = b;
+    int order = greater_first(day_of(p), day_of(q));
+    if (!order)
+        order = greater_first(size_of(p), size_of(q));
+    if (!order)
+        order = (p->series > q->series) - (p->series < q->series);
+    return order ? order : (p->since > q->since) - (p->since < q->since);
+}
+
+void aob_trend_changes_find(const struct aob_trend_model *model, struct aob_trend_changes *changes)
+{
+    for (size_t i = 0; i < model->count; i++)
+        find_in(changes, &model->series[i]);
+    if (changes->count)
+        qsort(changes->items, changes->count, sizeof *changes->items, compare);
+}
