@@ -129,8 +129,9 @@ static enum aob_exit compare_with_stored(const struct aob_compare_desc *desc, st
                                          struct aob_error *error)
 {
     struct aob_old_module stored = {0};
-    enum aob_exit code = aob_old_module_find(&stored, desc, error) ? compare_builds(desc, &stored, out, error)
-                                                                   : AOB_EXIT_USAGE;
+    enum aob_exit code = aob_old_module_find(&stored, desc, NULL, error)
+                             ? compare_builds(desc, &stored, out, error)
+                             : AOB_EXIT_USAGE;
     aob_old_module_finish(&stored);
     return code;
 }

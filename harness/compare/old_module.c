@@ -17,15 +17,16 @@ static bool is_wanted(const struct aob_compare_desc *desc, const struct aob_tech
     return false;
 }
 
-/* The first entry of run.json's techniques that is of a module and has a name of the new one's. */
+/* The first entry of run.json's techniques that is of the module, or of any, and has a name of the new one's. */
 static const json_t *find_technique(const json_t *info, const struct aob_compare_desc *desc,
-                                    const struct aob_technique_list *list)
+                                    const char *module, const struct aob_technique_list *list)
 {
     json_t *entry;
     size_t at;
     json_array_foreach(json_object_get(info, "techniques"), at, entry)
     {
-        if (*aob_member_text(entry, "module") && *aob_member_text(entry, "digest") &&
+        const char *own = aob_member_text(entry, "module");
+        if (*own && (!module || strcmp(own, module) == 0) && *aob_member_text(entry, "digest") &&
             is_wanted(desc, list, aob_member_text(entry, "name")))
             return entry;
     }
@@ -102,16 +103,15 @@ static bool read_records(struct aob_old_module *stored, const struct aob_compare
     return ok;
 }
 
-static bool find(struct aob_old_module *stored, const struct aob_compare_desc *desc,
+static bool find(struct aob_old_module *stored, const struct aob_compare_desc *desc, const char *module,
                  const struct aob_technique_list *list, const json_t *info, struct aob_error *error)
 {
-    const json_t *technique = find_technique(info, desc, list);
+    const json_t *technique = find_technique(info, desc, module, list);
     struct aob_error cause = {{0}};
     if (!technique)
-        return aob_fail(
-            error,
-            "%s has no technique of %s that came from a module: measure both builds, compare A.so B.so",
-            desc->sides[0], desc->sides[1]);
+        return aob_fail(error,
+                        "%s has no technique of %s that came from %s: measure both builds, compare A.so B.so",
+                        desc->sides[0], desc->sides[1], module ? module : "a module");
     stored->name = aob_strdup(aob_member_text(technique, "module"));
     if (!find_config(stored, desc->sides[0], info, &cause) && !desc->config)
         return aob_fail(error, "%s: name the cases with --config FILE", cause.text);
@@ -121,7 +121,7 @@ static bool find(struct aob_old_module *stored, const struct aob_compare_desc *d
 }
 
 bool aob_old_module_find(struct aob_old_module *stored, const struct aob_compare_desc *desc,
-                         struct aob_error *error)
+                         const char *module, struct aob_error *error)
 {
     const struct aob_modules modules = {&desc->sides[1], &desc->sides[1], 1, 0};
     struct aob_technique_list list;
@@ -130,7 +130,7 @@ bool aob_old_module_find(struct aob_old_module *stored, const struct aob_compare
         return false;
     char *path = aob_path_join(desc->sides[0], "run.json");
     json_t *info = json_load_file(path, 0, &json);
-    bool ok = info ? find(stored, desc, &list, info, error)
+    bool ok = info ? find(stored, desc, module, &list, info, error)
                    : aob_fail(error, "%s: %s; is it the folder of a run?", path, json.text);
     json_decref(info);
     free(path);

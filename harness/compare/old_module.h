@@ -13,9 +13,10 @@ struct aob_old_module { /* zero it first; aob_old_module_finish frees */
     json_t *records; /* of the module's techniques that the new one has */
 };
 
-/* Of the run sides[0], for the module sides[1]. False after a line if the run has none of its techniques from a module, has
+/* Of the run sides[0], for the module sides[1]: the one that its records call `module`; NULL: the first that has a technique of
+ * a name that sides[1] has. False after a line if the run has none of its techniques from a module, has
  * no copy of its config where none is given, or if the old module's file is not there any more or is another build now. */
 bool aob_old_module_find(struct aob_old_module *stored, const struct aob_compare_desc *desc,
-                         struct aob_error *error);
+                         const char *module, struct aob_error *error);
 void aob_old_module_finish(struct aob_old_module *stored);
 #endif

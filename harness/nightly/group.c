@@ -62,9 +62,7 @@ static bool measure(const struct aob_group *group, const struct aob_nightly_desc
                                              .seconds = seconds_of(group, desc),
                                              .quiet = true};
     struct aob_old_module stored = {0};
-    bool ok = aob_old_module_find(&stored, &compare, error);
-    if (ok && strcmp(stored.name, group->module) != 0)
-        ok = aob_fail(error, "%s has techniques of %s and not of %s", group->old, stored.name, group->module);
+    bool ok = aob_old_module_find(&stored, &compare, group->module, error);
     if (ok) {
         leave_suspects(group, &stored);
         ok = aob_builds_measure_again(&compare, &stored, group->folder, error);

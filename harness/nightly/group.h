@@ -19,7 +19,7 @@ struct aob_group {
     struct aob_contest contest;
     bool ready; /* the contest has been read */
 };
-struct aob_groups { /* zero it first */
+struct aob_groups {          /* zero it first */
     struct aob_group **list; /* each stays where it is, since a contest points into itself */
     size_t count, capacity;
 };
