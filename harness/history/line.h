@@ -19,22 +19,29 @@ struct aob_point {
     double ref_ms;            /* of the fixed pass */
     double memory_bytes;
     double rmse, band_rmse, reference_se, band_pixels; /* against the case's own target */
+    double target_radius;                              /* of that target, scene units */
+    char *target_weighting;                            /* "cosine", "uniform"; "" without a target */
+    char *reference;                                   /* "ray-traced", "screen"; "" without a target */
     int verdict;                                       /* enum aob_night_verdict below */
     int64_t since; /* the night in which the level that it tells of began; 0: none */
     char *said;    /* the sentence of that; "" */
-    json_t *
-        figures; /* {"flip": 0.01, "cache.ps4.l2.most.miss_ratio": 0.2}: every metric of the own target and every cache
-                        figure, named as the columns of cases.csv; NULL unless they were asked for */
+    /* {"flip": 0.01, "cache.ps4.l2.most.miss_ratio": 0.2}: every metric against the own target and every cache figure, named
+     * as the columns of cases.csv; infinity is "inf", and what is not known is absent. NULL unless they were asked for. */
+    json_t *figures;
 };
+
+/* A series in another config, and on another class, is another line: times of two clocks never mix in one. Where a night has
+ * several builds of a technique, the cases of each module's file are a line. */
 struct aob_line {
     int64_t id;
-    char series[AOB_KEY_SIZE];
-    char *
-        class_name; /* of machine, device, driver, threads, clock and fixed pass: "cpu, 2 x AMD EPYC ..., llvmpipe ..." */
-    char *config;                                    /* name of the config whose nights it is in */
+    char series[AOB_KEY_SIZE]; /* a key, where no night's case reached a device */
+    char *class_name; /* "cpu, 2 x AMD EPYC, llvmpipe, Mesa 22.3.6, fixed pass 1, 2 threads, cpu time" */
+    char *config;     /* its name */
     char *scene, *view, *technique, *backend, *size; /* size: "480x270" */
+    char *params, *options;                          /* every one, as in cases.csv: "radius=0.5 slices=3" */
+    char *module; /* the file, where builds had to be told apart; else "" */
     char *
-        text; /* "corner/front gtao radius=0.5 vulkan 480x270": as tables call it; what is at default is left out if run.json tells */
+        text; /* as tables call it, without what is at its default: "corner/front gtao radius=1 vulkan 480x270" */
     struct aob_point *points; /* in the order of the nights, one a night at most */
     size_t count;
 };
@@ -63,7 +70,7 @@ enum aob_night_verdict {
     AOB_NIGHT_MACHINE, /* it stands out, and the module is the same, or is as fast as the old one beside it */
     AOB_NIGHT_OPEN,    /* it stood out, and could not be decided */
     AOB_NIGHT_BROKEN,  /* it ran the night before, and does not any more */
-    AOB_NIGHT_CHANGED, /* its image is the same, and its memory or cache figures are not */
+    AOB_NIGHT_CHANGED, /* cost and image are as before, and its memory or cache figures are not */
     AOB_NIGHT_VERDICTS
 };
 extern const char *const aob_night_verdict_names[]; /* lower-case words: "none", "first", "slower", ... */
