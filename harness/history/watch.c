@@ -1,0 +1,256 @@
+#include "watch.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "base/statistics.h"
+#include "level.h"
+
+/* No clock knows a ratio better; and an interval counts at least half as wide as the line's usual one, and at most four times,
+ * so that no point outweighs many. */
+static const double narrowest = 1e-3, least_share = 0.5, most_share = 4;
+/* A width beyond any shift; finite, as medians are taken of it. */
+static const double unknown = 1e6;
+
+/* The values of a line; the last one is tonight's. */
+struct values {
+    double *y, *weights, *halves; /* logarithms; 1 / width, bounded; half of the width as it is */
+    size_t *at;                   /* places of their points */
+    size_t n, start;              /* start: the first value since the restart */
+};
+
+/* k nights beside the level before them. */
+struct tail {
+    double before, shift, need; /* logarithms; need: what the shift must be beyond */
+    bool stands_out;
+};
+
+static void values_finish(struct values *v)
+{
+    free(v->y);
+    free(v->weights);
+    free(v->halves);
+    free(v->at);
+}
+
+static bool has_value(const struct aob_point *point)
+{
+    return point->status && strcmp(point->status, "ok") == 0 && isfinite(point->ratio) && point->ratio > 0;
+}
+
+/* `unknown` where it has no interval. */
+static double width_of(const struct aob_point *point)
+{
+    bool known = isfinite(point->high) && point->low > 0 && point->high >= point->low;
+    return known ? log(point->high / point->low) : unknown;
+}
+
+static void weigh(struct values *v, const struct aob_point *points)
+{
+    double *widths = AOB_NEW_ARRAY(double, v->n), usual = narrowest;
+    size_t known = 0;
+    for (size_t i = 0; i < v->n; i++) {
+        double width = width_of(&points[v->at[i]]);
+        v->halves[i] = 0.5 * width;
+        if (width < unknown)
+            widths[known++] = width;
+    }
+    if (known)
+        usual = fmax(aob_median(widths, known), narrowest);
+    for (size_t i = 0; i < v->n; i++)
+        v->weights[i] = 1 / fmin(fmax(2 * v->halves[i], least_share * usual), most_share * usual);
+    free(widths);
+}
+
+/* The night in which the level began that the latest decided verdict tells of; INT64_MIN: none. */
+static int64_t restart_of(const struct aob_point *points, size_t earlier)
+{
+    for (size_t i = earlier; i-- > 0;) {
+        int verdict = points[i].verdict;
+        bool decided = verdict == AOB_NIGHT_SLOWER || verdict == AOB_NIGHT_FASTER ||
+                       verdict == AOB_NIGHT_MOVED || verdict == AOB_NIGHT_MACHINE;
+        if (decided && points[i].since)
+            return points[i].since;
+    }
+    return INT64_MIN;
+}
+
+/* The last point must have a value. */
+static struct values values_of(const struct aob_point *points, size_t count)
+{
+    struct values v = {AOB_NEW_ARRAY(double, AOB_WATCH_LINE),
+                       AOB_NEW_ARRAY(double, AOB_WATCH_LINE),
+                       AOB_NEW_ARRAY(double, AOB_WATCH_LINE),
+                       AOB_NEW_ARRAY(size_t, AOB_WATCH_LINE),
+                       0,
+                       0};
+    int64_t since = restart_of(points, count - 1);
+    size_t first = count, kept = 0;
+    while (first > 0 && kept < AOB_WATCH_LINE) {
+        first--;
+        kept +=
+            has_value(&points[first]) && (first + 1 == count || points[first].verdict != AOB_NIGHT_OUTLIER);
+    }
+    for (size_t i = first; i < count; i++) {
+        if (!has_value(&points[i]) || (i + 1 < count && points[i].verdict == AOB_NIGHT_OUTLIER))
+            continue;
+        v.start += points[i].night < since && i + 1 < count;
+        v.y[v.n] = log(points[i].ratio);
+        v.at[v.n++] = i;
+    }
+    weigh(&v, points);
+    return v;
+}
+
+/* Adds the distances of values [from, to) from their levels' medians. */
+static size_t add_distances(const struct values *v, size_t from, size_t to, const struct aob_levels *levels,
+                            double *distances, size_t count)
+{
+    for (size_t i = from, level = 0; i < to; i++) {
+        while (level + 1 < levels->count && levels->starts[level + 1] <= i - from)
+            level++;
+        distances[count++] = fabs(v->y[i] - levels->values[level]);
+    }
+    return count;
+}
+
+/* The noise of the line as a standard deviation; NAN: not known. `levels`: those from the restart to last night. */
+static double noise_of(const struct values *v, const struct aob_levels *levels)
+{
+    size_t last = v->n - 1, count = 0;
+    double *distances = AOB_NEW_ARRAY(double, v->n), noise = NAN;
+    struct aob_levels old;
+    aob_levels_fit(v->y, v->weights, v->start, &old);
+    count = add_distances(v, 0, v->start, &old, distances, count);
+    count = add_distances(v, v->start, last, levels, distances, count);
+    size_t taken = old.count + levels->count;
+    if (count >= taken + AOB_WATCH_KNOWN)
+        noise = 1.4826 * aob_median(distances, count) * sqrt((double)count / (double)(count - taken));
+    aob_levels_finish(&old);
+    free(distances);
+    return noise;
+}
+
+static int compare(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The median distance of the last k values from `before`; of an even number the nearer one. */
+static double shift_of(const double *y, size_t k, double before)
+{
+    double distances[AOB_WATCH_NIGHTS];
+    for (size_t i = 0; i < k; i++)
+        distances[i] = y[i] - before;
+    qsort(distances, k, sizeof *distances, compare);
+    double low = distances[(k - 1) / 2], high = distances[k / 2];
+    return fabs(low) < fabs(high) ? low : high;
+}
+
+/* How far a shift must lie away by what is known of errors; `m` values make the level before. */
+static double error_of(const struct values *v, size_t k, size_t m, double noise)
+{
+    double half = aob_median(v->halves + v->n - k, k) / sqrt((double)k), widest = 0;
+    double share = k == 1 ? 1 + M_PI / 2 / (double)m : M_PI / 2 * (1 / (double)k + 1 / (double)m);
+    for (size_t i = v->start; i + k < v->n; i++)
+        widest = fmax(widest, v->halves[i]);
+    return isnan(noise) ? half + widest : fmax(half, 3 * noise * sqrt(share));
+}
+
+/* `first` begins the level before. */
+static struct tail tail_of(const struct values *v, size_t first, size_t k, double noise, double least)
+{
+    size_t end = v->n - k, m = end - first;
+    struct tail tail = {.before = aob_level_value(v->y + first, v->weights + first, m)};
+    double tonight = v->y[v->n - 1] - tail.before;
+    tail.shift = shift_of(v->y + end, k, tail.before);
+    tail.need = fmax(log1p(least), error_of(v, k, m, noise));
+    tail.stands_out = fabs(tail.shift) > tail.need && fabs(tonight - tail.shift) < fabs(tonight) &&
+                      (k == 1 || (!isnan(noise) && m >= AOB_WATCH_KNOWN));
+    return tail;
+}
+
+/* Where the last level begins that is older than the nights that are set beside it: a younger one is what is asked about. */
+static size_t level_before(const struct values *v, const struct aob_levels *levels)
+{
+    size_t level = levels->count - 1;
+    while (level && v->start + levels->starts[level] + AOB_WATCH_NIGHTS >= v->n)
+        level--;
+    return v->start + levels->starts[level];
+}
+
+/* How many of the last `most` values are of the new level, if the others lie about `before`. */
+static size_t nights_since(const struct values *v, size_t most, double before)
+{
+    double best = INFINITY;
+    size_t nights = 1;
+    for (size_t k = 1; k <= most; k++) {
+        size_t start = v->n - k;
+        double cost = 0, after = aob_level_value(v->y + start, v->weights + start, k);
+        for (size_t i = v->n - most; i < v->n; i++)
+            cost += v->weights[i] * fabs(v->y[i] - (i < start ? before : after));
+        if (cost < best) {
+            best = cost;
+            nights = k;
+        }
+    }
+    return nights;
+}
+
+/* At least one value lies between the restart and tonight. */
+static void watch_values(const struct values *v, double least, struct aob_watch *watch)
+{
+    size_t last = v->n - 1, most = last - v->start < AOB_WATCH_NIGHTS ? last - v->start : AOB_WATCH_NIGHTS;
+    struct tail tails[AOB_WATCH_NIGHTS + 1] = {{0}}, *told = tails + 1;
+    struct aob_levels levels;
+    aob_levels_fit(v->y + v->start, v->weights + v->start, last - v->start, &levels);
+    double noise = noise_of(v, &levels), shift, beyond = 0;
+    size_t first = level_before(v, &levels);
+    for (size_t k = 1; k <= most; k++) {
+        tails[k] = tail_of(v, first, k, noise, least);
+        if (tails[k].stands_out && fabs(tails[k].shift) / tails[k].need > beyond) {
+            beyond = fabs(tails[k].shift) / tails[k].need;
+            told = tails + k;
+        }
+    }
+    shift = told->shift;
+    if (told->stands_out) {
+        size_t nights = nights_since(v, most, told->before);
+        watch->suspect = true;
+        watch->since = v->at[v->n - nights];
+        told = tails + nights;
+        shift = aob_level_value(v->y + v->n - nights, v->weights + v->n - nights, nights) - told->before;
+    }
+    watch->before = exp(told->before);
+    watch->shift = exp(shift);
+    watch->least = expm1(told->need);
+    aob_levels_finish(&levels);
+}
+
+void aob_watch_line(const struct aob_point *points, size_t count, double least, struct aob_watch *watch)
+{
+    *watch = (struct aob_watch){false, count ? count - 1 : 0, NAN, NAN, NAN};
+    if (count == 0 || !has_value(&points[count - 1]))
+        return;
+    struct values v = values_of(points, count);
+    if (v.start + 1 < v.n)
+        watch_values(&v, least, watch);
+    values_finish(&v);
+}
+
+void aob_watch_discover(const double *p, size_t count, double q, bool *found)
+{
+    double *sorted = AOB_NEW_ARRAY(double, count + 1), largest = -1;
+    size_t tested = 0;
+    for (size_t i = 0; i < count; i++)
+        if (!isnan(p[i]))
+            sorted[tested++] = p[i];
+    qsort(sorted, tested, sizeof *sorted, compare);
+    for (size_t i = 0; i < tested; i++)
+        if (sorted[i] <= q * (double)(i + 1) / (double)tested)
+            largest = sorted[i];
+    for (size_t i = 0; i < count; i++)
+        found[i] = p[i] <= largest;
+    free(sorted);
+}
