@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/memory.h"
+#include "fit.h"
 
 /* Levels are fitted anew each night, so a border may lie elsewhere than when a verdict was given on it. */
 #define NEAR_DOTS 2
@@ -22,15 +23,6 @@ static int rank_of(int64_t verdict)
     }
 }
 
-static size_t since_of(const struct aob_trend_series *series, size_t told)
-{
-    size_t night = aob_trend_calendar_place(series->calendar, series->dots[told].point->since);
-    for (size_t i = 0; night != SIZE_MAX && i < told; i++)
-        if (series->dots[i].night >= night)
-            return i;
-    return told;
-}
-
 static double level_before(const struct aob_trend_series *series, size_t dot)
 {
     while (dot-- > 0)
@@ -48,16 +40,20 @@ static void tell(struct aob_trend_change *change, size_t told)
     change->verdict = (enum aob_night_verdict)verdict;
 }
 
-/* The series' change of cost that began at that dot or near it; NULL: none so far. */
+/* The series' change of cost that began nearest to that dot; NULL: none began near it so far. */
 static struct aob_trend_change *find_change(struct aob_trend_changes *changes, size_t first, size_t since)
 {
+    struct aob_trend_change *found = NULL;
+    size_t least = NEAR_DOTS + 1;
     for (size_t i = first; i < changes->count; i++) {
         struct aob_trend_change *change = &changes->items[i];
         size_t off = change->since > since ? change->since - since : since - change->since;
-        if (off <= NEAR_DOTS && isfinite(change->before))
-            return change;
+        if (off >= least || !isfinite(change->before))
+            continue;
+        found = change;
+        least = off;
     }
-    return NULL;
+    return found;
 }
 
 static void add_told(struct aob_trend_changes *changes, const struct aob_trend_series *series, size_t first,
@@ -65,7 +61,7 @@ static void add_told(struct aob_trend_changes *changes, const struct aob_trend_s
 {
     const struct aob_point *point = series->dots[told].point;
     bool of_cost = rank_of(point->verdict) > 0;
-    size_t since = of_cost ? since_of(series, told) : told;
+    size_t since = of_cost ? aob_trend_since(series, told) : told;
     if (!of_cost && point->verdict != AOB_NIGHT_MOVED && point->verdict != AOB_NIGHT_BROKEN)
         return;
     struct aob_trend_change *change = of_cost ? find_change(changes, first, since) : NULL;

@@ -1,13 +1,10 @@
 #include "model.h"
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include "base/memory.h"
 #include "base/table.h"
-
-/* The least half width of an interval that counts, as a share: one that is narrower, or not known, weighs no more. */
-#define LEAST_WIDTH .002
+#include "fit.h"
 
 static double days_of(const char *date, double otherwise)
 {
@@ -63,44 +60,6 @@ const char *aob_trend_dot_date(const struct aob_trend_series *series, size_t dot
     return series->calendar->nights[series->dots[dot].night]->date;
 }
 
-static bool is_timed(const struct aob_point *point)
-{
-    return isfinite(point->ratio) && point->ratio > 0;
-}
-
-static double weight_of(const struct aob_point *point)
-{
-    double width = log(point->high / point->low) / 2;
-    return 1 / fmax(LEAST_WIDTH, isfinite(width) ? width : LEAST_WIDTH);
-}
-
-/* Fits levels to the logarithms of the dots that have a ratio, and says them as ratios and places of dots. */
-static void fit_levels(struct aob_trend_series *series)
-{
-    double *values = AOB_NEW_ARRAY(double, series->count), *weights = AOB_NEW_ARRAY(double, series->count);
-    size_t *places = AOB_NEW_ARRAY(size_t, series->count), n = 0;
-    for (size_t i = 0; i < series->count; i++) {
-        const struct aob_point *point = series->dots[i].point;
-        if (!is_timed(point))
-            continue;
-        values[n] = log(point->ratio);
-        weights[n] = weight_of(point);
-        places[n++] = i;
-    }
-    struct aob_levels *levels = &series->levels;
-    aob_levels_fit(values, weights, n, levels);
-    for (size_t k = 0, i = 0; k < levels->count; k++) {
-        size_t end = k + 1 < levels->count ? levels->starts[k + 1] : n;
-        for (; i < end; i++)
-            series->dots[places[i]].level = k;
-        levels->starts[k] = places[levels->starts[k]];
-        levels->values[k] = exp(levels->values[k]);
-    }
-    free(values);
-    free(weights);
-    free(places);
-}
-
 static void make_series(struct aob_trend_series *series, const struct aob_line *line,
                         const struct aob_trend_calendar *calendar)
 {
@@ -111,7 +70,7 @@ static void make_series(struct aob_trend_series *series, const struct aob_line *
         if (night != SIZE_MAX)
             series->dots[series->count++] = (struct aob_trend_dot){&line->points[i], night, SIZE_MAX};
     }
-    fit_levels(series);
+    aob_trend_fit(series);
 }
 
 void aob_trend_model_make(const struct aob_lines *lines, const struct aob_nights *nights,

@@ -20,7 +20,7 @@ struct aob_trend_calendar {
 struct aob_trend_dot {
     const struct aob_point *point;
     size_t night; /* its place in the calendar */
-    size_t level; /* SIZE_MAX: it has no ratio, and so no level */
+    size_t level; /* that it lies in, or beside as an outlier; SIZE_MAX: it has no ratio, and so no level */
 };
 
 struct aob_trend_series {

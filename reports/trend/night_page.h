@@ -24,7 +24,7 @@ struct aob_night_item {
 };
 
 struct aob_night_page {
-    const char *title;    /* the heading, such as the config's name */
+    const char *title;    /* the heading, such as the config's name; NULL: "Night" */
     const char *date;     /* of the night, "2026-11-30T02:00:00Z" */
     const char *old_note; /* one sentence on what could not be measured beside the old modules, and why */
     size_t cases, ok;     /* of the night */

@@ -1,0 +1,130 @@
+#include "fit.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "base/statistics.h"
+
+/* No clock knows a ratio better; and an interval counts at least half as wide as the series' usual one, and at most four
+ * times, so that no night outweighs many. */
+static const double narrowest = 1e-3, least_share = .5, most_share = 4;
+
+static bool is_timed(const struct aob_point *point)
+{
+    return point->status && strcmp(point->status, "ok") == 0 && isfinite(point->ratio) && point->ratio > 0;
+}
+
+static bool is_fitted(const struct aob_point *point)
+{
+    return is_timed(point) && point->verdict != AOB_NIGHT_OUTLIER;
+}
+
+/* Of the interval, as a logarithm; NAN without one. */
+static double width_of(const struct aob_point *point)
+{
+    return point->low > 0 && point->high >= point->low ? log(point->high / point->low) : NAN;
+}
+
+static double usual_width(const struct aob_trend_series *series)
+{
+    double *widths = AOB_NEW_ARRAY(double, series->count), usual = NAN;
+    size_t known = 0;
+    for (size_t i = 0; i < series->count; i++) {
+        double width = width_of(series->dots[i].point);
+        if (isfinite(width))
+            widths[known++] = width;
+    }
+    if (known)
+        usual = aob_median(widths, known);
+    free(widths);
+    return usual > narrowest ? usual : narrowest;
+}
+
+static bool is_decided(int64_t verdict)
+{
+    return verdict == AOB_NIGHT_SLOWER || verdict == AOB_NIGHT_FASTER || verdict == AOB_NIGHT_MACHINE;
+}
+
+size_t aob_trend_since(const struct aob_trend_series *series, size_t dot)
+{
+    size_t night = aob_trend_calendar_place(series->calendar, series->dots[dot].point->since);
+    for (size_t i = 0; night != SIZE_MAX && i < dot; i++)
+        if (series->dots[i].night >= night)
+            return i;
+    return dot;
+}
+
+/* A stretch of dots while it is fitted. */
+struct stretch {
+    double *values, *weights; /* logarithms of ratios; 1 / width */
+    size_t *places, n;        /* of their dots */
+};
+
+static void append_levels(struct aob_levels *all, const struct aob_levels *some, const size_t *places)
+{
+    size_t count = all->count + some->count;
+    all->starts = aob_realloc(all->starts, count, sizeof *all->starts);
+    all->values = aob_realloc(all->values, count, sizeof *all->values);
+    for (size_t k = 0; k < some->count; k++) {
+        all->starts[all->count + k] = places[some->starts[k]];
+        all->values[all->count + k] = exp(some->values[k]);
+    }
+    all->count = count;
+}
+
+static void fit_stretch(struct aob_trend_series *series, struct stretch *stretch)
+{
+    struct aob_levels levels;
+    if (!stretch->n)
+        return;
+    aob_levels_fit(stretch->values, stretch->weights, stretch->n, &levels);
+    append_levels(&series->levels, &levels, stretch->places);
+    aob_levels_finish(&levels);
+    stretch->n = 0;
+}
+
+static void add_dot(struct stretch *stretch, const struct aob_trend_series *series, size_t dot, double usual)
+{
+    const struct aob_point *point = series->dots[dot].point;
+    double width = width_of(point), most = most_share * usual;
+    stretch->values[stretch->n] = log(point->ratio);
+    stretch->weights[stretch->n] =
+        1 / (isfinite(width) ? fmin(fmax(width, least_share * usual), most) : most);
+    stretch->places[stretch->n++] = dot;
+}
+
+static void place_dots(struct aob_trend_series *series)
+{
+    const struct aob_levels *levels = &series->levels;
+    for (size_t i = 0, k = 0; levels->count && i < series->count; i++) {
+        while (k + 1 < levels->count && levels->starts[k + 1] <= i)
+            k++;
+        if (is_timed(series->dots[i].point))
+            series->dots[i].level = k;
+    }
+}
+
+void aob_trend_fit(struct aob_trend_series *series)
+{
+    bool *begins = AOB_NEW_ARRAY(bool, series->count);
+    struct stretch stretch = {AOB_NEW_ARRAY(double, series->count), AOB_NEW_ARRAY(double, series->count),
+                              AOB_NEW_ARRAY(size_t, series->count), 0};
+    double usual = usual_width(series);
+    for (size_t i = 0; i < series->count; i++) {
+        const struct aob_point *point = series->dots[i].point;
+        if (is_decided(point->verdict) && point->since)
+            begins[aob_trend_since(series, i)] = true;
+    }
+    for (size_t i = 0; i < series->count; i++) {
+        if (begins[i])
+            fit_stretch(series, &stretch);
+        if (is_fitted(series->dots[i].point))
+            add_dot(&stretch, series, i, usual);
+    }
+    fit_stretch(series, &stretch);
+    place_dots(series);
+    free(begins);
+    free(stretch.values);
+    free(stretch.weights);
+    free(stretch.places);
+}
