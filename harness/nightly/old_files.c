@@ -48,6 +48,10 @@ char *aob_old_files_find(const struct aob_old_files *files, const struct aob_poi
         aob_fail(error, "it is built into the program, so no old build of it can be set beside it");
         return NULL;
     }
+    struct aob_error cause = {{0}};
     char *given = find_given(files->given, now->module);
-    return given ? given : write_kept(files, old, error);
+    char *file = given ? given : write_kept(files, old, &cause);
+    if (!file)
+        aob_fail(error, "%s; give the old build with --old", cause.text);
+    return file;
 }

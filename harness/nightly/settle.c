@@ -179,18 +179,37 @@ static enum aob_outcome outcome_of(const struct aob_suspect *s, const struct aob
     return open ? AOB_OUTCOME_GOOD : outcome;
 }
 
+/* By the two images alone. */
+static void judge_images(struct aob_suspect *s, const struct aob_compared *item)
+{
+    if (item->judgement.verdict != AOB_VERDICT_MOVED || item->judgement.error == AOB_ERROR_UNKNOWN)
+        return;
+    char errors[200];
+    aob_error_change_print(&item->errors, errors, sizeof errors);
+    aob_suspect_say(s, AOB_NIGHT_MOVED,
+                    item->judgement.error == AOB_ERROR_MORE ? AOB_OUTCOME_WORSE : AOB_OUTCOME_GOOD,
+                    "the image changed; %s", errors);
+}
+
 static void judge_beside(const struct settling *g, struct aob_suspect *s, const struct aob_compared *item)
 {
     const struct aob_judgement *j = &item->judgement;
     char shift[100];
+    if (s->moved && !s->watch.suspect && j->verdict != AOB_VERDICT_MOVED) {
+        judge_by_errors(s, "the old build gives the same one now, so the program or the driver changed it");
+        return;
+    }
+    if (!isfinite(s->now->ratio)) {
+        judge_by_errors(s, "nothing is timed");
+        judge_images(s, item);
+        return;
+    }
     s->beside = item->cost.cost.ratio;
     s->low = item->cost.cost.low;
     s->high = item->cost.cost.high;
     describe_shift(g, s, shift);
     if (j->verdict == AOB_VERDICT_MOVED)
         aob_suspect_say(s, AOB_NIGHT_MOVED, outcome_of(s, j), "%s", j->reason);
-    else if (s->moved && !s->watch.suspect)
-        judge_by_errors(s, "the old build gives the same one now, so the program or the driver changed it");
     else if (j->verdict == AOB_VERDICT_SLOWER || j->verdict == AOB_VERDICT_FASTER)
         aob_suspect_say(s, j->verdict == AOB_VERDICT_SLOWER ? AOB_NIGHT_SLOWER : AOB_NIGHT_FASTER,
                         aob_judgement_outcome(j, false), "%s; beside the old build %s", shift, j->reason);
@@ -208,18 +227,6 @@ static void keep_map(const struct aob_group *group, struct aob_suspect *s, const
     aob_text_add(&path, "%s/%s", group->name, item->map);
     free(s->map);
     s->map = path.data;
-}
-
-/* Of the stored images the errors against one truth, and the map. */
-static void judge_stored(struct aob_suspect *s, const struct aob_compared *item)
-{
-    if (item->judgement.verdict != AOB_VERDICT_MOVED || item->judgement.error == AOB_ERROR_UNKNOWN)
-        return;
-    char errors[200];
-    aob_error_change_print(&item->errors, errors, sizeof errors);
-    aob_suspect_say(s, AOB_NIGHT_MOVED,
-                    item->judgement.error == AOB_ERROR_MORE ? AOB_OUTCOME_WORSE : AOB_OUTCOME_GOOD,
-                    "the image changed; %s", errors);
 }
 
 static bool judge_group(const struct settling *g, struct aob_group *group, double level,
@@ -243,7 +250,7 @@ static bool judge_group(const struct settling *g, struct aob_group *group, doubl
         if (group->module)
             judge_beside(g, s, item);
         else
-            judge_stored(s, item);
+            judge_images(s, item);
     }
     return true;
 }

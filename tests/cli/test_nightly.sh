@@ -87,15 +87,86 @@ night images4 0 images.yaml
 check "the next night has nothing to tell" jq -e '.line == "nothing changed"' images4.json
 
 # --- A case that does not run any more
-cp "$AOBUDGET_BUILD/tests/modules/crash_exit.so" modules/crash.so
-cat >broken.yaml <<'EOC'
+cat >broken.yaml <<EOC
 name: broken
 scenes: [{name: corner}]
 resolutions: [64x36]
-backends: [vulkan]
-techniques: [{name: loop, module: modules/moved.so}]
-measure: {time: false}
+backends: ["null"]
+techniques: [{name: mortal, module: $modules/mortal.so}]
+measure: {seconds: 0.1}
 reference: {spp: 32}
 EOC
 night broken1 0 broken.yaml
+printf xxxxxxxxxxxxxxxx >fates
+MORTAL=$folder/fates night broken2 1 broken.yaml
+check "it is worse, and its cause is told" jq -e '.worse == 1 and (.cases[0] | .verdict == "broken" and (.said | startswith("failed now, and it ran before: ")))' broken2.json
+printf xxxxxxxxxxxxxxxx >fates
+MORTAL=$folder/fates night broken3 3 broken.yaml
+check "the next night it is no news, but is told" jq -e '.worse == 0 and .open == 1 and (.cases[0].said | startswith("failed, as before: "))' broken3.json
+night broken4 0 broken.yaml
+check "when it runs again nothing is worse" jq -e '.worse == 0 and .line == "nothing changed"' broken4.json
+
+# --- A run that was made elsewhere. Its journal is what the night is of, so costs can be planted in it.
+sed 's/name: costs/name: planted/' costs.yaml >planted.yaml
+install_old
+"$program" run planted.yaml --out first --quiet
+plant() { # FROM TO FACTOR: the costs of slow.so
+  cp -r "$1" "$2"
+  jq -c --argjson by "$3" 'if .module == "modules/slow.so" then .time |= (.ratio_to_ref *= $by | .ci_low *= $by | .ci_high *= $by) else . end' \
+    "$1/journal.jsonl" >"$2/journal.jsonl"
+}
+plant first second 1
+night planted1 0 first
+night planted2 0 second
+printf new >>modules/slow.so # the same code in other bytes
+"$program" run planted.yaml --out third --quiet
+plant third fourth 1.44
+night planted4 0 fourth
+check "what is not there when it is measured again is an outlier" jq -e '.worse == 0 and ([.cases[] | .verdict == "outlier" and .beside == 1
+  and (.said | test("^44.0 % dearer since .*, and not when it was measured again"))] | length == 2 and all)' planted4.json
+plant third fifth 1.2
+night planted5 0 fifth
+check "a shift that the old build has too is laid to the machine" jq -e '.worse == 0 and .suspects == 2 and ([.cases[] | .verdict == "machine"
+  and (.said | test("^20.0 % dearer since .*, and the"))] | length == 2 and all)' planted5.json
+expect 2 "first is the night of" "$program" nightly first --history nights.db
+sqlite3 nights.db 'DELETE FROM module'
+printf newer >>modules/slow.so
+"$program" run planted.yaml --out sixth --quiet
+plant sixth seventh 2
+night planted7 3 seventh
+check "without the old build it stays open, and the cause is told" jq -e '.open == 2 and (.cases[0].said | test("not measured again: .*give the old build with --old$"))' planted7.json
+check "the screen says so" grep -q 'could not be decided' planted7.out
+mkdir builds && cp "$modules/passes10.so" builds/slow.so
+plant sixth eighth 2
+night planted8 0 eighth --old builds
+check "--old has it" jq -e '.open == 0 and .suspects == 2 and ([.cases[].beside == 1] | all)' planted8.json
+
+# --- Killed in the middle
+sed 's/name: costs/name: killed/; s/seconds: 0.2/seconds: 1/; s/views: \[front, far\]/views: [front]/; s/96x54/96x54, 64x36, 32x18, 16x9/' costs.yaml >killed.yaml
+setsid "$program" nightly killed.yaml --history killed.db --quiet >/dev/null 2>&1 &
+victim=$!
+journal=results/nightly/killed/$(date -u +%F)/journal.jsonl
+for ((i = 0; i < 600; i++)); do
+  [ -s "$journal" ] && [ "$(wc -l <"$journal")" -ge 2 ] && break
+  sleep 0.1
+done
+kill -9 -- -$victim
+wait $victim 2>/dev/null || true
+cp "$journal" before.jsonl
+before=$(wc -l <before.jsonl)
+got=0
+"$program" nightly killed.yaml --history killed.db --quiet --json killed.json || got=$?
+check "a night that was killed is gone on with" test "$got" -eq 0 -a "$(jq .night killed.json)" -eq 1
+check "and no case of it is measured again" cmp -n "$(stat -c %s before.jsonl)" before.jsonl "$journal"
+check "it had begun and not ended" test "$before" -ge 2 -a "$before" -lt 8
+check "the history has every case of it" test "$(sqlite3 killed.db 'SELECT count(*), min(whole) FROM point JOIN night ON night.id = night')" = '8|1'
+
+# --- Bad input
+expect 2 "--history F.db is missing" "$program" nightly costs.yaml
+expect 2 "missing.yaml" "$program" nightly missing.yaml --history nights.db
+expect 2 "--old nowhere: not found" "$program" nightly costs.yaml --history nights.db --old nowhere
+expect 2 "costs.yaml" "$program" nightly costs.yaml --history costs.yaml
+expect 2 "--precision" "$program" nightly costs.yaml --history nights.db --precision 3
+expect 2 "--seconds: 'x'" "$program" nightly costs.yaml --history nights.db --seconds x
+expect 2 "run.json" "$program" nightly builds --history nights.db
 finish
