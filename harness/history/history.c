@@ -65,7 +65,6 @@ static bool connect(struct aob_history *history, bool alone, struct aob_error *e
     free(uri);
     if (!ok)
         return aob_database_fail(history, error);
-    sqlite3_extended_result_codes(history->db, 0);
     sqlite3_busy_timeout(history->db, (int)(1000 * AOB_HISTORY_WAIT_S));
     return aob_database_run(history,
                             history->writes ? "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON"
@@ -91,13 +90,11 @@ static bool make_tables(struct aob_history *history, struct aob_error *error)
     return aob_database_end(history, ok, error);
 }
 
-/* The pages that the history's tables begin on, and the links between them, are looked at; a page within that is damaged is
- * met when it is read. */
-static bool check_tables(struct aob_history *history, struct aob_error *error)
+static bool has_tables(struct aob_history *history, struct aob_error *error)
 {
-    static const char sql[] = "SELECT (SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN "
-                              "('class', 'night', 'line',"
-                              " 'point', 'figures', 'journal', 'run', 'rounds', 'module', 'measured'))";
+    static const char sql[] = "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('class', "
+                              "'night', 'line', 'point',"
+                              " 'figures', 'journal', 'run', 'rounds', 'module', 'measured')";
     int64_t tables, version;
     if (!ask_number(history, "PRAGMA user_version", &version, error) ||
         !ask_number(history, sql, &tables, error))
@@ -111,12 +108,32 @@ static bool check_tables(struct aob_history *history, struct aob_error *error)
                     history->path);
 }
 
+/* Every page of the tables that decide where a point goes. Those of figures, rounds and modules are ten times as many: they
+ * are judged where they are read. */
+static bool check_pages(struct aob_history *history, struct aob_error *error)
+{
+    static const char *const checks[] = {"PRAGMA quick_check(class)", "PRAGMA quick_check(night)",
+                                         "PRAGMA quick_check(line)", "PRAGMA quick_check(point)"};
+    bool ok = true;
+    for (size_t i = 0; i < AOB_COUNT(checks) && ok; i++) {
+        struct aob_query query;
+        aob_query_begin(&query, history, checks[i], error);
+        char *said = aob_query_step(&query) ? aob_query_copy(&query, 0) : aob_strdup("ok");
+        ok = aob_query_end(&query) &&
+             (strcmp(said, "ok") == 0 ||
+              aob_fail(error, "%s: the history is damaged (%s): take its last copy", history->path, said));
+        free(said);
+    }
+    return ok;
+}
+
 static bool judge(struct aob_history *history, struct aob_error *error)
 {
-    if (!check_tables(history, error))
+    if (!has_tables(history, error))
         return false;
-    return !history->writes || (aob_database_run(history, "PRAGMA journal_mode = WAL", error) &&
-                                aob_database_begin(history, error) && aob_database_end(history, true, error));
+    return !history->writes ||
+           (check_pages(history, error) && aob_database_run(history, "PRAGMA journal_mode = WAL", error) &&
+            aob_database_begin(history, error) && aob_database_end(history, true, error));
 }
 
 static bool refuse_missing(const char *path, enum aob_header header, struct aob_error *error)

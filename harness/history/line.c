@@ -146,6 +146,22 @@ void aob_lines_finish(struct aob_lines *lines)
     *lines = (struct aob_lines){0};
 }
 
+bool aob_lines_count(struct aob_history *history, const char *config, size_t *lines, size_t *points,
+                     struct aob_error *error)
+{
+    struct aob_query query;
+    aob_query_begin(&query, history,
+                    "SELECT count(DISTINCT line), count(*) FROM point JOIN night ON night.id = night"
+                    " WHERE ?1 IS NULL OR name = ?1",
+                    error);
+    aob_query_text(&query, config);
+    if (aob_query_step(&query)) {
+        *lines = (size_t)aob_query_get_whole(&query, 0);
+        *points = (size_t)aob_query_get_whole(&query, 1);
+    }
+    return aob_query_end(&query);
+}
+
 bool aob_line_judge(struct aob_history *history, int64_t line, int64_t night, enum aob_night_verdict verdict,
                     int64_t since, const char *said, struct aob_error *error)
 {

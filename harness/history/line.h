@@ -59,6 +59,10 @@ bool aob_lines_read(struct aob_history *history, const struct aob_lines_ask *ask
                     struct aob_error *error);
 void aob_lines_finish(struct aob_lines *lines);
 
+/* How many lines and points there are of a config's name; NULL: of all. */
+bool aob_lines_count(struct aob_history *history, const char *config, size_t *lines, size_t *points,
+                     struct aob_error *error);
+
 /* What a night says of a line's point. It is kept, because the judgement of later nights begins from it. */
 enum aob_night_verdict {
     AOB_NIGHT_NONE,   /* nothing stood out */

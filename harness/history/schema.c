@@ -23,7 +23,7 @@ const char aob_history_schema[] =
     " said TEXT NOT NULL DEFAULT '', PRIMARY KEY(line, night)) WITHOUT ROWID;"
     "CREATE INDEX point_night ON point(night);"
     "CREATE TABLE figures(line INTEGER NOT NULL, night INTEGER NOT NULL, json TEXT NOT NULL,"
-    " PRIMARY KEY(line, night), FOREIGN KEY(line, night) REFERENCES point ON DELETE CASCADE) WITHOUT ROWID;"
+    " PRIMARY KEY(line, night), FOREIGN KEY(line, night) REFERENCES point ON DELETE CASCADE);"
     "CREATE TABLE journal(night INTEGER PRIMARY KEY REFERENCES night ON DELETE CASCADE,"
     " size INTEGER NOT NULL, zstd BLOB NOT NULL);"
     "CREATE TABLE run(night INTEGER PRIMARY KEY REFERENCES night ON DELETE CASCADE, info TEXT NOT NULL);"

@@ -47,6 +47,42 @@ static json_t *keep_planned(json_t *records, const json_t *info)
     return kept;
 }
 
+/* What is looked at of a record: parsing the rest would take most of the time. */
+static const char *const needed[] = {
+    "key",
+    "series",
+    "scene",
+    "view",
+    "metre",
+    "technique",
+    "module",
+    "params",
+    "options",
+    "backend",
+    "width",
+    "height",
+    "light.name",
+    "status",
+    "reason",
+    "fingerprint",
+    "memory_bytes",
+    "image_digest",
+    "reference_radius",
+    "error",
+    "time.clock",
+    "time.threads",
+    "time.cpu_ms",
+    "time.wall_ms",
+    "time.device_ms",
+    "time.ratio_to_ref",
+    "time.ci_low",
+    "time.ci_high",
+    "time.ref_ms",
+    "time.rounds_file",
+    "cache.*.frame.levels",
+    NULL,
+};
+
 static bool read_folder(struct aob_taking *taking, struct aob_error *error)
 {
     char *journal = aob_path_join(taking->folder, "journal.jsonl"),
@@ -58,7 +94,10 @@ static bool read_folder(struct aob_taking *taking, struct aob_error *error)
     if (ok && there)
         ok =
             (taking->journal = aob_file_read(journal, (size_t)1 << 30, &taking->journal_size, error)) != NULL;
-    json_t *records = ok ? aob_journal_read(journal, NULL, error) : NULL;
+    struct aob_error damage = {{0}};
+    json_t *records = ok ? aob_journal_read_only(journal, needed, &damage, error) : NULL;
+    if (*damage.text)
+        aob_warn("%s", damage.text);
     if (records)
         taking->records = keep_planned(records, taking->info);
     free(journal);
