@@ -39,7 +39,7 @@ static void add_head(struct aob_text *text, const struct aob_night_page *page)
 static void add_ratio(struct aob_text *text, double ratio)
 {
     char shown[32];
-    snprintf(shown, sizeof shown, "%.4g", ratio);
+    snprintf(shown, sizeof shown, "%.3f", ratio);
     aob_html_number_cell(text, ratio > 0 ? ratio : NAN, shown);
 }
 
