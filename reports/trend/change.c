@@ -4,9 +4,6 @@
 #include "base/memory.h"
 #include "fit.h"
 
-/* Levels are fitted anew each night, so a border may lie elsewhere than when a verdict was given on it. */
-#define NEAR_DOTS 2
-
 /* Which of two verdicts on one change stands: what was decided before what was not. 0: it tells of none. */
 static int rank_of(int64_t verdict)
 {
@@ -38,7 +35,7 @@ static void tell(struct aob_trend_change *change, size_t told)
 static struct aob_trend_change *find_change(struct aob_trend_changes *changes, size_t first, size_t since)
 {
     struct aob_trend_change *found = NULL;
-    size_t least = NEAR_DOTS + 1;
+    size_t least = AOB_TREND_NEAR + 1;
     for (size_t i = first; i < changes->count; i++) {
         struct aob_trend_change *change = &changes->items[i];
         size_t off = change->since > since ? change->since - since : since - change->since;
