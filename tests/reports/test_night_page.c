@@ -11,6 +11,10 @@
 static struct aob_line slow = {.id = 7, .class_name = "cpu, llvmpipe", .text = "corner/front gtao a|b"};
 static struct aob_line moved = {.id = 8, .class_name = "cpu, llvmpipe", .text = "corner/front ssao"};
 
+static const struct aob_point before = {.band_rmse = .0312, .memory_bytes = 1048576};
+static const struct aob_point now = {.band_rmse = .034, .memory_bytes = 1048576 * 1.25};
+static const struct aob_point lost = {.band_rmse = NAN, .memory_bytes = 1048576};
+
 static const struct aob_night_item items[] = {
     {.line = &slow,
      .verdict = AOB_NIGHT_SLOWER,
@@ -20,8 +24,21 @@ static const struct aob_night_item items[] = {
      .beside = 1.05,
      .low = 1.041,
      .high = 1.059},
-    {.line = &moved, .verdict = AOB_NIGHT_MOVED, .said = "Another image.", .map = "moved/8"},
-    {.line = &moved, .verdict = AOB_NIGHT_MACHINE, .before_ratio = 2, .after_ratio = 1.9, .beside = NAN},
+    {.line = &moved,
+     .now = &now,
+     .before = &before,
+     .verdict = AOB_NIGHT_MOVED,
+     .said = "Another image.",
+     .map = "moved/8"},
+    {.line = &moved,
+     .now = &lost,
+     .before = &before,
+     .verdict = AOB_NIGHT_MACHINE,
+     .before_ratio = 2,
+     .after_ratio = 1.9,
+     .beside = 1.001,
+     .low = .99,
+     .high = 1.01},
 };
 static const struct aob_night_page page = {.title = "nightly",
                                            .date = "2026-11-30T02:00:00Z",
@@ -46,21 +63,24 @@ static void markdown_of(const struct aob_night_page *of, const char *expected)
 static void markdown_says_what_changed(void **state)
 {
     (void)state;
-    markdown_of(&page, "**nightly 2026-11-30: 1 slower, 1 moved, 1 machine** (120 of 122 cases ok, 118 "
-                       "series watched, 3 stood "
-                       "out)\n"
-                       "\n"
-                       "| verdict | change | series | before | after | beside the old module | why |\n"
-                       "|---|---:|---|---:|---:|---|---|\n"
-                       "| slower | +5.0 % | corner/front gtao a&#124;b | 1.200 | 1.272 | +5.0 % [+4.1 %, "
-                       "+5.9 %] | The module is "
-                       "dearer. |\n"
-                       "| moved | \u2013 | corner/front ssao | \u2013 | \u2013 | \u2013 | Another image. |\n"
-                       "| machine | \u22125.0 % | corner/front ssao | 2.000 | 1.900 | \u2013 |  |\n"
-                       "\n"
-                       "1 module is not kept.\n"
-                       "\n"
-                       "[trend](../index.html) \u00b7 [run](run/report/index.html)\n");
+    markdown_of(
+        &page,
+        "**nightly 2026-11-30: 1 slower, 1 moved, 1 machine** (120 of 122 cases ok, 118 "
+        "series watched, 3 stood "
+        "out)\n"
+        "\n"
+        "| verdict | change | series | before | after | beside the old module | why |\n"
+        "|---|---:|---|---:|---:|---|---|\n"
+        "| slower | +5.0 % | corner/front gtao a&#124;b | 1.200 | 1.272 | +5.0 % [+4.1 %, "
+        "+5.9 %] | The module is "
+        "dearer. |\n"
+        "| moved | \u2013 | corner/front ssao | \u2013 | \u2013 | \u2013 | Another image. (error in band "
+        "0.0312 \u2192 0.0340, 1.00 \u2192 1.25 MiB) |\n"
+        "| machine | \u22125.0 % | corner/front ssao | 2.000 | 1.900 | +0.1 % [\u22121.0 %, +1.0 %] |  |\n"
+        "\n"
+        "1 module is not kept.\n"
+        "\n"
+        "[trend](../index.html) \u00b7 [run](run/report/index.html)\n");
     markdown_of(&(struct aob_night_page){0},
                 "**Night: nothing changed** (0 of 0 cases ok, 0 series watched, 0 stood out)\n");
 }
@@ -196,6 +216,9 @@ static void the_page_says_what_changed(void **state)
     assert_contains(
         text,
         "<img loading=lazy alt=\"\" src=\"moved/8.png\"></a><figcaption>corner/front ssao: Another image.");
+    assert_contains(
+        text,
+        "Another image.<br><small>error in band 0.0312 \u2192 0.0340, 1.00 \u2192 1.25 MiB</small></td>");
     assert_contains(text, "<a href=\"../index.html\">trend</a>");
     free(text);
 }

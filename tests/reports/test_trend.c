@@ -189,7 +189,8 @@ static void a_decided_change_is_a_border(void **state)
     EXPECT(&made, "<b>1 slower</b>, <b>1 open</b>. In all 2 changes",
            "<tr><td>2026-10-08</td><td class=n data-v=\"1.25\">+25.0 %</td>",
            "<td class=n data-v=\"2\">2.000</td><td class=n data-v=\"2.5\">2.500</td>",
-           "<tr><td>2026-10-08</td><td class=n data-v=\"1.01\">+1.0 %</td>");
+           "<tr><td>2026-10-08</td><td class=n data-v=\"1.01\">+1.0 %</td>",
+           "<path class=v d=\"M50 67.2H323.4V49.1H350\"/>");
 }
 
 static void what_nobody_judged_is_said_so(void **state)
