@@ -120,7 +120,7 @@ int main(int argc, char **argv)
     double seconds = (double)(aob_clock_wall_ns() - start) * 1e-9;
     char *path = ok ? aob_path_join(argv[1], "index.html") : NULL;
     if (ok)
-        printf("points %zu \nseconds %.2f s\nsize %.2f MB\n", points, seconds,
+        printf("points %zu nights\nseconds %.2f s\nsize %.2f MB\n", points, seconds,
                (double)aob_file_size(path) / 1e6);
     else
         aob_error_print(&error);
