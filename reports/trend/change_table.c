@@ -43,13 +43,13 @@ void aob_trend_change_table(struct aob_text *page, const struct aob_trend_change
                      "<p>Nothing: each series is at one level, and no night was told of.</p></section>\n");
         return;
     }
-    aob_text_add(page,
-                 "<p class=soft>Before and after are levels of the "
-                 "ratio to the fixed pass.</p>\n<div class=scroll tabindex=0><table class=cases><thead><tr>"
-                 "<th><button>since</button></th><th class=n><button>change</button></th>"
-                 "<th><button>verdict</button></th><th><button>series</button></th>"
-                 "<th class=n><button>before</button></th><th class=n><button>after</button></th>"
-                 "<th><button>config, machine</button></th></tr></thead><tbody>\n");
+    aob_text_add(page, "<p class=soft>Before and after are levels of the "
+                       "ratio to the fixed pass.</p>\n<div class=scroll tabindex=0 role=region "
+                       "aria-label=changes><table class=cases><thead><tr>"
+                       "<th><button>since</button></th><th class=n><button>change</button></th>"
+                       "<th><button>verdict</button></th><th><button>series</button></th>"
+                       "<th class=n><button>before</button></th><th class=n><button>after</button></th>"
+                       "<th><button>config, machine</button></th></tr></thead><tbody>\n");
     for (size_t i = 0; i < changes->count; i++)
         add_row(page, &changes->items[i]);
     aob_text_add(page, "</tbody></table></div></section>\n");

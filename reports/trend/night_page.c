@@ -76,7 +76,8 @@ static void add_table(struct aob_text *text, const struct aob_night_page *page)
     aob_text_add(text,
                  "<p class=soft>Before and after are levels of the ratio to the fixed pass. Beside the old "
                  "module: the cost of the new one over that of the old one, both timed in this night.</p>\n"
-                 "<div class=\"scroll plain\" tabindex=0><table class=told><thead><tr><th>verdict</th>"
+                 "<div class=\"scroll plain\" tabindex=0 role=region aria-label=changes><table "
+                 "class=told><thead><tr><th>verdict</th>"
                  "<th class=n>change</th><th>series</th><th class=n>before</th><th class=n>after</th>"
                  "<th class=n>beside the old module</th><th>why</th></tr></thead><tbody>\n");
     for (size_t i = 0; i < page->count; i++)
