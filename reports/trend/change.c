@@ -4,23 +4,14 @@
 #include "base/memory.h"
 #include "fit.h"
 
-/* Levels are fitted anew each night, so a border may lie elsewhere than when a verdict was given on it. */
-#define NEAR_DOTS 2
-
-/* Which of two verdicts on one change stands: what was decided before what was not. */
+/* Which of two verdicts on one change stands: what was decided before what was not. 0: it tells of none. */
 static int rank_of(int64_t verdict)
 {
-    switch (verdict) {
-    case AOB_NIGHT_SLOWER:
-    case AOB_NIGHT_FASTER:
-        return 3;
-    case AOB_NIGHT_MACHINE:
-        return 2;
-    case AOB_NIGHT_OPEN:
-        return 1;
-    default:
-        return 0;
-    }
+    static const int ranks[AOB_NIGHT_VERDICTS] = {
+        [AOB_NIGHT_SLOWER] = 3, [AOB_NIGHT_FASTER] = 3, [AOB_NIGHT_MACHINE] = 2,
+        [AOB_NIGHT_OPEN] = 1,   [AOB_NIGHT_MOVED] = 1,  [AOB_NIGHT_BROKEN] = 1,
+    };
+    return verdict >= 0 && verdict < AOB_NIGHT_VERDICTS ? ranks[verdict] : 0;
 }
 
 static double level_before(const struct aob_trend_series *series, size_t dot)
@@ -44,7 +35,7 @@ static void tell(struct aob_trend_change *change, size_t told)
 static struct aob_trend_change *find_change(struct aob_trend_changes *changes, size_t first, size_t since)
 {
     struct aob_trend_change *found = NULL;
-    size_t least = NEAR_DOTS + 1;
+    size_t least = AOB_TREND_NEAR + 1;
     for (size_t i = first; i < changes->count; i++) {
         struct aob_trend_change *change = &changes->items[i];
         size_t off = change->since > since ? change->since - since : since - change->since;
@@ -56,15 +47,17 @@ static struct aob_trend_change *find_change(struct aob_trend_changes *changes, s
     return found;
 }
 
+/* A verdict on the cost is a change of its own where no level shows it; so is another image, and a case that broke. */
 static void add_told(struct aob_trend_changes *changes, const struct aob_trend_series *series, size_t first,
                      size_t told)
 {
     const struct aob_point *point = series->dots[told].point;
-    bool of_cost = rank_of(point->verdict) > 0;
+    bool of_cost = point->verdict != AOB_NIGHT_MOVED && point->verdict != AOB_NIGHT_BROKEN;
     size_t since = of_cost ? aob_trend_since(series, told) : told;
-    if (!of_cost && point->verdict != AOB_NIGHT_MOVED && point->verdict != AOB_NIGHT_BROKEN)
+    if (!rank_of(point->verdict))
         return;
-    struct aob_trend_change *change = of_cost ? find_change(changes, first, since) : NULL;
+    struct aob_trend_change *change =
+        point->verdict == AOB_NIGHT_BROKEN ? NULL : find_change(changes, first, since);
     if (!change) {
         change = AOB_PUSH(changes->items, changes->count, changes->capacity);
         *change = (struct aob_trend_change){series, since, SIZE_MAX, AOB_NIGHT_NONE, NAN, NAN};

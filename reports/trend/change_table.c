@@ -10,7 +10,7 @@
 static void add_ratio(struct aob_text *page, double ratio)
 {
     char shown[32];
-    snprintf(shown, sizeof shown, "%.4g", ratio);
+    snprintf(shown, sizeof shown, "%.3f", ratio);
     aob_html_number_cell(page, ratio, shown);
 }
 
@@ -23,14 +23,14 @@ static void add_row(struct aob_text *page, const struct aob_trend_change *change
     aob_trend_percent(percent, ratio);
     aob_trend_escaped(page, "<tr><td>", day, "</td>");
     aob_html_number_cell(page, ratio, percent);
-    aob_text_add(page, "<td class=wrap><a href=#l%" PRId64 ">", series->line->id);
-    aob_trend_escaped(page, "", series->line->text, "</a></td>");
-    add_ratio(page, change->before);
-    add_ratio(page, change->after);
     const char *said = change->told == SIZE_MAX ? NULL : series->dots[change->told].point->said;
     aob_text_add(page, "<td>");
     aob_trend_chip(page, (int64_t)change->verdict, said);
-    aob_text_add(page, "</td><td class=wrap>");
+    aob_text_add(page, "</td><td class=wrap><a href=#l%" PRId64 ">", series->line->id);
+    aob_trend_escaped(page, "", series->line->text, "</a></td>");
+    add_ratio(page, change->before);
+    add_ratio(page, change->after);
+    aob_text_add(page, "<td class=wrap>");
     aob_trend_escaped(page, "", series->line->config, " \u00b7 ");
     aob_trend_escaped(page, "", series->line->class_name, "</td></tr>\n");
 }
@@ -43,13 +43,13 @@ void aob_trend_change_table(struct aob_text *page, const struct aob_trend_change
                      "<p>Nothing: each series is at one level, and no night was told of.</p></section>\n");
         return;
     }
-    aob_text_add(page,
-                 "<p class=soft>Before and after are levels of the "
-                 "ratio to the fixed pass.</p>\n<div class=scroll tabindex=0><table class=cases><thead><tr>"
-                 "<th><button>since</button></th><th class=n><button>change</button></th>"
-                 "<th><button>series</button></th><th class=n><button>before</button></th>"
-                 "<th class=n><button>after</button></th><th><button>verdict</button></th>"
-                 "<th><button>config, machine</button></th></tr></thead><tbody>\n");
+    aob_text_add(page, "<p class=soft>Before and after are levels of the "
+                       "ratio to the fixed pass.</p>\n<div class=scroll tabindex=0 role=region "
+                       "aria-label=changes><table class=cases><thead><tr>"
+                       "<th><button>since</button></th><th class=n><button>change</button></th>"
+                       "<th><button>verdict</button></th><th><button>series</button></th>"
+                       "<th class=n><button>before</button></th><th class=n><button>after</button></th>"
+                       "<th><button>config, machine</button></th></tr></thead><tbody>\n");
     for (size_t i = 0; i < changes->count; i++)
         add_row(page, &changes->items[i]);
     aob_text_add(page, "</tbody></table></div></section>\n");

@@ -32,6 +32,6 @@ size_t aob_trend_images(const struct aob_trend_series *series, size_t *latest);
 /* A tick for each night of a calendar, which the charts of its series use by name: once a page, in front of them. */
 void aob_trend_ticks(struct aob_text *page, const struct aob_trend_calendar *calendar);
 
-/* Adds the chart of a series that has a dot. aob_trend_marks and aob_trend_ticks stand in front of it. */
+/* Adds the chart of a series that has a dot. aob_trend_open and aob_trend_ticks stand in front of it. */
 void aob_trend_chart(struct aob_text *page, const struct aob_trend_series *series);
 #endif

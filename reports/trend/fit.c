@@ -104,17 +104,13 @@ static void place_dots(struct aob_trend_series *series)
     }
 }
 
-void aob_trend_fit(struct aob_trend_series *series)
+/* Fits anew; a level begins at each dot that `begins`. */
+static void fit_between(struct aob_trend_series *series, const bool *begins)
 {
-    bool *begins = AOB_NEW_ARRAY(bool, series->count);
     struct stretch stretch = {AOB_NEW_ARRAY(double, series->count), AOB_NEW_ARRAY(double, series->count),
                               AOB_NEW_ARRAY(size_t, series->count), 0};
     double usual = usual_width(series);
-    for (size_t i = 0; i < series->count; i++) {
-        const struct aob_point *point = series->dots[i].point;
-        if (is_decided(point->verdict) && point->since)
-            begins[aob_trend_since(series, i)] = true;
-    }
+    aob_levels_finish(&series->levels);
     for (size_t i = 0; i < series->count; i++) {
         if (begins[i])
             fit_stretch(series, &stretch);
@@ -122,9 +118,32 @@ void aob_trend_fit(struct aob_trend_series *series)
             add_dot(&stretch, series, i, usual);
     }
     fit_stretch(series, &stretch);
-    place_dots(series);
-    free(begins);
     free(stretch.values);
     free(stretch.weights);
     free(stretch.places);
+}
+
+static bool is_near_border(const struct aob_levels *levels, size_t dot)
+{
+    for (size_t k = 1; k < levels->count; k++)
+        if (levels->starts[k] <= dot + AOB_TREND_NEAR && dot <= levels->starts[k] + AOB_TREND_NEAR)
+            return true;
+    return false;
+}
+
+void aob_trend_fit(struct aob_trend_series *series)
+{
+    bool *begins = AOB_NEW_ARRAY(bool, series->count), any = false;
+    fit_between(series, begins);
+    for (size_t i = 0; i < series->count; i++) {
+        const struct aob_point *point = series->dots[i].point;
+        size_t since = aob_trend_since(series, i);
+        if (!is_decided(point->verdict) || !point->since || is_near_border(&series->levels, since))
+            continue;
+        begins[since] = any = true;
+    }
+    if (any)
+        fit_between(series, begins);
+    place_dots(series);
+    free(begins);
 }

@@ -39,16 +39,17 @@ static void add_head(struct aob_text *text, const struct aob_night_page *page)
 static void add_ratio(struct aob_text *text, double ratio)
 {
     char shown[32];
-    snprintf(shown, sizeof shown, "%.4g", ratio);
+    snprintf(shown, sizeof shown, "%.3f", ratio);
     aob_html_number_cell(text, ratio > 0 ? ratio : NAN, shown);
 }
 
 static void add_row(struct aob_text *text, const struct aob_night_item *item)
 {
-    struct aob_text beside = {0};
+    struct aob_text beside = {0}, rest = {0};
     char change[32];
     aob_night_words_change(item, change);
     aob_night_words_beside(item, &beside);
+    aob_night_words_rest(item, &rest);
     aob_text_add(text, "<tr><td>");
     aob_trend_chip(text, (int64_t)item->verdict, NULL);
     aob_text_add(text, "</td><td class=n>%s</td>", change);
@@ -57,7 +58,11 @@ static void add_row(struct aob_text *text, const struct aob_night_item *item)
     add_ratio(text, item->before_ratio);
     add_ratio(text, item->after_ratio);
     aob_text_add(text, "<td class=n>%s</td>", beside.size ? beside.data : "\u2013");
-    aob_trend_escaped(text, "<td class=wrap>", item->said, "</td></tr>\n");
+    aob_trend_escaped(text, "<td class=wrap>", item->said, "");
+    if (rest.size)
+        aob_trend_escaped(text, "<br><small>", rest.data, "</small>");
+    aob_text_add(text, "</td></tr>\n");
+    aob_text_finish(&rest);
     aob_text_finish(&beside);
 }
 
@@ -71,7 +76,8 @@ static void add_table(struct aob_text *text, const struct aob_night_page *page)
     aob_text_add(text,
                  "<p class=soft>Before and after are levels of the ratio to the fixed pass. Beside the old "
                  "module: the cost of the new one over that of the old one, both timed in this night.</p>\n"
-                 "<div class=\"scroll plain\" tabindex=0><table><thead><tr><th>verdict</th>"
+                 "<div class=\"scroll plain\" tabindex=0 role=region aria-label=changes><table "
+                 "class=told><thead><tr><th>verdict</th>"
                  "<th class=n>change</th><th>series</th><th class=n>before</th><th class=n>after</th>"
                  "<th class=n>beside the old module</th><th>why</th></tr></thead><tbody>\n");
     for (size_t i = 0; i < page->count; i++)

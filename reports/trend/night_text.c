@@ -15,10 +15,11 @@ static double known(double ratio)
 
 static void add_row(struct aob_text *text, const struct aob_night_item *item)
 {
-    struct aob_text beside = {0};
+    struct aob_text beside = {0}, rest = {0};
     char change[32];
     aob_night_words_change(item, change);
     aob_night_words_beside(item, &beside);
+    aob_night_words_rest(item, &rest);
     aob_text_add(text, "| %s | %s | ", aob_trend_word((int64_t)item->verdict)->word, change);
     aob_md_escape(text, item->line->text);
     aob_text_add(text, " |");
@@ -26,8 +27,11 @@ static void add_row(struct aob_text *text, const struct aob_night_item *item)
     aob_md_number(text, known(item->after_ratio), 3);
     aob_text_add(text, " %s | ", beside.size ? beside.data : "\u2013");
     aob_md_escape(text, item->said ? item->said : "");
+    if (rest.size)
+        aob_text_add(text, "%s(%s)", item->said && *item->said ? " " : "", rest.data);
     aob_text_add(text, " |\n");
     aob_text_finish(&beside);
+    aob_text_finish(&rest);
 }
 
 static void add_table(const struct aob_night_page *page, struct aob_text *text)

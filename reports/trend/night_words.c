@@ -1,4 +1,7 @@
 #include "night_words.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
 #include "parts.h"
 
 void aob_night_words_title(const struct aob_night_page *page, struct aob_text *text)
@@ -42,8 +45,9 @@ void aob_night_words_counts(const struct aob_night_page *page, struct aob_text *
 
 void aob_night_words_change(const struct aob_night_item *item, char text[32])
 {
+    bool confirmed = item->verdict == AOB_NIGHT_SLOWER || item->verdict == AOB_NIGHT_FASTER;
     double levels = item->before_ratio > 0 ? item->after_ratio / item->before_ratio : 0;
-    aob_trend_percent(text, item->beside > 0 ? item->beside : levels);
+    aob_trend_percent(text, confirmed && item->beside > 0 ? item->beside : levels);
 }
 
 void aob_night_words_beside(const struct aob_night_item *item, struct aob_text *text)
@@ -55,4 +59,19 @@ void aob_night_words_beside(const struct aob_night_item *item, struct aob_text *
     aob_trend_percent(low, item->low);
     aob_trend_percent(high, item->high);
     aob_text_add(text, "%s [%s, %s]", at, low, high);
+}
+
+void aob_night_words_rest(const struct aob_night_item *item, struct aob_text *text)
+{
+    char before[32], now[32];
+    if (!item->before || !item->now)
+        return;
+    snprintf(before, sizeof before, "%.4f", item->before->band_rmse);
+    snprintf(now, sizeof now, "%.4f", item->now->band_rmse);
+    if (isfinite(item->before->band_rmse) && isfinite(item->now->band_rmse) && strcmp(before, now) != 0)
+        aob_text_add(text, "error in band %s \u2192 %s", before, now);
+    snprintf(before, sizeof before, "%.2f", item->before->memory_bytes / 1048576);
+    snprintf(now, sizeof now, "%.2f", item->now->memory_bytes / 1048576);
+    if (isfinite(item->before->memory_bytes) && isfinite(item->now->memory_bytes) && strcmp(before, now) != 0)
+        aob_text_add(text, "%s%s \u2192 %s MiB", text->size ? ", " : "", before, now);
 }

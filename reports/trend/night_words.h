@@ -12,9 +12,13 @@ void aob_night_words_verdict(const struct aob_night_page *page, struct aob_text 
 /* "120 of 122 cases ok, 118 series watched, 3 stood out". */
 void aob_night_words_counts(const struct aob_night_page *page, struct aob_text *text);
 
-/* "+5.2 %": beside the old module where that was measured, else of the levels; "\u2013" where neither is known. */
+/* "+5.2 %": of a confirmed change what was measured beside the old module, else how far the levels differ; "\u2013" where
+ * that is not known. */
 void aob_night_words_change(const struct aob_night_item *item, char text[32]);
 
 /* "+5.0 % [+4.1 %, +5.9 %]", measured beside the old module; nothing where it was not. */
 void aob_night_words_beside(const struct aob_night_item *item, struct aob_text *text);
+
+/* "error in band 0.0312 \u2192 0.0340, 1.00 \u2192 1.25 MiB": what of it differs from the point before. */
+void aob_night_words_rest(const struct aob_night_item *item, struct aob_text *text);
 #endif

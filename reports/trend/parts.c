@@ -29,6 +29,16 @@ void aob_trend_escaped(struct aob_text *page, const char *before, const char *te
     aob_text_add(page, "%s", after);
 }
 
+/* Each verdict has a shape of its own besides its colour. */
+static void add_marks(struct aob_text *page)
+{
+    aob_text_add(page, "<svg width=0 height=0 class=marks aria-hidden=true><defs>"
+                       "<path id=m-slower d=\"M0-6 6 5H-6z\"/><path id=m-faster d=\"M0 6 6-5H-6z\"/>"
+                       "<path id=m-moved d=\"M0-6 6 0 0 6-6 0z\"/><path id=m-machine d=\"M-5-5H5V5H-5z\"/>"
+                       "<path id=m-broken d=\"M-6-3-3-6 0-3 3-6 6-3 3 0 6 3 3 6 0 3-3 6-6 3-3 0z\"/>"
+                       "<circle id=m-open r=5 /><circle id=m-outlier r=3.5 /></defs></svg>\n");
+}
+
 void aob_trend_open(struct aob_text *page, const char *title)
 {
     aob_trend_escaped(page,
@@ -37,18 +47,8 @@ void aob_trend_open(struct aob_text *page, const char *title)
                       "content=\"light dark\">\n<title>",
                       title, " \u2013 aobudget</title>\n<style>\n");
     aob_text_add(page, "%s%s</style></head>\n<body>\n", aob_text_page_style, aob_text_trend_style);
-    aob_trend_marks(page);
+    add_marks(page);
     aob_trend_escaped(page, "<header><h1>", title, "</h1>\n");
-}
-
-/* Each verdict has a shape of its own besides its colour. */
-void aob_trend_marks(struct aob_text *page)
-{
-    aob_text_add(page, "<svg width=0 height=0 class=marks aria-hidden=true><defs>"
-                       "<path id=m-slower d=\"M0-6 6 5H-6z\"/><path id=m-faster d=\"M0 6 6-5H-6z\"/>"
-                       "<path id=m-moved d=\"M0-6 6 0 0 6-6 0z\"/><path id=m-machine d=\"M-5-5H5V5H-5z\"/>"
-                       "<path id=m-broken d=\"M-6-3-3-6 0-3 3-6 6-3 3 0 6 3 3 6 0 3-3 6-6 3-3 0z\"/>"
-                       "<circle id=m-open r=5 /><circle id=m-outlier r=3.5 /></defs></svg>\n");
 }
 
 void aob_trend_chip(struct aob_text *page, int64_t verdict, const char *said)

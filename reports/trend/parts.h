@@ -15,11 +15,8 @@ struct aob_trend_word {
 /* Of any number that a history may hold: one that is no verdict is AOB_NIGHT_NONE. */
 const struct aob_trend_word *aob_trend_word(int64_t verdict);
 
-/* From the doctype to the heading; the header stays open. */
+/* From the doctype to the heading, with the marks that charts and chips use by name; the header stays open. */
 void aob_trend_open(struct aob_text *page, const char *title);
-
-/* The marks that charts use by name: once a page, in front of the first chart. */
-void aob_trend_marks(struct aob_text *page);
 
 /* The word of a verdict as a chip in its colour, with its mark; `said` is what one sees when one points at it. */
 void aob_trend_chip(struct aob_text *page, int64_t verdict, const char *said);

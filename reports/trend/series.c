@@ -18,14 +18,14 @@ static void add_now(struct aob_text *page, const struct aob_trend_series *series
     else
         aob_trend_escaped(page, "last on ", day, ": ");
     if (isfinite(point->ratio))
-        aob_text_add(page, "<b>%.4g</b>", point->ratio);
+        aob_text_add(page, "<b>%.3f</b>", point->ratio);
     else {
         aob_trend_escaped(page, "<b>", point->status && *point->status ? point->status : "no ratio", "</b>");
         if (point->reason && *point->reason)
             aob_trend_escaped(page, ", ", point->reason, "");
     }
     if (isfinite(point->low) && isfinite(point->high))
-        aob_text_add(page, " [%.4g, %.4g]", point->low, point->high);
+        aob_text_add(page, " [%.3f, %.3f]", point->low, point->high);
 }
 
 static void add_level(struct aob_text *page, const struct aob_trend_series *series)

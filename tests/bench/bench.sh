@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, cases, linear, divided, bent, effects, lit, thrift, temporal, effects_plan, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, cache, shapes, stress, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, cases, linear, divided, bent, effects, lit, thrift, temporal, effects_plan, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, cache, shapes, stress, trend, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -102,6 +102,18 @@ source tests/bench/compare.sh
 source tests/bench/cache.sh
 source tests/bench/cache_shapes.sh
 source tests/bench/stress.sh
+
+# 1,000 series of 103 nights, of which one in forty is missing.
+if wanted trend; then
+  mkdir "$folder/trend"
+  while read -r name value unit; do
+    case $name in
+      points) row "trend: $name" "$value" "$unit" ">=" 100000 ;;
+      seconds) row "trend: duration of the page" "$value" "$unit" "<=" 3 ;;
+      *) row "trend: $name of the page" "$value" "$unit" ;;
+    esac
+  done < <(build/release/bench/bench_trend "$folder/trend" 1000 103)
+fi
 
 if wanted demo; then
   start=$(date +%s.%N)
