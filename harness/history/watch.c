@@ -42,12 +42,12 @@ static bool has_value(const struct aob_point *point)
 static double width_of(const struct aob_point *point)
 {
     bool known = isfinite(point->high) && point->low > 0 && point->high >= point->low;
-    return known ? log(point->high / point->low) : unknown;
+    return known ? fmax(log(point->high / point->low), narrowest) : unknown;
 }
 
 static void weigh(struct values *v, const struct aob_point *points)
 {
-    double *widths = AOB_NEW_ARRAY(double, v->n), usual = narrowest;
+    double *widths = AOB_NEW_ARRAY(double, v->n), usual;
     size_t known = 0;
     for (size_t i = 0; i < v->n; i++) {
         double width = width_of(&points[v->at[i]]);
@@ -55,8 +55,7 @@ static void weigh(struct values *v, const struct aob_point *points)
         if (width < unknown)
             widths[known++] = width;
     }
-    if (known)
-        usual = fmax(aob_median(widths, known), narrowest);
+    usual = known ? aob_median(widths, known) : narrowest;
     for (size_t i = 0; i < v->n; i++)
         v->weights[i] = 1 / fmin(fmax(2 * v->halves[i], least_share * usual), most_share * usual);
     free(widths);
@@ -131,27 +130,38 @@ static double noise_of(const struct values *v, const struct aob_levels *levels)
     return noise;
 }
 
-static int compare(const void *a, const void *b)
+/* The largest distance from `before`, up or down, beyond which more than half of the weight of the last k values lies. */
+static double shift_of(const struct values *v, size_t k, double before)
 {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
+    const double *y = v->y + v->n - k, *weights = v->weights + v->n - k;
+    double total = 0, shift = 0;
+    for (size_t i = 0; i < k; i++)
+        total += weights[i];
+    for (size_t i = 0; i < k; i++) {
+        double distance = y[i] - before, beyond = 0;
+        for (size_t j = 0; j < k; j++)
+            if (distance > 0 ? y[j] >= y[i] : y[j] <= y[i])
+                beyond += weights[j];
+        /* Sums of weights are not exact: within 1e-12 they are half. */
+        if (beyond > total * (0.5 + 1e-12) && fabs(distance) > fabs(shift))
+            shift = distance;
+    }
+    return shift;
 }
 
-/* The median distance of the last k values from `before`; of an even number the nearer one. */
-static double shift_of(const double *y, size_t k, double before)
+/* Half the width of the interval of the last k values together, if they err independently. */
+static double half_of(const struct values *v, size_t k)
 {
-    double distances[AOB_WATCH_NIGHTS];
-    for (size_t i = 0; i < k; i++)
-        distances[i] = y[i] - before;
-    qsort(distances, k, sizeof *distances, compare);
-    double low = distances[(k - 1) / 2], high = distances[k / 2];
-    return fabs(low) < fabs(high) ? low : high;
+    double sum = 0;
+    for (size_t i = v->n - k; i < v->n; i++)
+        sum += 1 / (v->halves[i] * v->halves[i]);
+    return 1 / sqrt(sum);
 }
 
 /* How far a shift must lie away by what is known of errors; `m` values make the level before. */
 static double error_of(const struct values *v, size_t k, size_t m, double noise)
 {
-    double half = aob_median(v->halves + v->n - k, k) / sqrt((double)k), widest = 0;
+    double half = half_of(v, k), widest = 0;
     double share = k == 1 ? 1 + M_PI / 2 / (double)m : M_PI / 2 * (1 / (double)k + 1 / (double)m);
     for (size_t i = v->start; i + k < v->n; i++)
         widest = fmax(widest, v->halves[i]);
@@ -164,7 +174,7 @@ static struct tail tail_of(const struct values *v, size_t first, size_t k, doubl
     size_t end = v->n - k, m = end - first;
     struct tail tail = {.before = aob_level_value(v->y + first, v->weights + first, m)};
     double tonight = v->y[v->n - 1] - tail.before;
-    tail.shift = shift_of(v->y + end, k, tail.before);
+    tail.shift = shift_of(v, k, tail.before);
     tail.need = fmax(log1p(least), error_of(v, k, m, noise));
     tail.stands_out = fabs(tail.shift) > tail.need && fabs(tonight - tail.shift) < fabs(tonight) &&
                       (k == 1 || (!isnan(noise) && m >= AOB_WATCH_KNOWN));
@@ -237,6 +247,12 @@ void aob_watch_line(const struct aob_point *points, size_t count, double least, 
     if (v.start + 1 < v.n)
         watch_values(&v, least, watch);
     values_finish(&v);
+}
+
+static int compare(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
 }
 
 void aob_watch_discover(const double *p, size_t count, double q, bool *found)

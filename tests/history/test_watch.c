@@ -149,7 +149,34 @@ static void test_outlier_and_back(void **state)
     quiet();
 }
 
-/* Two outliers are no level: their costs are known to be others. */
+/* Most of the last three lie beyond, but tonight does not. */
+static void test_back_tonight(void **state)
+{
+    (void)state;
+    start(30);
+    add(.05, .01);
+    add(.05, .01);
+    suspect(30, .05);
+    add(.003, .01);
+    quiet();
+}
+
+/* A night of which little is known neither hides a step nor makes one. */
+static void test_wide_night(void **state)
+{
+    (void)state;
+    start(30);
+    add(.05, .01);
+    add(.03, .2);
+    suspect(30, .05);
+    start(30);
+    add(.0, .01);
+    add(.15, .2);
+    add(.004, .01);
+    quiet();
+}
+
+/* Outliers are no level: their costs are known to be others. */
 static void test_outliers_are_left_out(void **state)
 {
     (void)state;
@@ -366,6 +393,8 @@ int main(void)
         cmocka_unit_test(test_small_step_over_nights),
         cmocka_unit_test(test_step_two_nights_ago),
         cmocka_unit_test(test_outlier_and_back),
+        cmocka_unit_test(test_back_tonight),
+        cmocka_unit_test(test_wide_night),
         cmocka_unit_test(test_outliers_are_left_out),
         cmocka_unit_test(test_alarm_is_not_repeated),
         cmocka_unit_test(test_slower_then_faster_back),
