@@ -59,6 +59,13 @@ static void gather(struct copying *copying)
     }
 }
 
+/* The folder that was given first comes first; all sources lie in one array. */
+static int compare_origins(const void *a, const void *b)
+{
+    const struct origin *first = a, *second = b;
+    return (first->source > second->source) - (first->source < second->source);
+}
+
 /* A graph's name is a digest of the passes, and it has no seal. */
 static void take_seal(struct origin *origin, const char *path, bool graph)
 {
@@ -170,6 +177,7 @@ static bool copy_file(struct copying *copying, struct file *file, struct aob_err
         return true;
     }
     bool graph = aob_merge_named_is_graph(file->name), ok = true;
+    qsort(file->origins, file->count, sizeof *file->origins, compare_origins);
     for (size_t i = 0; i < file->count && ok; i++) {
         struct origin *origin = &file->origins[i];
         char *path = aob_path_join(origin->source->path, file->name);

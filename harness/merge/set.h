@@ -6,10 +6,11 @@
 #include "base/error.h"
 #include "source.h"
 
-struct aob_merge_set {                       /* folders whose devices agree */
-    char *out;                               /* the folder that they become */
-    json_t *devices;                         /* of all of them, as in run.json */
-    const struct aob_merge_source **sources; /* in the order given; borrowed */
+struct aob_merge_set { /* folders whose devices agree */
+    char *out;         /* the folder that they become */
+    json_t *devices;   /* of all of them, as in run.json */
+    const struct aob_merge_source *
+        *sources; /* in the order given, which is that of the array they lie in; borrowed */
     size_t count, capacity;
 };
 struct aob_merge_sets {
