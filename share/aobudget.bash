@@ -7,7 +7,7 @@ _aobudget() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
   local words
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="list plan run shot report papers compare calibrate cache budget effects stress doctor --help --version"
+    words="list plan run shot merge report papers compare calibrate cache budget effects stress doctor --help --version"
   else
     case $previous in
       --technique) words=$(_aobudget_names techniques) ;;

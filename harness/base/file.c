@@ -2,6 +2,7 @@
 #include "memory.h"
 #include "part.h"
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -103,7 +104,8 @@ bool aob_file_check(const char *path, struct aob_error *error)
     return ok;
 }
 
-static bool replace(const char *target, const struct aob_piece *pieces, size_t count, struct aob_error *error)
+static bool replace(const char *target, const struct aob_piece *pieces, size_t count,
+                    bool (*keep)(struct aob_part *, struct aob_error *), struct aob_error *error)
 {
     struct aob_part part;
     if (!aob_part_create(&part, target, error))
@@ -113,7 +115,7 @@ static bool replace(const char *target, const struct aob_piece *pieces, size_t c
             aob_part_drop(&part);
             return false;
         }
-    return aob_part_keep(&part, error);
+    return keep(&part, error);
 }
 
 bool aob_file_write_pieces(const char *path, const struct aob_piece *pieces, size_t count,
@@ -122,7 +124,16 @@ bool aob_file_write_pieces(const char *path, const struct aob_piece *pieces, siz
     if (aob_file_is_special(path))
         return write_into(path, pieces, count, error);
     char *target = aob_file_target(path, error);
-    bool ok = target && replace(target, pieces, count, error);
+    bool ok = target && replace(target, pieces, count, aob_part_keep, error);
+    free(target);
+    return ok;
+}
+
+bool aob_file_write_pieces_unflushed(const char *path, const struct aob_piece *pieces, size_t count,
+                                     struct aob_error *error)
+{
+    char *target = aob_file_target(path, error);
+    bool ok = target && replace(target, pieces, count, aob_part_name, error);
     free(target);
     return ok;
 }
@@ -170,6 +181,16 @@ bool aob_folder_create(const char *path, struct aob_error *error)
     if (!is_folder(path))
         return aob_fail(error, "%s: it is not a folder", path);
     return access(path, W_OK) == 0 || aob_fail(error, "%s: the folder is not writable", path);
+}
+
+bool aob_folder_flush(const char *path, struct aob_error *error)
+{
+    int folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    bool ok = (folder >= 0 && syncfs(folder) == 0) ||
+              aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
+    if (folder >= 0)
+        close(folder);
+    return ok;
 }
 
 char *aob_path_join(const char *folder, const char *name)

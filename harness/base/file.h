@@ -19,6 +19,11 @@ struct aob_piece { /* a stretch of bytes; borrowed */
 bool aob_file_write_pieces(const char *path, const struct aob_piece *pieces, size_t count,
                            struct aob_error *error); /* one after the other */
 
+/* The same of many files: none waits for the disk, which each does for some milliseconds. aob_folder_flush then waits for all of them; a loss
+ * of power before that may leave a file of any length. What is no regular file is refused. */
+bool aob_file_write_pieces_unflushed(const char *path, const struct aob_piece *pieces, size_t count,
+                                     struct aob_error *error);
+
 /* Writes all of it to an open file, however many calls that takes. False with errno, of which nothing else tells. */
 bool aob_file_send(int file, const void *bytes, size_t size);
 
@@ -42,6 +47,9 @@ size_t aob_file_size(const char *path); /* bytes; 0 if there is none */
 
 /* Creates a folder and its parents. The folder may exist already; it must be writable. */
 bool aob_folder_create(const char *path, struct aob_error *error);
+
+/* Waits until all that was written to the file system of this folder is on disk. */
+bool aob_folder_flush(const char *path, struct aob_error *error);
 
 /* Returns "folder/name"; free() it. */
 char *aob_path_join(const char *folder, const char *name);

@@ -101,13 +101,27 @@ static void finish(struct aob_part *part)
     *part = (struct aob_part){.file = -1};
 }
 
+static bool give_name(struct aob_part *part, bool flush, struct aob_error *error)
+{
+    if ((!flush || fsync(part->file) == 0) && rename(part->path, part->target) == 0)
+        return true;
+    fail(part, error);
+    aob_part_drop(part);
+    return false;
+}
+
+bool aob_part_name(struct aob_part *part, struct aob_error *error)
+{
+    bool ok = give_name(part, false, error);
+    if (ok)
+        finish(part);
+    return ok;
+}
+
 bool aob_part_keep(struct aob_part *part, struct aob_error *error)
 {
-    if (fsync(part->file) != 0 || rename(part->path, part->target) != 0) {
-        fail(part, error);
-        aob_part_drop(part);
+    if (!give_name(part, true, error))
         return false;
-    }
     bool ok = sync_folder(part->target) || fail(part, error);
     finish(part);
     return ok;

@@ -19,6 +19,10 @@ bool aob_part_write(struct aob_part *part, const void *bytes, size_t size, struc
 
 /* Flushes the part to disk, gives it the target's name, and flushes the folder. If that fails, the part is dropped. */
 bool aob_part_keep(struct aob_part *part, struct aob_error *error);
+
+/* Gives the part the target's name and flushes nothing: after a loss of power the target may be there and hold less. If that fails,
+ * the part is dropped. */
+bool aob_part_name(struct aob_part *part, struct aob_error *error);
 void aob_part_drop(struct aob_part *part);
 
 /* Removes the parts in a folder whose writers are gone. Nothing else is touched, and a folder that cannot be read is

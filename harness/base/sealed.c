@@ -148,7 +148,12 @@ char *aob_sealed_read(const char *path, size_t *size, struct aob_error *error)
     return bytes;
 }
 
-bool aob_sealed_write(const char *path, const struct aob_piece *pieces, size_t count, struct aob_error *error)
+/* How the bytes get into the file. */
+typedef bool writer_function(const char *path, const struct aob_piece *pieces, size_t count,
+                             struct aob_error *error);
+
+static bool write_with(writer_function *writer, const char *path, const struct aob_piece *pieces,
+                       size_t count, struct aob_error *error)
 {
     char seal[SEAL + 1], *target = aob_file_target(path, error);
     if (!target)
@@ -162,17 +167,42 @@ bool aob_sealed_write(const char *path, const struct aob_piece *pieces, size_t c
     }
     make_seal(&hash, path, seal);
     all[count] = (struct aob_piece){seal, SEAL};
-    bool ok = aob_file_write_pieces(path, all, count + 1, error);
+    bool ok = writer(path, all, count + 1, error);
     free(all);
     free(target);
     return ok;
 }
 
-bool aob_sealed_copy(const char *from, const char *to, struct aob_error *error)
+bool aob_sealed_write(const char *path, const struct aob_piece *pieces, size_t count, struct aob_error *error)
+{
+    return write_with(aob_file_write_pieces, path, pieces, count, error);
+}
+
+static bool copy_with(writer_function *writer, const char *from, const char *to, struct aob_error *error)
 {
     size_t size;
     char *bytes = aob_sealed_read(from, &size, error);
-    bool ok = bytes && aob_sealed_write(to, &(struct aob_piece){bytes, size}, 1, error);
+    bool ok = bytes && write_with(writer, to, &(struct aob_piece){bytes, size}, 1, error);
     free(bytes);
+    return ok;
+}
+
+bool aob_sealed_copy(const char *from, const char *to, struct aob_error *error)
+{
+    return copy_with(aob_file_write_pieces, from, to, error);
+}
+
+bool aob_sealed_copy_unflushed(const char *from, const char *to, struct aob_error *error)
+{
+    return copy_with(aob_file_write_pieces_unflushed, from, to, error);
+}
+
+bool aob_sealed_peek(const char *path, char seal[AOB_SEAL_SIZE + 1])
+{
+    struct reader r = {.path = path};
+    bool ok = open_file(&r) == AOB_SEALED_GOOD && pread(r.file, seal, SEAL, (off_t)r.size) == SEAL &&
+              memcmp(seal, aob_sealed_version, MARK) == 0;
+    seal[ok ? SEAL : 0] = '\0';
+    close_file(&r);
     return ok;
 }

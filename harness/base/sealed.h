@@ -30,4 +30,11 @@ bool aob_sealed_write(const char *path, const struct aob_piece *pieces, size_t c
 
 /* Copies a good file, and seals it under its new name. */
 bool aob_sealed_copy(const char *from, const char *to, struct aob_error *error);
+
+/* The same as aob_file_write_pieces_unflushed writes: for many files, which aob_folder_flush flushes. */
+bool aob_sealed_copy_unflushed(const char *from, const char *to, struct aob_error *error);
+
+/* The seal that stands at the end of a file, as it is there, which is not looked at: two files of one name have the same seal
+ * where they have the same bytes. False where no file ends with a seal. */
+bool aob_sealed_peek(const char *path, char seal[AOB_SEAL_SIZE + 1]);
 #endif

@@ -16,29 +16,41 @@ struct reading {
     json_t *records, *by_key; /* by_key: the key's place in the records */
     const char *const *paths; /* of the members that are kept; NULL: all are */
     size_t lines, damaged, first_damaged;
+    struct aob_journal_lines *kept; /* the bytes of the records; NULL: nobody wants them */
+    char *scratch;                  /* where a line is cut that has to stay whole; as long as the file */
 };
 
 /* A case that was tried again has several lines. The last one counts, in the place of the first, so that the order
  * stays. */
-static void keep_last(struct reading *reading, const char *key, json_t *record)
+static size_t keep_last(struct reading *reading, const char *key, json_t *record)
 {
     json_t *place = json_object_get(reading->by_key, key);
+    size_t at = place ? (size_t)json_integer_value(place) : json_array_size(reading->records);
     if (place) {
-        json_array_set(reading->records, (size_t)json_integer_value(place), record);
-        return;
+        json_array_set(reading->records, at, record);
+        return at;
     }
-    json_object_set_new(reading->by_key, key, json_integer((json_int_t)json_array_size(reading->records)));
+    json_object_set_new(reading->by_key, key, json_integer((json_int_t)at));
     json_array_append(reading->records, record);
+    return at;
+}
+
+static void keep_line(struct aob_journal_lines *lines, size_t at, const char *text, size_t size)
+{
+    if (at >= lines->capacity)
+        lines->items = aob_grow(lines->items, at, &lines->capacity, sizeof *lines->items);
+    lines->items[at] = (struct aob_piece){text, size};
 }
 
 static bool take_record(struct reading *reading, char *text, size_t size)
 {
-    if (reading->paths)
-        size = aob_json_keep(text, size, reading->paths, text);
-    json_t *record = json_loadb(text, size, JSON_REJECT_DUPLICATES, NULL);
+    char *cut = reading->kept ? reading->scratch : text;
+    size_t cut_size = reading->paths ? aob_json_keep(text, size, reading->paths, cut) : size;
+    json_t *record = json_loadb(reading->paths ? cut : text, cut_size, JSON_REJECT_DUPLICATES, NULL);
     const char *key = json_string_value(json_object_get(record, "key"));
-    if (key)
-        keep_last(reading, key, record);
+    size_t at = key ? keep_last(reading, key, record) : 0;
+    if (key && reading->kept)
+        keep_line(reading->kept, at, text, size);
     json_decref(record);
     return key != NULL;
 }
@@ -75,19 +87,38 @@ json_t *aob_journal_read(const char *path, struct aob_error *damage, struct aob_
 json_t *aob_journal_read_only(const char *path, const char *const *paths, struct aob_error *damage,
                               struct aob_error *error)
 {
+    return aob_journal_read_lines(path, paths, NULL, damage, error);
+}
+
+json_t *aob_journal_read_lines(const char *path, const char *const *paths, struct aob_journal_lines *lines,
+                               struct aob_error *damage, struct aob_error *error)
+{
     size_t size = 0;
     char *text = aob_file_exists(path) ? aob_file_read(path, (size_t)1 << 32, &size, error) : aob_strdup("");
     if (!text)
         return NULL;
-    struct reading reading = {.records = json_array(), .by_key = json_object(), .paths = paths};
+    struct reading reading = {
+        .records = json_array(), .by_key = json_object(), .paths = paths, .kept = lines};
+    reading.scratch = lines ? aob_alloc(size + 1, 1) : NULL;
     char *end = text + size;
     for (char *line = text, *newline; (newline = memchr(line, '\n', (size_t)(end - line)));
          line = newline + 1)
         take_line(&reading, line, (size_t)(newline - line));
-    free(text);
+    free(reading.scratch);
+    if (lines)
+        lines->text = text;
+    else
+        free(text);
     json_decref(reading.by_key);
     tell(&reading, path, damage);
     return reading.records;
+}
+
+void aob_journal_lines_finish(struct aob_journal_lines *lines)
+{
+    free(lines->text);
+    free(lines->items);
+    *lines = (struct aob_journal_lines){0};
 }
 
 /* Cuts what a killed run left of its last line, which lies behind the last newline. */
@@ -114,6 +145,21 @@ bool aob_journal_open(struct aob_journal *journal, const char *path, struct aob_
     if (!cut_torn_line(journal)) {
         close(journal->file);
         return aob_fail(error, "%s: cannot write: %s", path, strerror(errno));
+    }
+    journal->path = aob_strdup(path);
+    return true;
+}
+
+bool aob_journal_hold(struct aob_journal *journal, const char *path, struct aob_error *error)
+{
+    *journal = (struct aob_journal){.file = open(path, O_RDONLY | O_CLOEXEC)};
+    if (journal->file < 0)
+        return aob_fail(error, "%s: cannot open: %s", path, strerror(errno));
+    if (flock(journal->file, LOCK_SH | LOCK_NB) != 0) {
+        int cause = errno;
+        close(journal->file);
+        return cause == EWOULDBLOCK ? aob_fail(error, "%s: a run is writing here; wait for it", path)
+                                    : aob_fail(error, "%s: cannot lock: %s", path, strerror(cause));
     }
     journal->path = aob_strdup(path);
     return true;

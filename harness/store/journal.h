@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <sys/types.h>
 #include "base/error.h"
+#include "base/file.h"
 
 /* Reads every whole line that is an object with a "key". If several lines have one key, the last stands. A missing file
  * is an empty journal. Bytes are what it holds: after a loss of power, zeros may stand where a line was or before one.
@@ -18,6 +19,18 @@ json_t *aob_journal_read(const char *path, struct aob_error *damage, struct aob_
 json_t *aob_journal_read_only(const char *path, const char *const *paths, struct aob_error *damage,
                               struct aob_error *error);
 
+/* The same, with the bytes of each record as they stand in the file, for who passes them on. What `paths` leave out of a line is not looked
+ * at, so a fault within it goes unseen. */
+struct aob_journal_lines {
+    char *text; /* of the file */
+    struct aob_piece
+        *items; /* of each record, in their order: its line without the line break; within `text` */
+    size_t capacity;
+};
+json_t *aob_journal_read_lines(const char *path, const char *const *paths, struct aob_journal_lines *lines,
+                               struct aob_error *damage, struct aob_error *error);
+void aob_journal_lines_finish(struct aob_journal_lines *lines);
+
 struct aob_journal {
     int file; /* locked, so that one run has the folder */
     char *path;
@@ -25,6 +38,10 @@ struct aob_journal {
 };
 /* Opens or creates a journal for appending. It is refused with one line while another process has it open. */
 bool aob_journal_open(struct aob_journal *journal, const char *path, struct aob_error *error);
+
+/* Opens a journal to read it, and keeps every run from writing to it until aob_journal_close. Several programs may hold it
+ * at once. It is refused with one line while a run writes to it. */
+bool aob_journal_hold(struct aob_journal *journal, const char *path, struct aob_error *error);
 
 /* Writes a line onto the disk, whole or not at all. False with the cause, and also if the file is no longer the one
  * that the path names (aob_journal_check). */

@@ -19,8 +19,7 @@ static bool same_text(const json_t *a, const json_t *b, const char *name)
     return ta && tb && strcmp(ta, tb) == 0;
 }
 
-/* "llvmpipe, Mesa 22.3.6, AMD EPYC": all that its worker said of it. */
-static void add_device(struct aob_text *text, const json_t *device)
+void aob_run_folder_add_device(struct aob_text *text, const json_t *device)
 {
     json_t *member;
     const char *name;
@@ -38,8 +37,8 @@ static bool fail_other_device(const char *folder, const char *backend, const jso
                               struct aob_error *error)
 {
     struct aob_text before = {0}, after = {0};
-    add_device(&before, then);
-    add_device(&after, now);
+    aob_run_folder_add_device(&before, then);
+    aob_run_folder_add_device(&after, now);
     aob_fail(error,
              "%s holds a run on another device (%s: %s; now it is %s): use --fresh to discard it, or another "
              "--out",
@@ -49,18 +48,32 @@ static bool fail_other_device(const char *folder, const char *backend, const jso
     return false;
 }
 
+const char *aob_run_folder_other_device(const json_t *then, const json_t *now)
+{
+    const char *backend;
+    json_t *device;
+    json_object_foreach((json_t *)(uintptr_t)now, backend, device)
+    {
+        json_t *before = json_object_get(then, backend);
+        if (json_is_object(before) && json_is_object(device) && !json_equal(before, device))
+            return backend;
+    }
+    return NULL;
+}
+
 /* A backend that could not be opened, then or now, has measured nothing that could be mixed. The device that it had
  * then stays known for the next time. */
 static bool judge_devices(const struct aob_run_folder *folder, const json_t *earlier, json_t *info,
                           struct aob_error *error)
 {
-    json_t *devices = json_object_get(info, "devices"), *now;
-    const char *backend;
+    json_t *devices = json_object_get(info, "devices"), *before = json_object_get(earlier, "devices"), *now;
+    const char *backend, *other = aob_run_folder_other_device(before, devices);
+    if (other)
+        return fail_other_device(folder->path, other, json_object_get(before, other),
+                                 json_object_get(devices, other), error);
     json_object_foreach(devices, backend, now)
     {
-        json_t *then = json_object_get(json_object_get(earlier, "devices"), backend);
-        if (json_is_object(then) && json_is_object(now) && !json_equal(then, now))
-            return fail_other_device(folder->path, backend, then, now, error);
+        json_t *then = json_object_get(before, backend);
         if (json_is_object(then) && !json_is_object(now))
             json_object_set(devices, backend, then);
     }

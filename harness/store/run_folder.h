@@ -5,6 +5,7 @@
 #include <jansson.h>
 #include <stdbool.h>
 #include "base/error.h"
+#include "base/text.h"
 #include "journal.h"
 
 struct aob_run_folder {
@@ -25,6 +26,14 @@ bool aob_run_folder_open(struct aob_run_folder *folder, const char *path, json_t
 
 /* Whether aob_run_folder_open would keep what an earlier run left in this folder; it changes nothing. False after a line. */
 bool aob_run_folder_judge(const char *path, const json_t *info, struct aob_error *error);
+
+/* The first backend that has one device in `then` and another in `now`, which are `devices` of two run.json; NULL: there is
+ * none. A backend that could not be opened in one of them has measured nothing there, and is no other device. */
+const char *aob_run_folder_other_device(const json_t *then, const json_t *now);
+
+/* Adds "llvmpipe, Mesa 22.3.6, AMD EPYC": all that run.json says of a device. */
+void aob_run_folder_add_device(struct aob_text *text, const json_t *device);
+
 bool aob_run_folder_describe(const struct aob_run_folder *folder, const json_t *info,
                              struct aob_error *error);
 bool aob_run_folder_keep_config(const struct aob_run_folder *folder, const char *text, size_t size,

@@ -206,6 +206,36 @@ static void test_what_is_no_file_is_not_written(void **state)
     assert_contains(error.text, "/dev/null");
 }
 
+/* A copy is sealed under its own name, with the same seal under the same name; what is damaged is not copied. */
+static void test_copies(void **state)
+{
+    const struct place *place = *state;
+    struct aob_error error = {{0}};
+    char first[AOB_SEAL_SIZE + 1], second[AOB_SEAL_SIZE + 1], again[AOB_SEAL_SIZE + 1];
+    seal(place->path, "content", 7);
+    assert_true(aob_sealed_copy_unflushed(place->path, place->other, &error));
+    assert_true(aob_folder_flush(place->folder, &error));
+    assert_state(place->other, AOB_SEALED_GOOD);
+    assert_true(aob_sealed_peek(place->path, first));
+    assert_true(aob_sealed_peek(place->other, second));
+    assert_string_not_equal(first, second);
+    assert_ptr_equal(strstr(first, aob_sealed_version), first);
+    assert_true(aob_sealed_copy_unflushed(place->other, place->path, &error));
+    assert_true(aob_sealed_peek(place->path, again));
+    assert_string_equal(first, again);
+    put(place->path, "changed", 7);
+    assert_false(aob_sealed_peek(place->path, again));
+    assert_false(aob_sealed_copy_unflushed(place->path, place->other, &error));
+    assert_contains(error.text, "a.exr");
+    assert_state(place->other, AOB_SEALED_GOOD); /* nothing has replaced it */
+    assert_false(aob_sealed_copy_unflushed(place->other, "/nowhere/c.exr", &error));
+    assert_contains(error.text, "/nowhere/c.exr: cannot write");
+    assert_false(aob_folder_flush("/nowhere", &error));
+    assert_contains(error.text, "/nowhere: cannot write");
+    unlink(place->path);
+    assert_false(aob_sealed_peek(place->path, again));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -216,6 +246,7 @@ int main(void)
         cmocka_unit_test(test_no_access_is_not_wrong),
         cmocka_unit_test(test_no_permission_is_not_wrong),
         cmocka_unit_test(test_what_is_no_file_is_not_written),
+        cmocka_unit_test(test_copies),
     };
     return cmocka_run_group_tests(tests, setup, teardown);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, cases, linear, divided, bent, effects, lit, thrift, temporal, effects_plan, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, cache, shapes, stress, trend, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, cases, merge, linear, divided, bent, effects, lit, thrift, temporal, effects_plan, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, cache, shapes, stress, trend, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -17,6 +17,12 @@ row() { # NAME VALUE UNIT [>=|<= BAR]
 }
 
 number() { sed -n "s/^ *\"$2\": *\\([-0-9.e+]*\\),\\{0,1\\}\$/\\1/p" "$1" | head -1; } # of an indented JSON file
+
+elapsed() { # COMMAND...: seconds of wall time
+  local start=$(date +%s.%N)
+  "$@" >/dev/null 2>"$folder/elapsed.log" || { cat "$folder/elapsed.log" >&2; return 1; }
+  awk -v s="$start" -v e="$(date +%s.%N)" 'BEGIN { printf "%.2f", e - s }'
+}
 
 wanted() { [[ -z $only || $1 == *"$only"* ]]; }
 
@@ -94,6 +100,7 @@ EOF
 fi
 
 source tests/bench/cases.sh
+source tests/bench/merge.sh
 source tests/bench/techniques.sh
 source tests/bench/effects.sh
 source tests/bench/papers.sh

@@ -16,11 +16,6 @@ target: {radius: 1}
 measure: {time: false, images: false}
 reference: {spp: 2}
 EOF
-  elapsed() { # COMMAND...: seconds of wall time
-    local start=$(date +%s.%N)
-    "$@" >/dev/null 2>"$folder/cases.log" || { cat "$folder/cases.log" >&2; return 1; }
-    awk -v s="$start" -v e="$(date +%s.%N)" 'BEGIN { printf "%.2f", e - s }'
-  }
   row "cases: plan of 20,000" "$(elapsed build/release/aobudget plan "$folder/cases.yaml")" s "<=" 2
   # The record of one case with all its figures, and 10,000 of them that differ in cost and error.
   cat >"$folder/one.yaml" <<EOF

@@ -231,6 +231,51 @@ static void test_a_line_that_does_not_fit(void **state)
     free(rest);
 }
 
+/* Bytes as they stand in the file, of the line that counts, whatever is left out of the record. */
+static void test_lines_as_they_stand(void **state)
+{
+    (void)state;
+    static const char *const paths[] = {"key", NULL};
+    static const char text[] = "{ \"key\":\"a\", \"value\":1}\nrubbish\n{\"value\":[2.50],\"key\":\"b\"}\n"
+                               "{\"key\":\"c\"}\0{\"key\":\"a\",\"value\":3}\n{\"key\":\"torn\"}";
+    static const char *const wanted[] = {"{\"key\":\"a\",\"value\":3}", "{\"value\":[2.50],\"key\":\"b\"}",
+                                         "{\"key\":\"c\"}"};
+    struct aob_journal_lines lines = {0};
+    struct aob_error damage = {{0}}, error;
+    assert_true(aob_file_write(path, text, sizeof text - 1, &error));
+    json_t *records = aob_journal_read_lines(path, paths, &lines, &damage, &error);
+    assert_contains(damage.text, "2 of 4 lines are damaged");
+    assert_int_equal(json_array_size(records), 3);
+    for (size_t i = 0; i < 3; i++) {
+        assert_int_equal(lines.items[i].size, strlen(wanted[i]));
+        assert_memory_equal(lines.items[i].bytes, wanted[i], lines.items[i].size);
+        assert_int_equal(json_object_size(json_array_get(records, i)), 1);
+    }
+    json_decref(records);
+    aob_journal_lines_finish(&lines);
+}
+
+/* Who holds a journal keeps writers out, and other holders not; a writer keeps holders out. */
+static void test_held(void **state)
+{
+    (void)state;
+    struct aob_journal writer, first, second;
+    struct aob_error error;
+    assert_false(aob_journal_hold(&first, path, &error));
+    assert_contains(error.text, "cannot open");
+    assert_true(aob_journal_open(&writer, path, &error));
+    assert_false(aob_journal_hold(&first, path, &error));
+    assert_contains(error.text, "a run is writing here");
+    aob_journal_close(&writer);
+    assert_true(aob_journal_hold(&first, path, &error));
+    assert_true(aob_journal_hold(&second, path, &error));
+    assert_false(aob_journal_open(&writer, path, &error));
+    aob_journal_close(&first);
+    aob_journal_close(&second);
+    assert_true(aob_journal_open(&writer, path, &error));
+    aob_journal_close(&writer);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -240,6 +285,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_damaged_lines_are_told_and_passed_over, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_zeros_cost_what_they_cover, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_a_file_that_is_taken_away_is_noticed, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_a_line_that_does_not_fit, set_up, tear_down)};
+        cmocka_unit_test_setup_teardown(test_a_line_that_does_not_fit, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_lines_as_they_stand, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_held, set_up, tear_down)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
