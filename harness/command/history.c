@@ -6,17 +6,18 @@
         name, value, help, AOB_FLAG_TEXT, offsetof(struct aob_history_options, field)                        \
     }
 static const struct aob_flag flags[] = {
-    TEXT("config", "NAME", config, "list, export: only nights of the config of this name"),
+    TEXT("config", "NAME", config, "list, plot, export: only nights of the config of this name"),
     TEXT("from", "DATE", from, "export: only nights that began at DATE or later, such as 2026-11-30"),
-    TEXT("out", "FILE", out, "export: the table; FILE ends in .csv or .jsonl"),
+    TEXT("out", "FILE|DIR", out,
+         "export: the table, FILE ends in .csv or .jsonl; plot: the folder of the page"),
     TEXT("keep", "N", keep, "prune: the latest nights of each config that stay, 1 or more"),
     {"rounds", NULL, "prune: only journals and raw rounds of older nights, not their figures",
      AOB_FLAG_SWITCH, offsetof(struct aob_history_options, rounds)},
     {0},
 };
 
-static const struct aob_history_action *const actions[] = {&aob_history_list, &aob_history_prune,
-                                                           &aob_history_export_table, NULL};
+static const struct aob_history_action *const actions[] = {
+    &aob_history_list, &aob_history_plot, &aob_history_prune, &aob_history_export_table, NULL};
 
 static const struct aob_history_action *find_action(const char *name, struct aob_error *error)
 {
@@ -71,10 +72,12 @@ static enum aob_exit history(void *from, struct aob_error *error)
 
 const struct aob_command aob_command_history = {
     .name = "history",
-    .help = "what is kept of every night: list, prune and export it",
-    .usage = "F.db list|prune|export [--config NAME] [--from DATE] [--out FILE.csv|FILE.jsonl] [--keep N "
-             "[--rounds]]",
-    .summary = "Lists the nights of a history, removes old ones, or writes all figures as a table.",
+    .help = "what is kept of every night: list, plot, prune, export",
+    .usage =
+        "F.db list|plot|prune|export [--config NAME] [--from DATE] [--out FILE.csv|FILE.jsonl|DIR] [--keep N "
+        "[--rounds]]",
+    .summary =
+        "Lists the nights of a history, draws them, removes old ones, or writes all figures as a table.",
     .flags = flags,
     .least = 2,
     .most = 2,

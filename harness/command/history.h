@@ -17,5 +17,6 @@ struct aob_history_action {
     enum aob_exit (*run)(struct aob_history_options *options, struct aob_history *history,
                          struct aob_error *error);
 };
-extern const struct aob_history_action aob_history_list, aob_history_prune, aob_history_export_table;
+extern const struct aob_history_action aob_history_list, aob_history_plot, aob_history_prune,
+    aob_history_export_table;
 #endif

@@ -21,7 +21,8 @@ bool aob_database_fail(struct aob_history *history, struct aob_error *error)
         return aob_fail(error, "%s: another program writes to this history (waited %g s): try again later",
                         history->path, AOB_HISTORY_WAIT_S);
     case SQLITE_FULL:
-        return aob_fail(error, "%s: the disk is full; what was under way is taken back: make room and try again",
+        return aob_fail(error,
+                        "%s: the disk is full; what was under way is taken back: make room and try again",
                         history->path);
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:

@@ -37,11 +37,14 @@
 enum { AOB_WATCH_NIGHTS = 7, AOB_WATCH_KNOWN = 4, AOB_WATCH_LINE = 365 };
 
 struct aob_watch {
-    bool suspect;  /* the cost stands out: it is to be measured again, beside the old module */
-    size_t since;  /* place of the point where the new level began; the last one's if only that stands out, or nothing does */
+    bool suspect; /* the cost stands out: it is to be measured again, beside the old module */
+    size_t
+        since; /* place of the point where the new level began; the last one's if only that stands out, or nothing does */
     double before; /* the level that it stands out against, a ratio to the fixed pass; NAN: there is none */
-    double shift;  /* the new level over that: 1.05 is 5 % dearer; NAN: none. Tonight alone, where nothing stands out */
-    double least;  /* the share by which it had to stand out, .05: the largest of the four above; NAN: none. A fall counts from
+    double
+        shift; /* the new level over that: 1.05 is 5 % dearer; NAN: none. Tonight alone, where nothing stands out */
+    double
+        least; /* the share by which it had to stand out, .05: the largest of the four above; NAN: none. A fall counts from
                       1 / (1 + least) on */
 };
 

@@ -7,10 +7,10 @@
 #include "reports/trend/night_page.h"
 #include "reports/trend/trend.h"
 
-/* Worst first. First cases and such as did not stand out are counted only. */
+/* Worst first. Of those with nothing to tell such stand last as fail every night; first cases are counted only. */
 static const enum aob_night_verdict ranks[] = {AOB_NIGHT_BROKEN, AOB_NIGHT_SLOWER,  AOB_NIGHT_MOVED,
                                                AOB_NIGHT_OPEN,   AOB_NIGHT_MACHINE, AOB_NIGHT_CHANGED,
-                                               AOB_NIGHT_FASTER, AOB_NIGHT_OUTLIER};
+                                               AOB_NIGHT_FASTER, AOB_NIGHT_OUTLIER, AOB_NIGHT_NONE};
 
 static struct aob_night_item item_of(const struct aob_suspect *s)
 {
@@ -27,6 +27,11 @@ static struct aob_night_item item_of(const struct aob_suspect *s)
                                    .map = s->map};
 }
 
+static bool is_told(const struct aob_suspect *s)
+{
+    return s->verdict != AOB_NIGHT_FIRST && (s->verdict != AOB_NIGHT_NONE || s->outcome != AOB_OUTCOME_GOOD);
+}
+
 /* Of each verdict what is worse comes before what is not. `items` has room for all. */
 static size_t gather(const struct aob_suspects *suspects, struct aob_night_item *items)
 {
@@ -35,7 +40,7 @@ static size_t gather(const struct aob_suspects *suspects, struct aob_night_item 
         for (int worse = 1; worse >= 0; worse--)
             for (size_t i = 0; i < suspects->count; i++) {
                 const struct aob_suspect *s = &suspects->items[i];
-                if (s->verdict == ranks[r] && (s->outcome == AOB_OUTCOME_WORSE) == worse)
+                if (is_told(s) && s->verdict == ranks[r] && (s->outcome == AOB_OUTCOME_WORSE) == worse)
                     items[count++] = item_of(s);
             }
     return count;
@@ -45,7 +50,8 @@ static size_t count_verdict(const struct aob_suspects *suspects, enum aob_night_
 {
     size_t count = 0;
     for (size_t i = 0; i < suspects->count; i++)
-        count += suspects->items[i].verdict == verdict;
+        count += suspects->items[i].verdict == verdict &&
+                 (verdict == AOB_NIGHT_FIRST || is_told(&suspects->items[i]));
     return count;
 }
 
@@ -78,10 +84,11 @@ json_t *aob_night_summary(const struct aob_night_told *told)
     struct aob_text line = {0};
     json_t *counts = json_object();
     for (size_t r = 0; r < AOB_COUNT(ranks); r++) {
+        const char *name = ranks[r] == AOB_NIGHT_NONE ? "failing still" : aob_night_verdict_names[ranks[r]];
         size_t count = count_verdict(told->suspects, ranks[r]);
-        json_object_set_new(counts, aob_night_verdict_names[ranks[r]], json_integer((json_int_t)count));
+        json_object_set_new(counts, name, json_integer((json_int_t)count));
         if (count)
-            aob_text_add(&line, "%s%zu %s", line.size ? ", " : "", count, aob_night_verdict_names[ranks[r]]);
+            aob_text_add(&line, "%s%zu %s", line.size ? ", " : "", count, name);
     }
     json_t *summary =
         json_pack("{s:s, s:i, s:i, s:i, s:o}", "line", line.size ? line.data : "nothing changed", "worse",
