@@ -47,6 +47,16 @@ static struct aob_trend_change *find_change(struct aob_trend_changes *changes, s
     return found;
 }
 
+/* The change that the verdict on a dot tells of; NULL: none that is known. Another image is what a border of that very night is
+ * about, unless that was judged. */
+static struct aob_trend_change *find_told(struct aob_trend_changes *changes, size_t first, size_t since,
+                                          int64_t verdict)
+{
+    struct aob_trend_change *found = verdict == AOB_NIGHT_BROKEN ? NULL : find_change(changes, first, since);
+    bool taken = found && verdict == AOB_NIGHT_MOVED && (found->since != since || found->told != SIZE_MAX);
+    return taken ? NULL : found;
+}
+
 /* A verdict on the cost is a change of its own where no level shows it; so is another image, and a case that broke. */
 static void add_told(struct aob_trend_changes *changes, const struct aob_trend_series *series, size_t first,
                      size_t told)
@@ -56,8 +66,7 @@ static void add_told(struct aob_trend_changes *changes, const struct aob_trend_s
     size_t since = of_cost ? aob_trend_since(series, told) : told;
     if (!rank_of(point->verdict))
         return;
-    struct aob_trend_change *change =
-        point->verdict == AOB_NIGHT_BROKEN ? NULL : find_change(changes, first, since);
+    struct aob_trend_change *change = find_told(changes, first, since, point->verdict);
     if (!change) {
         change = AOB_PUSH(changes->items, changes->count, changes->capacity);
         *change = (struct aob_trend_change){series, since, SIZE_MAX, AOB_NIGHT_NONE, NAN, NAN};
