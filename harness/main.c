@@ -11,13 +11,11 @@
 #include "worker/worker.h"
 
 static const struct aob_command *const commands[] = {
-    &aob_command_list,       &aob_command_plan,
-    &aob_command_run_config, &aob_command_shot,
-    &aob_command_report,     &aob_command_papers,
-    &aob_command_compare,    &aob_command_calibrate,
-    &aob_command_cache,      &aob_command_budget,
-    &aob_command_effects,    &aob_command_stress,
-    &aob_command_doctor,     NULL,
+    &aob_command_list,    &aob_command_plan,      &aob_command_run_config,
+    &aob_command_shot,    &aob_command_report,    &aob_command_papers,
+    &aob_command_compare, &aob_command_calibrate, &aob_command_cache,
+    &aob_command_budget,  &aob_command_effects,   &aob_command_stress,
+    &aob_command_history, &aob_command_doctor,    NULL,
 };
 static const struct aob_worker_job *const jobs[] = {
     &aob_worker_describe, &aob_worker_probe,   &aob_worker_devices, &aob_worker_timer, &aob_worker_layout,

@@ -29,8 +29,9 @@ void aob_nights_finish(struct aob_nights *nights);
 
 struct aob_night_desc {
     const char *name, *config_hash, *folder; /* folder: as given; an absolute path is kept */
-    const char *modules; /* a hash of program and modules: a night that was stopped is gone on with only if it is equal */
-    int64_t date;        /* seconds since 1970, UTC; 0: now */
+    const char *
+        modules; /* a hash of program and modules: a night that was stopped is gone on with only if it is equal */
+    int64_t date; /* seconds since 1970, UTC; 0: now */
 };
 /* Begins a night and returns its id; 0 after a line. */
 int64_t aob_night_begin(struct aob_history *history, const struct aob_night_desc *desc,
@@ -38,8 +39,12 @@ int64_t aob_night_begin(struct aob_history *history, const struct aob_night_desc
 
 /* Takes what the night's run folder holds now (journal.jsonl, run.json, rounds/): points, journal, rounds, and the bytes of
  * its modules' files where they still have the digest that run.json names. In one transaction: all of it or nothing. Taking
- * the same folder again replaces what the night held. A record without a `series` (a case that reached no device) is kept
- * under its key. *taken: points (NULL: nobody asks). */
+ * the same folder again replaces what the night held, verdicts included; an ended night is refused. Of the journal those
+ * records count that are of the run's plan. A record without a time is on its series' line as the run's other cases of that
+ * backend were timed, else on the latest line of the series. One without a `series` (its case reached no device) is on the
+ * latest line whose case has the same names, settings and size, so that what breaks is seen on its own line; if there is
+ * none, on a line under its key. A file of rounds that is missing or damaged is left out with a warning. *taken: points
+ * (NULL: nobody asks). */
 bool aob_night_take(struct aob_history *history, int64_t night, size_t *taken, struct aob_error *error);
 
 /* Ends the night: nothing is added to it any more. `summary`: a JSON text that `history list` and pages show. */

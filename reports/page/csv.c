@@ -1,7 +1,7 @@
 #include "csv.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
+#include "base/csv_field.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "cache_figures.h"
@@ -11,36 +11,22 @@ static const char names[] =
     "key,series,run,scene,view,technique,module,params,options,backend,size,status,reason,target_radius,"
     "target_weighting,reference,time_ms,ratio_to_ref,ci_low,ci_high,memory_bytes";
 
-/* A field and the comma before it; in quotes where it must be. */
 static void add_text(struct aob_text *csv, const char *text)
 {
     aob_text_add(csv, ",");
-    if (!text[strcspn(text, ",\"\r\n")]) {
-        aob_text_add(csv, "%s", text);
-        return;
-    }
-    aob_text_add(csv, "\"");
-    for (; *text; text++)
-        aob_text_add(csv, *text == '"' ? "\"\"" : "%c", *text);
-    aob_text_add(csv, "\"");
+    aob_csv_add_text(csv, text);
 }
 
-/* Nine digits give a float back; a count is written whole. */
 static void add_number(struct aob_text *csv, double value)
 {
-    if (isnan(value))
-        aob_text_add(csv, ",");
-    else
-        aob_text_add(csv, fabs(value) < 1e15 && value == floor(value) ? ",%.0f" : ",%.9g", value);
+    aob_text_add(csv, ",");
+    aob_csv_add_number(csv, value);
 }
 
 static void add_case(struct aob_text *csv, const struct aob_rows *rows, const struct aob_row *row)
 {
     char *params = aob_label_params(row), *options = aob_label_options(row);
-    struct aob_text key = {0};
-    add_text(&key, row->key);
-    aob_text_add(csv, "%s", key.data + 1); /* the first field has no comma before it */
-    aob_text_finish(&key);
+    aob_csv_add_text(csv, row->key); /* the first field has no comma before it */
     add_text(csv, row->series);
     add_text(csv, rows->runs[row->run].folder); /* two runs may share a name */
     add_text(csv, row->scene);

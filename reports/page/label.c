@@ -1,10 +1,8 @@
 #include "label.h"
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "base/memory.h"
 #include "base/text.h"
-#include "technique/option.h"
+#include "technique/usual.h"
 
 /* What the cases say of the values of one technique's parameters, or of the options. */
 struct words {
@@ -13,54 +11,9 @@ struct words {
     json_t *defaults; /* values; NULL: not known */
 };
 
-bool aob_label_same(const json_t *a, const json_t *b)
+static bool is_usual(const struct aob_row *row, const json_t *usual, const json_t *value)
 {
-    if (!json_is_number(a) || !json_is_number(b))
-        return json_equal(a, b);
-    double x = json_number_value(a), y = json_number_value(b);
-    return fabs(x - y) <= 1e-6 * fmax(fabs(x), fabs(y));
-}
-
-json_t *aob_label_defaults(const json_t *technique)
-{
-    json_t *defaults = json_object(), *param;
-    size_t i;
-    json_array_foreach(json_object_get(technique, "params"), i, param)
-    {
-        const json_t *choices = json_object_get(param, "choices");
-        double initial = aob_member_number(param, "initial");
-        bool length = strcmp(aob_member_text(param, "unit"), "scene_units") == 0;
-        if (json_is_array(choices))
-            json_object_set(defaults, aob_member_text(param, "name"),
-                            json_array_get(choices, initial >= 0 && initial < 1e6 ? (size_t)initial : 0));
-        else if (isfinite(initial))
-            json_object_set_new(defaults, aob_member_text(param, "name"),
-                                length ? json_pack("{s:f}", "metres", initial) : json_real(initial));
-    }
-    return defaults;
-}
-
-bool aob_label_is_default(const struct aob_row *row, const json_t *usual, const json_t *value)
-{
-    double metre = aob_member_number(row->json, "metre");
-    if (!json_is_object(usual))
-        return aob_label_same(usual, value);
-    json_t *length = json_real(aob_member_number(usual, "metres") * (isfinite(metre) ? metre : 1));
-    bool same = aob_label_same(length, value);
-    json_decref(length);
-    return same;
-}
-
-static json_t *option_defaults(void)
-{
-    json_t *defaults = json_object();
-    for (size_t i = 0; i < AOB_OPTION_COUNT; i++) {
-        const struct aob_param *param = &aob_option_params[i];
-        json_object_set_new(defaults, param->name,
-                            param->choices ? json_string(param->choices[(size_t)param->initial])
-                                           : json_real(param->initial));
-    }
-    return defaults;
+    return aob_usual_is(usual, value, aob_member_number(row->json, "metre"));
 }
 
 static void meet(struct words *words, const struct aob_row *row, const json_t *values)
@@ -71,10 +24,10 @@ static void meet(struct words *words, const struct aob_row *row, const json_t *v
     {
         const json_t *first = json_object_get(words->first, name);
         json_t *usual = json_object_get(words->defaults, name);
-        value = usual && aob_label_is_default(row, usual, value) ? usual : value;
+        value = usual && is_usual(row, usual, value) ? usual : value;
         if (!first)
             json_object_set(words->first, name, value);
-        else if (!aob_label_same(first, value))
+        else if (!aob_usual_same(first, value))
             json_object_set_new(words->varying, name, json_true());
     }
 }
@@ -105,7 +58,7 @@ static void add_unusual(struct aob_text *text, const struct words *words, const 
     json_object_foreach((json_t *)values, name, value)
     {
         const json_t *usual = json_object_get(words->defaults, name);
-        if (usual && !json_object_get(words->varying, name) && !aob_label_is_default(row, usual, value))
+        if (usual && !json_object_get(words->varying, name) && !is_usual(row, usual, value))
             add_pair(text, name, value);
     }
 }
@@ -178,7 +131,7 @@ static json_t *defaults_of(const struct aob_rows *rows, const struct aob_row *ro
         json_array_foreach(list, k, info)
         {
             if (aob_row_is_of(row, info))
-                return aob_label_defaults(info);
+                return aob_usual_params(info);
         }
     }
     return NULL;
@@ -194,7 +147,7 @@ static void finish(struct words *words)
 void aob_labels_make(struct aob_rows *rows)
 {
     struct words *params = AOB_NEW_ARRAY(struct words, rows->technique_count);
-    struct words options = {json_object(), json_object(), option_defaults()};
+    struct words options = {json_object(), json_object(), aob_usual_options()};
     for (size_t i = 0; i < rows->count; i++) {
         const struct aob_row *row = &rows->list[i];
         struct words *own = &params[row->technique_place];

@@ -13,12 +13,4 @@ void aob_labels_make(struct aob_rows *rows);
 char *aob_label_full(const struct aob_row *row);
 char *aob_label_params(const struct aob_row *row);  /* the parameters only */
 char *aob_label_options(const struct aob_row *row); /* the run options and the light only */
-
-/* The defaults of a technique's parameters, as a record writes values; `technique` is an entry of run.json's list.
- * decref it. A length is {"metres": number}, since its value depends on the scene: aob_label_is_default compares one of
- * these with a value of the row. And whether two values of a record are the same: a float's text is its shortest, so
- * the last bits may differ. */
-json_t *aob_label_defaults(const json_t *technique);
-bool aob_label_is_default(const struct aob_row *row, const json_t *usual, const json_t *value);
-bool aob_label_same(const json_t *a, const json_t *b);
 #endif

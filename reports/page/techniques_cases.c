@@ -1,8 +1,8 @@
 #include "techniques_cases.h"
 #include <stdlib.h>
 #include "base/memory.h"
-#include "label.h"
 #include "markdown.h"
+#include "technique/usual.h"
 
 const struct aob_row *aob_techniques_row(const struct aob_techniques *t, size_t technique, size_t section)
 {
@@ -48,11 +48,12 @@ void aob_techniques_add_head(struct aob_text *page, const char *const *names)
 static bool is_default(const json_t *defaults, const struct aob_row *row)
 {
     const json_t *values = json_object_get(row->json, "params");
+    double metre = aob_member_number(row->json, "metre");
     const char *name;
     json_t *initial;
     json_object_foreach((json_t *)defaults, name, initial)
     {
-        if (!aob_label_is_default(row, initial, json_object_get(values, name)))
+        if (!aob_usual_is(initial, json_object_get(values, name), metre))
             return false;
     }
     return true;
@@ -72,7 +73,7 @@ void aob_techniques_choose(struct aob_techniques *t)
     json_t **defaults = AOB_NEW_ARRAY(json_t *, t->count);
     t->chosen = AOB_NEW_ARRAY(const struct aob_row *, t->count * t->rows.section_count);
     for (size_t k = 0; k < t->count; k++)
-        defaults[k] = aob_label_defaults(json_array_get(t->list, k));
+        defaults[k] = aob_usual_params(json_array_get(t->list, k));
     for (size_t i = 0; i < t->rows.count; i++) {
         const struct aob_row *row = &t->rows.list[i];
         size_t k = place_of(t, row);
