@@ -5,7 +5,7 @@
 #include "database.h"
 
 const char *const aob_night_verdict_names[] = {"none",    "first",   "slower", "faster", "moved",
-                                               "outlier", "machine", "open",   "broken"};
+                                               "outlier", "machine", "open",   "broken", "changed"};
 
 static const char sql_lines[] =
     "SELECT line.id, series, class.text, config, scene, view, technique, backend, size, params, options, "

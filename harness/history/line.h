@@ -74,6 +74,7 @@ enum aob_night_verdict {
     AOB_NIGHT_MACHINE, /* it stands out, and the module is the same, or is as fast as the old one beside it */
     AOB_NIGHT_OPEN,    /* it stood out, and could not be decided */
     AOB_NIGHT_BROKEN,  /* it ran the night before, and does not any more */
+    AOB_NIGHT_CHANGED, /* cost and image are as before, and its memory or cache figures are not */
     AOB_NIGHT_VERDICTS
 };
 extern const char *const aob_night_verdict_names[]; /* lower-case words: "none", "first", "slower", ... */
