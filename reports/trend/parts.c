@@ -78,9 +78,9 @@ void aob_trend_day(char day[11], const char *date)
 void aob_trend_percent(char text[32], double ratio)
 {
     double percent = 100 * (ratio - 1);
+    bool less = round(10 * percent) < 0; /* what rounds to 0 is +0.0 */
     if (!(ratio > 0) || !isfinite(ratio))
         snprintf(text, 32, "\u2013");
     else
-        snprintf(text, 32, "%s%.*f %%", percent < 0 ? "\u2212" : "+", fabs(percent) < 99.95 ? 1 : 0,
-                 fabs(percent));
+        snprintf(text, 32, "%s%.*f %%", less ? "\u2212" : "+", fabs(percent) < 99.95 ? 1 : 0, fabs(percent));
 }
