@@ -6,10 +6,16 @@
 #include <string.h>
 #include "base/memory.h"
 
+/* SQLite tells the cause of some faults only, and leaves errno as the system set it: so that is cleared before each call. */
 static bool fail_io(struct aob_history *history, struct aob_error *error)
 {
-    int cause = sqlite3_system_errno(history->db);
-    return aob_fail(error, "%s: cannot be read or written: %s", history->path,
+    int cause = sqlite3_system_errno(history->db) ? sqlite3_system_errno(history->db) : errno;
+    bool reading = sqlite3_extended_errcode(history->db) == SQLITE_IOERR_READ ||
+                   sqlite3_extended_errcode(history->db) == SQLITE_IOERR_SHORT_READ;
+    const char *what = sqlite3_errcode(history->db) == SQLITE_CANTOPEN ? "opened"
+                       : reading                                       ? "read"
+                                                                       : "written";
+    return aob_fail(error, "%s: cannot be %s: %s", history->path, what,
                     cause ? strerror(cause) : sqlite3_errmsg(history->db));
 }
 
@@ -38,6 +44,7 @@ bool aob_database_fail(struct aob_history *history, struct aob_error *error)
 
 bool aob_database_run(struct aob_history *history, const char *sql, struct aob_error *error)
 {
+    errno = 0;
     return sqlite3_exec(history->db, sql, NULL, NULL, NULL) == SQLITE_OK || aob_database_fail(history, error);
 }
 
@@ -101,6 +108,7 @@ bool aob_query_step(struct aob_query *query)
 {
     if (query->failed)
         return false;
+    errno = 0;
     int code = sqlite3_step(query->statement);
     if (code == SQLITE_ROW)
         return true;

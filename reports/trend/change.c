@@ -8,8 +8,8 @@
 static int rank_of(int64_t verdict)
 {
     static const int ranks[AOB_NIGHT_VERDICTS] = {
-        [AOB_NIGHT_SLOWER] = 3, [AOB_NIGHT_FASTER] = 3, [AOB_NIGHT_MACHINE] = 2,
-        [AOB_NIGHT_OPEN] = 1,   [AOB_NIGHT_MOVED] = 1,  [AOB_NIGHT_BROKEN] = 1,
+        [AOB_NIGHT_SLOWER] = 3, [AOB_NIGHT_FASTER] = 3, [AOB_NIGHT_MACHINE] = 2, [AOB_NIGHT_OPEN] = 1,
+        [AOB_NIGHT_MOVED] = 1,  [AOB_NIGHT_BROKEN] = 1, [AOB_NIGHT_CHANGED] = 1,
     };
     return verdict >= 0 && verdict < AOB_NIGHT_VERDICTS ? ranks[verdict] : 0;
 }
@@ -47,17 +47,32 @@ static struct aob_trend_change *find_change(struct aob_trend_changes *changes, s
     return found;
 }
 
-/* A verdict on the cost is a change of its own where no level shows it; so is another image, and a case that broke. */
+static bool is_of_cost(int64_t verdict)
+{
+    return verdict == AOB_NIGHT_OPEN || rank_of(verdict) > rank_of(AOB_NIGHT_OPEN);
+}
+
+/* The change that the verdict on a dot tells of; NULL: none that is known. Another image is what a border of that very night is
+ * about, unless that was judged. */
+static struct aob_trend_change *find_told(struct aob_trend_changes *changes, size_t first, size_t since,
+                                          int64_t verdict)
+{
+    struct aob_trend_change *found = find_change(changes, first, since);
+    if (is_of_cost(verdict) || !found)
+        return found;
+    return verdict == AOB_NIGHT_MOVED && found->since == since && found->told == SIZE_MAX ? found : NULL;
+}
+
+/* A verdict on the cost is a change of its own where no level shows it; any other is one in any case. */
 static void add_told(struct aob_trend_changes *changes, const struct aob_trend_series *series, size_t first,
                      size_t told)
 {
     const struct aob_point *point = series->dots[told].point;
-    bool of_cost = point->verdict != AOB_NIGHT_MOVED && point->verdict != AOB_NIGHT_BROKEN;
+    bool of_cost = is_of_cost(point->verdict);
     size_t since = of_cost ? aob_trend_since(series, told) : told;
     if (!rank_of(point->verdict))
         return;
-    struct aob_trend_change *change =
-        point->verdict == AOB_NIGHT_BROKEN ? NULL : find_change(changes, first, since);
+    struct aob_trend_change *change = find_told(changes, first, since, point->verdict);
     if (!change) {
         change = AOB_PUSH(changes->items, changes->count, changes->capacity);
         *change = (struct aob_trend_change){series, since, SIZE_MAX, AOB_NIGHT_NONE, NAN, NAN};

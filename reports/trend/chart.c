@@ -108,9 +108,9 @@ static void add_path(struct chart *chart, const char *class_name, struct aob_tex
 static void add_grid(struct chart *chart)
 {
     static const double steps[] = {1, 2, 5, 10};
-    double span = chart->axis.high - chart->axis.low, unit = pow(10, floor(log10(span / 3))), step = unit;
+    double span = chart->axis.high - chart->axis.low, unit = pow(10, floor(log10(span / 4))), step = unit;
     struct aob_text grid = {0};
-    for (size_t i = 0; i < AOB_COUNT(steps) && step < span / 3; i++)
+    for (size_t i = 0; i < AOB_COUNT(steps) && step < span / 4; i++)
         step = unit * steps[i];
     int decimals = (int)fmax(0, ceil(-log10(step) - 1e-9));
     for (double at = ceil(chart->axis.low / step) * step; at <= chart->axis.high; at += step) {

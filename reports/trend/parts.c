@@ -1,6 +1,7 @@
 #include "parts.h"
 #include <math.h>
 #include <stdio.h>
+#include "base/memory.h"
 #include "page/texts.h"
 #include "reports/page/html.h"
 #include "trend/texts.h"
@@ -15,7 +16,10 @@ static const struct aob_trend_word words[] = {
     [AOB_NIGHT_MACHINE] = {"machine", "machine", "stands out, but the module does not"},
     [AOB_NIGHT_OPEN] = {"open", "open", "stood out, and could not be decided"},
     [AOB_NIGHT_BROKEN] = {"broken", "broken", "ran the night before, and does not any more"},
+    [AOB_NIGHT_CHANGED] = {"changed", "changed",
+                           "as fast and the same image, with other memory or cache figures"},
 };
+_Static_assert(AOB_COUNT(words) == AOB_NIGHT_VERDICTS, "each verdict has a word");
 
 const struct aob_trend_word *aob_trend_word(int64_t verdict)
 {
@@ -36,7 +40,8 @@ static void add_marks(struct aob_text *page)
                        "<path id=m-slower d=\"M0-6 6 5H-6z\"/><path id=m-faster d=\"M0 6 6-5H-6z\"/>"
                        "<path id=m-moved d=\"M0-6 6 0 0 6-6 0z\"/><path id=m-machine d=\"M-5-5H5V5H-5z\"/>"
                        "<path id=m-broken d=\"M-6-3-3-6 0-3 3-6 6-3 3 0 6 3 3 6 0 3-3 6-6 3-3 0z\"/>"
-                       "<circle id=m-open r=5 /><circle id=m-outlier r=3.5 /></defs></svg>\n");
+                       "<path id=m-changed d=\"M-1.5-6h3v4.5H6v3H1.5V6h-3V1.5H-6v-3h4.5z\"/><circle "
+                       "id=m-open r=5 /><circle id=m-outlier r=3.5 /></defs></svg>\n");
 }
 
 void aob_trend_open(struct aob_text *page, const char *title)
@@ -73,9 +78,9 @@ void aob_trend_day(char day[11], const char *date)
 void aob_trend_percent(char text[32], double ratio)
 {
     double percent = 100 * (ratio - 1);
+    bool less = round(10 * percent) < 0; /* what rounds to 0 is +0.0 */
     if (!(ratio > 0) || !isfinite(ratio))
         snprintf(text, 32, "\u2013");
     else
-        snprintf(text, 32, "%s%.*f %%", percent < 0 ? "\u2212" : "+", fabs(percent) < 99.95 ? 1 : 0,
-                 fabs(percent));
+        snprintf(text, 32, "%s%.*f %%", less ? "\u2212" : "+", fabs(percent) < 99.95 ? 1 : 0, fabs(percent));
 }

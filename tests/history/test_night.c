@@ -1,39 +1,6 @@
 #include <math.h>
-#include "base/memory.h"
 #include "history/line.h"
-#include "night_folder.h"
-
-static struct aob_history *history;
-static struct aob_lines lines;
-
-static int make(void **state)
-{
-    lines = (struct aob_lines){0};
-    int made = night_folder_make(state);
-    history = history_open(AOB_HISTORY_WRITE);
-    return made;
-}
-
-static int remove_all(void **state)
-{
-    aob_lines_finish(&lines);
-    aob_history_close(history);
-    return night_folder_remove(state);
-}
-
-static void read_lines(bool figures)
-{
-    aob_lines_finish(&lines);
-    assert_true(aob_lines_read(history, &(struct aob_lines_ask){.figures = figures}, &lines, &error));
-}
-
-/* One record as the journal of a night. */
-static int64_t keep_record(json_t *record)
-{
-    journal_write(&record, 1);
-    info_write(json_pack("[o]", json_of(technique_text)));
-    return night_keep(history, "nightly", true);
-}
+#include "open_history.h"
 
 static void check_point(const struct aob_point *p)
 {
@@ -64,7 +31,7 @@ static void test_values(void **state)
     int64_t first = night_keep(history, "nightly", true);
     run_write(3, 2.5);
     int64_t second = night_keep(history, "nightly", false);
-    read_lines(true);
+    lines_read(true);
     assert_int_equal(lines.count, 3);
     const struct aob_line *line = &lines.items[1];
     assert_int_equal(line->count, 2);
@@ -84,7 +51,7 @@ static void test_values(void **state)
     assert_near(aob_json_to_number(json_object_get(figures, "definition_missing")), -.004, 0);
     assert_near(aob_json_to_number(json_object_get(figures, "cache.ps4.l1.most.miss_ratio")), .2, 0);
     assert_null(json_object_get(figures, "cache.ps4.l1.most.fills_per_pixel"));
-    read_lines(false);
+    lines_read(false);
     assert_null(lines.items[1].points[1].figures);
 }
 
@@ -130,155 +97,6 @@ static void test_nights(void **state)
     check_nights("none of this name", 0);
 }
 
-/* The same series: clock, threads, device and config decide whose line a point is on. */
-static void test_classes_never_mix(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *object, *member, *value;
-    } others[] = {{"time", "clock", "'wall'"},
-                  {"time", "threads", "4"},
-                  {"fingerprint", "driver", "'Mesa 23'"},
-                  {"fingerprint", "device", "'lavapipe'"},
-                  {"fingerprint", "cpu", "'EPYC'"},
-                  {"fingerprint", "cores", "4"},
-                  {"fingerprint", "class", "'discrete'"},
-                  {"fingerprint", "fixed_pass", "2"}};
-    keep_record(record_make(1, 2));
-    for (size_t i = 0; i < AOB_COUNT(others); i++) {
-        char text[64];
-        json_t *record = record_make(1, 2);
-        snprintf(text, sizeof text, "[%s]", others[i].value);
-        json_t *value = json_of(text);
-        json_object_set(json_object_get(record, others[i].object), others[i].member,
-                        json_array_get(value, 0));
-        json_decref(value);
-        keep_record(record);
-    }
-    json_t *record = record_make(1, 2);
-    journal_write(&record, 1);
-    night_keep(history, "another", true);
-    keep_record(record_make(1, 2));
-    read_lines(false);
-    assert_int_equal(lines.count, 2 + AOB_COUNT(others));
-    assert_int_equal(lines.items[0].count, 2);
-    assert_string_equal(lines.items[1].class_name,
-                        "cpu, 2 x Xeon, llvmpipe, Mesa 22.3, fixed pass 1, 2 threads, wall time");
-    assert_near(lines.items[1].points[0].cost_ms, 2.5, 0);
-}
-
-/* A speed of the processor that another night's fingerprint might tell is no class of its own. */
-static void test_program_is_no_class(void **state)
-{
-    (void)state;
-    keep_record(record_make(1, 2));
-    json_t *record = record_make(1, 2);
-    record_set(json_object_get(record, "fingerprint"), "program", "0.2.0");
-    record_set(json_object_get(record, "fingerprint"), "mhz", "2400");
-    keep_record(record);
-    read_lines(false);
-    assert_int_equal(lines.count, 1);
-}
-
-static void test_untimed(void **state)
-{
-    (void)state;
-    for (int i = 0; i < 2; i++) {
-        json_t *record = record_make(1, 2);
-        json_object_del(record, "time");
-        keep_record(record);
-    }
-    read_lines(false);
-    assert_int_equal(lines.count, 1);
-    assert_string_equal(lines.items[0].class_name, "cpu, 2 x Xeon, llvmpipe, Mesa 22.3, fixed pass 1");
-    const struct aob_point *p = &lines.items[0].points[1];
-    assert_true(isnan(p->ratio) && isnan(p->low) && isnan(p->high) && isnan(p->cost_ms) && isnan(p->ref_ms));
-    assert_near(p->rmse, .06, 0);
-    assert_near(p->memory_bytes, 1036800, 0);
-}
-
-/* It failed behind its set-up: as the run's other cases were timed, whatever was there before. */
-static void test_failed_case_stays_on_its_line(void **state)
-{
-    (void)state;
-    for (int night = 0; night < 2; night++) {
-        json_t *records[] = {record_make(1, 2), record_make(2, 3)};
-        json_object_del(records[night], "time");
-        record_set(records[night], "status", "failed");
-        record_set(records[night], "reason", "it broke");
-        journal_write(records, 2);
-        night_keep(history, "nightly", true);
-    }
-    read_lines(false);
-    assert_int_equal(lines.count, 2);
-    for (int i = 0; i < 2; i++) {
-        assert_int_equal(lines.items[i].count, 2);
-        int broken = strcmp(lines.items[i].series, key_of(1)) == 0 ? 0 : 1;
-        assert_string_equal(lines.items[i].points[broken].status, "failed");
-        assert_string_equal(lines.items[i].points[broken].reason, "it broke");
-        assert_string_equal(lines.items[i].points[!broken].status, "ok");
-    }
-}
-
-static json_t *record_without_device(int series)
-{
-    json_t *record = record_make(series, 2);
-    json_object_del(record, "series");
-    json_object_del(record, "time");
-    json_object_del(record, "error");
-    json_object_set_new(record, "fingerprint", json_of("{'program':'0.1.0','cpu':'Xeon','cores':2}"));
-    record_set(record, "key", key_of(77));
-    record_set(record, "status", "unsupported");
-    return record;
-}
-
-static void test_case_without_device(void **state)
-{
-    (void)state;
-    run_write(2, 2);
-    night_keep(history, "nightly", true);
-    json_t *records[] = {record_without_device(2), record_without_device(5)};
-    record_set(records[1], "key", key_of(78));
-    journal_write(records, 2);
-    night_keep(history, "nightly", true);
-    read_lines(false);
-    assert_int_equal(lines.count, 3);
-    assert_int_equal(lines.items[0].count, 1);
-    assert_int_equal(lines.items[1].count, 2);
-    assert_string_equal(lines.items[1].points[1].status, "unsupported");
-    assert_string_equal(lines.items[1].points[1].key, key_of(77));
-    assert_string_equal(lines.items[2].series, key_of(78));
-    assert_string_equal(lines.items[2].class_name, "no device");
-    assert_string_equal(lines.items[2].points[0].target_weighting, "");
-}
-
-static json_t *record_of_build(const char *key, const char *module, double ratio)
-{
-    json_t *record = record_make(1, ratio);
-    record_set(record, "key", key);
-    record_set(record, "module", module);
-    return record;
-}
-
-/* Two builds of a technique in one night have one series. Alone, each night's build goes on with the same line. */
-static void test_builds(void **state)
-{
-    (void)state;
-    keep_record(record_of_build(key_of(1), NULL, 2));
-    keep_record(record_of_build(key_of(2), "a.so", 3));
-    json_t *records[] = {record_of_build(key_of(1), NULL, 4), record_of_build(key_of(3), "b.so", 5)};
-    journal_write(records, 2);
-    night_keep(history, "nightly", true);
-    read_lines(false);
-    assert_int_equal(lines.count, 2);
-    assert_int_equal(lines.items[0].count, 3);
-    assert_string_equal(lines.items[0].points[1].module, "a.so");
-    assert_near(lines.items[0].points[2].ratio, 4, 1e-12);
-    assert_string_equal(lines.items[1].module, "b.so");
-    assert_string_equal(lines.items[1].text, "corner/front gtao (b.so) radius=0.5 slices=1 vulkan 480x270");
-    assert_near(lines.items[1].points[0].ratio, 5, 1e-12);
-}
-
 /* As program versions before the clock, the targets and the modules wrote it. */
 static void test_older_record(void **state)
 {
@@ -288,7 +106,7 @@ static void test_older_record(void **state)
         "'wall_ms':9,'ratio_to_ref':3},'error':{'rmse':0.1},'reference_radius':0.5}");
     journal_write(&record, 1);
     night_keep(history, "nightly", true);
-    read_lines(true);
+    lines_read(true);
     assert_int_equal(lines.count, 1);
     assert_string_equal(lines.items[0].text, "corner/ gtao");
     const struct aob_point *p = &lines.items[0].points[0];
@@ -313,7 +131,7 @@ static void test_only_planned_cases(void **state)
     free(text);
     json_decref(info);
     night_keep(history, "nightly", true);
-    read_lines(false);
+    lines_read(false);
     assert_int_equal(lines.count, 2);
     assert_string_equal(lines.items[1].series, key_of(3));
 }
@@ -323,13 +141,13 @@ static void test_taken_again(void **state)
     (void)state;
     run_write(3, 2);
     int64_t night = night_keep(history, "nightly", false);
-    read_lines(false);
+    lines_read(false);
     assert_true(aob_line_judge(history, lines.items[0].id, night, AOB_NIGHT_SLOWER, 1, "it is", &error));
     run_write(2, 4);
     size_t taken = 0;
     assert_true(aob_night_take(history, night, &taken, &error));
     assert_int_equal(taken, 2);
-    read_lines(true);
+    lines_read(true);
     assert_int_equal(lines.count, 2); /* a line without a point is none */
     assert_int_equal(lines.items[0].count, 1);
     assert_near(lines.items[0].points[0].ratio, 4, 1e-12);
@@ -357,12 +175,12 @@ static void test_verdicts(void **state)
     (void)state;
     run_write(1, 2);
     int64_t night = night_keep(history, "nightly", true);
-    read_lines(false);
+    lines_read(false);
     int64_t line = lines.items[0].id;
     for (int verdict = 0; verdict < AOB_NIGHT_VERDICTS; verdict++) {
         assert_true(
             aob_line_judge(history, line, night, (enum aob_night_verdict)verdict, verdict, "said", &error));
-        read_lines(false);
+        lines_read(false);
         assert_int_equal(lines.items[0].points[0].verdict, verdict);
         assert_int_equal(lines.items[0].points[0].since, verdict);
         assert_string_equal(lines.items[0].points[0].said, "said");
@@ -395,25 +213,15 @@ static void test_chosen_lines(void **state)
     assert_int_equal(points, 1);
 }
 
-#define TEST(test) cmocka_unit_test_setup_teardown(test, make, remove_all)
+#define TEST(test) cmocka_unit_test_setup_teardown(test, history_make, history_remove)
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(test_values),
-        TEST(test_nights),
-        TEST(test_classes_never_mix),
-        TEST(test_program_is_no_class),
-        TEST(test_untimed),
-        TEST(test_failed_case_stays_on_its_line),
-        TEST(test_case_without_device),
-        TEST(test_builds),
-        TEST(test_older_record),
-        TEST(test_only_planned_cases),
-        TEST(test_taken_again),
-        TEST(test_folder_without_a_run),
-        TEST(test_verdicts),
-        TEST(test_chosen_lines),
+        TEST(test_values),       TEST(test_nights),
+        TEST(test_older_record), TEST(test_only_planned_cases),
+        TEST(test_taken_again),  TEST(test_folder_without_a_run),
+        TEST(test_verdicts),     TEST(test_chosen_lines),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -36,7 +36,7 @@ static const struct aob_night_item items[] = {
      .verdict = AOB_NIGHT_MACHINE,
      .before_ratio = 2,
      .after_ratio = 1.9,
-     .beside = 1.001,
+     .beside = .9999,
      .low = .99,
      .high = 1.01},
 };
@@ -76,7 +76,7 @@ static void markdown_says_what_changed(void **state)
         "dearer. |\n"
         "| moved | \u2013 | corner/front ssao | \u2013 | \u2013 | \u2013 | Another image. (error in band "
         "0.0312 \u2192 0.0340, 1.00 \u2192 1.25 MiB) |\n"
-        "| machine | \u22125.0 % | corner/front ssao | 2.000 | 1.900 | +0.1 % [\u22121.0 %, +1.0 %] |  |\n"
+        "| machine | \u22125.0 % | corner/front ssao | 2.000 | 1.900 | +0.0 % [\u22121.0 %, +1.0 %] |  |\n"
         "\n"
         "1 module is not kept.\n"
         "\n"

@@ -168,9 +168,13 @@ static void a_change_is_one_row(void **state)
     tell(&made.points[0][8], AOB_NIGHT_OPEN, 9, "perhaps");
     tell(&made.points[0][10], AOB_NIGHT_FASTER, 8, "it is");
     tell(&made.points[0][11], AOB_NIGHT_OPEN, 9, "perhaps");
+    tell(&made.points[0][9], AOB_NIGHT_MOVED, 0, "it moved"); /* which is another change, as is this */
+    tell(&made.points[0][13], AOB_NIGHT_CHANGED, 0, "more memory");
     char *text = page_of(&made, NULL);
-    assert_contains(text, "In all 1 change in 1 series");
+    assert_contains(text, "In all 3 changes in 1 series");
     assert_contains(text, "title=\"it is\"");
+    assert_contains(text, "title=\"it moved\"");
+    assert_contains(text, "title=\"more memory\"");
     free(text);
 }
 

@@ -1,0 +1,293 @@
+/* Files that are no good history: one line each, and the file stays as it was to the byte. */
+#include <errno.h>
+#include <signal.h>
+#include <sqlite3.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include "base/memory.h"
+#include "night_folder.h"
+
+/* A history of two nights, closed. */
+static void make_history(void)
+{
+    struct aob_history *history = history_open(AOB_HISTORY_WRITE);
+    run_write(3, 2);
+    night_keep(history, "nightly", true);
+    night_keep(history, "nightly", true);
+    aob_history_close(history);
+}
+
+/* SQL by a connection of the test's own. */
+static void alter(const char *sql)
+{
+    sqlite3 *db = NULL;
+    assert_int_equal(sqlite3_open(path, &db), SQLITE_OK);
+    assert_int_equal(sqlite3_exec(db, sql, NULL, NULL, NULL), SQLITE_OK);
+    assert_int_equal(sqlite3_close(db), SQLITE_OK);
+}
+
+/* Both uses refuse it with a line that says `says`, and change nothing. */
+static void check_refused(const char *says, bool write_only)
+{
+    size_t size, size_after;
+    char *before = aob_file_read(path, 1 << 26, &size, &error);
+    assert_non_null(before);
+    for (int use = write_only ? AOB_HISTORY_WRITE : AOB_HISTORY_READ; use <= AOB_HISTORY_WRITE; use++) {
+        error = (struct aob_error){{0}};
+        struct aob_history *history = aob_history_open(path, (enum aob_history_use)use, &error);
+        if (history)
+            fail_msg("it was opened, and should say %s", says);
+        assert_contains(error.text, says);
+        assert_contains(error.text, path);
+        assert_null(strchr(error.text, '\n'));
+    }
+    char *after = aob_file_read(path, 1 << 26, &size_after, &error);
+    assert_int_equal(size, size_after);
+    assert_memory_equal(before, after, size);
+    free(before);
+    free(after);
+}
+
+static void put(const char *bytes, size_t size)
+{
+    assert_true(aob_file_write(path, bytes, size, &error));
+}
+
+static void test_no_database(void **state)
+{
+    (void)state;
+    put("key,series\r\n", 12);
+    check_refused("is not a history (no SQLite file): name another file", false);
+    put("SQLite format 3", 16); /* and nothing behind it */
+    check_refused("is the SQLite file of another program", false);
+}
+
+static void test_other_application(void **state)
+{
+    (void)state;
+    alter("CREATE TABLE point(line, night)");
+    check_refused("is the SQLite file of another program, no history", false);
+}
+
+static void test_newer(void **state)
+{
+    (void)state;
+    make_history();
+    alter("PRAGMA user_version = 3");
+    check_refused("made by a newer aobudget (version 3; this one reads up to 1): use that one", false);
+}
+
+/* The newer version is in the log of a writer that was killed, and in the file it is still the old one. */
+static void test_newer_in_the_log(void **state)
+{
+    (void)state;
+    int status;
+    make_history();
+    pid_t child = fork();
+    if (!child) {
+        sqlite3 *db = NULL;
+        sqlite3_open(path, &db);
+        sqlite3_exec(db, "PRAGMA user_version = 4", NULL, NULL, NULL);
+        raise(SIGKILL);
+    }
+    waitpid(child, &status, 0);
+    check_refused("made by a newer aobudget (version 4; this one reads up to 1)", false);
+}
+
+static void test_cut_short(void **state)
+{
+    (void)state;
+    make_history();
+    size_t size;
+    char *bytes = aob_file_read(path, 1 << 26, &size, &error);
+    for (size_t cut = size - 1; cut > 100; cut /= 3) {
+        put(bytes, cut);
+        check_refused("the history is cut short", false);
+    }
+    free(bytes);
+}
+
+static void test_missing_table(void **state)
+{
+    (void)state;
+    make_history();
+    alter("DROP TABLE rounds");
+    check_refused("the history is damaged (tables are missing): take its last copy", false);
+}
+
+/* A page of the points is overwritten: who would write is refused; who reads meets it. */
+static void test_damaged_page(void **state)
+{
+    (void)state;
+    size_t size;
+    make_history();
+    char *bytes = aob_file_read(path, 1 << 26, &size, &error);
+    sqlite3 *db = NULL;
+    sqlite3_stmt *root = NULL;
+    sqlite3_open(path, &db);
+    sqlite3_prepare_v2(db, "SELECT rootpage FROM sqlite_schema WHERE name = 'point'", -1, &root, NULL);
+    assert_int_equal(sqlite3_step(root), SQLITE_ROW);
+    size_t page = (size_t)sqlite3_column_int(root, 0);
+    sqlite3_finalize(root);
+    sqlite3_close(db);
+    memset(bytes + (page - 1) * 4096, 0x5a, 4096);
+    put(bytes, size);
+    check_refused("the history is damaged", true);
+    struct aob_lines lines;
+    struct aob_history *history = history_open(AOB_HISTORY_READ);
+    assert_false(aob_lines_read(history, &(struct aob_lines_ask){0}, &lines, &error));
+    assert_contains(error.text, "the history is damaged");
+    assert_int_equal(lines.count, 0);
+    aob_history_close(history);
+    free(bytes);
+}
+
+static void test_not_there(void **state)
+{
+    (void)state;
+    assert_null(aob_history_open(path, AOB_HISTORY_READ, &error));
+    assert_contains(error.text, "there is no such history");
+    assert_false(aob_file_exists(path));
+    char *lost = aob_path_join(place, "lost/h.db");
+    assert_null(aob_history_open(lost, AOB_HISTORY_WRITE, &error));
+    assert_contains(error.text, "cannot be made: the folder");
+    assert_contains(error.text, "is not there: create it");
+    free(lost);
+    assert_null(aob_history_open(place, AOB_HISTORY_WRITE, &error));
+    assert_contains(error.text, "is no file: name the file of a history");
+}
+
+/* What a kill in the first moment leaves, and what SQLite calls a database: to be written it is as good as none. */
+static void test_empty(void **state)
+{
+    (void)state;
+    put("", 0);
+    assert_null(aob_history_open(path, AOB_HISTORY_READ, &error));
+    assert_contains(error.text, "is empty: no night was ever kept in it");
+    make_history();
+    aob_history_close(history_open(AOB_HISTORY_READ));
+}
+
+/* Runs `body` in a child that the rights of files hold for, whoever runs the test; 0 is good. */
+static int run_as_user(int (*body)(void))
+{
+    int status = 0;
+    pid_t child = fork();
+    if (!child) {
+        if (geteuid() == 0 && setuid(65534) != 0)
+            _exit(99);
+        _exit(body());
+    }
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static int body_reads_but_does_not_write(void)
+{
+    struct aob_lines lines = {0};
+    struct aob_history *history = aob_history_open(path, AOB_HISTORY_READ, &error);
+    if (!history || !aob_lines_read(history, &(struct aob_lines_ask){.figures = true}, &lines, &error)) {
+        fprintf(stderr, "%s\n", error.text);
+        return 1;
+    }
+    int wrong = lines.count == 3 && lines.items[0].count == 2 ? 0 : 2;
+    aob_lines_finish(&lines);
+    aob_history_close(history);
+    history = aob_history_open(path, AOB_HISTORY_WRITE, &error);
+    if (!history && strstr(error.text, "cannot be written: Permission denied"))
+        return wrong;
+    fprintf(stderr, "%s\n", error.text);
+    return 3;
+}
+
+static void test_read_only(void **state)
+{
+    (void)state;
+    make_history();
+    assert_int_equal(chmod(path, 0444), 0);
+    assert_int_equal(chmod(place, 0777), 0);
+    assert_int_equal(run_as_user(body_reads_but_does_not_write), 0); /* the file */
+    assert_int_equal(chmod(path, 0666), 0);
+    assert_int_equal(chmod(place, 0555), 0);
+    assert_int_equal(run_as_user(body_reads_but_does_not_write), 0); /* its folder */
+    assert_int_equal(chmod(path, 0444), 0);
+    assert_int_equal(run_as_user(body_reads_but_does_not_write),
+                     0); /* both, as on a medium that is read only */
+}
+
+/* A writer that is open keeps its log: who may not write reads it none the less, and sees what was kept last. */
+static void test_read_only_beside_a_writer(void **state)
+{
+    (void)state;
+    run_write(3, 2);
+    struct aob_history *history = history_open(AOB_HISTORY_WRITE);
+    night_keep(history, "nightly", true);
+    night_keep(history, "nightly", true);
+    char *shared = aob_alloc(strlen(path) + 5, 1);
+    sprintf(shared, "%s-shm", path);
+    assert_int_equal(chmod(shared, 0444), 0);
+    sprintf(shared, "%s-wal", path);
+    assert_int_equal(chmod(shared, 0444), 0);
+    assert_int_equal(chmod(path, 0444), 0);
+    assert_int_equal(chmod(place, 0555), 0);
+    int code = run_as_user(body_reads_but_does_not_write);
+    assert_int_equal(chmod(place, 0755), 0);
+    aob_history_close(history);
+    free(shared);
+    assert_int_equal(code, 0);
+}
+
+/* The files may not grow, as on a full disk: what was under way is taken back. */
+static int body_meets_a_limit(void)
+{
+    struct aob_history *history = aob_history_open(path, AOB_HISTORY_WRITE, &error);
+    const struct aob_night_desc desc = {.name = "nightly", .config_hash = "c", .folder = folder};
+    int64_t night = history ? aob_night_begin(history, &desc, &error) : 0;
+    signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &(struct rlimit){1 << 16, RLIM_INFINITY});
+    bool taken = !night || aob_night_take(history, night, NULL, &error);
+    setrlimit(RLIMIT_FSIZE, &(struct rlimit){RLIM_INFINITY, RLIM_INFINITY});
+    if (taken || !strstr(error.text, "File too large"))
+        return fprintf(stderr, "%s\n", error.text), 1;
+    struct aob_nights nights = {0};
+    bool ok = aob_nights_read(history, NULL, &nights, &error) && nights.count == 3 &&
+              nights.items[2].cases == 0 && nights.items[1].cases == 3;
+    aob_nights_finish(&nights);
+    ok = ok && aob_night_take(history, night, NULL, &error);
+    aob_history_close(history);
+    return ok ? 0 : 2;
+}
+
+static void test_full_disk(void **state)
+{
+    (void)state;
+    int status;
+    make_history();
+    run_write(500, 2);
+    pid_t child = fork();
+    if (!child)
+        _exit(body_meets_a_limit());
+    waitpid(child, &status, 0);
+    assert_int_equal(status, 0);
+}
+
+#define TEST(test) cmocka_unit_test_setup_teardown(test, night_folder_make, night_folder_remove)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(test_no_database),
+        TEST(test_other_application),
+        TEST(test_newer),
+        TEST(test_newer_in_the_log),
+        TEST(test_cut_short),
+        TEST(test_missing_table),
+        TEST(test_damaged_page),
+        TEST(test_not_there),
+        TEST(test_empty),
+        TEST(test_read_only),
+        TEST(test_read_only_beside_a_writer),
+        TEST(test_full_disk),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
