@@ -138,6 +138,9 @@ static void test_damaged_page(void **state)
     assert_false(aob_lines_read(history, &(struct aob_lines_ask){0}, &lines, &error));
     assert_contains(error.text, "the history is damaged");
     assert_int_equal(lines.count, 0);
+    error = (struct aob_error){{0}};
+    assert_false(aob_lines_read(history, &(struct aob_lines_ask){0}, &lines, &error)); /* and again */
+    assert_contains(error.text, "the history is damaged");
     aob_history_close(history);
     free(bytes);
 }
@@ -250,8 +253,10 @@ static int body_meets_a_limit(void)
     if (taken || !strstr(error.text, "File too large"))
         return fprintf(stderr, "%s\n", error.text), 1;
     struct aob_nights nights = {0};
+    size_t lines = 0, points = 0;
     bool ok = aob_nights_read(history, NULL, &nights, &error) && nights.count == 3 &&
-              nights.items[2].cases == 0 && nights.items[1].cases == 3;
+              nights.items[2].cases == 0 && nights.items[1].cases == 3 &&
+              aob_lines_count(history, NULL, &lines, &points, &error) && points == 6;
     aob_nights_finish(&nights);
     ok = ok && aob_night_take(history, night, NULL, &error);
     aob_history_close(history);
@@ -263,7 +268,7 @@ static void test_full_disk(void **state)
     (void)state;
     int status;
     make_history();
-    run_write(500, 2);
+    run_write(3000, 2); /* more than SQLite holds in memory, so that it fails in the middle */
     pid_t child = fork();
     if (!child)
         _exit(body_meets_a_limit());
