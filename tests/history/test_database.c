@@ -276,6 +276,32 @@ static void test_full_disk(void **state)
     assert_int_equal(status, 0);
 }
 
+/* SQLite takes a transaction back by itself when the disk is full in its midst, as RAISE(ROLLBACK) does: nothing that the
+ * other statements do then may stay. */
+static void test_taken_back(void **state)
+{
+    (void)state;
+    size_t lines = 0, points = 0;
+    make_history();
+    alter("CREATE TRIGGER full BEFORE INSERT ON figures WHEN (SELECT count(*) FROM figures) = 10"
+          " BEGIN SELECT RAISE(ROLLBACK, 'no room'); END");
+    run_write(20, 2);
+    struct aob_history *history = history_open(AOB_HISTORY_WRITE);
+    const struct aob_night_desc desc = {.name = "nightly", .config_hash = "c", .folder = folder};
+    int64_t night = aob_night_begin(history, &desc, &error);
+    assert_false(aob_night_take(history, night, NULL, &error));
+    assert_contains(error.text, "no room");
+    assert_true(aob_lines_count(history, NULL, &lines, &points, &error));
+    assert_int_equal(lines, 3);
+    assert_int_equal(points, 6);
+    aob_history_close(history);
+    alter("DROP TRIGGER full");
+    history = history_open(AOB_HISTORY_WRITE);
+    assert_true(aob_night_take(history, night, &points, &error));
+    assert_int_equal(points, 20);
+    aob_history_close(history);
+}
+
 #define TEST(test) cmocka_unit_test_setup_teardown(test, night_folder_make, night_folder_remove)
 
 int main(void)
@@ -293,6 +319,7 @@ int main(void)
         TEST(test_read_only),
         TEST(test_read_only_beside_a_writer),
         TEST(test_full_disk),
+        TEST(test_taken_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
