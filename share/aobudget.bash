@@ -3,11 +3,20 @@ _aobudget_names() { # techniques|scenes|lights|backends|profiles|budgets
   "${COMP_WORDS[0]}" list "$1" --json - 2>/dev/null | sed -n 's/^      "name": "\([^"]*\)".*/\1/p'
 }
 
+# A flag that was given another name stays in the help, to say so, and is not offered.
+_aobudget_flags() {
+  "${COMP_WORDS[0]}" "${COMP_WORDS[1]}" --help 2>/dev/null | sed -n '/ is now /d; s/^  \(--*[a-z-]*\).*/\1/p'
+}
+
 _aobudget() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
   local words
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="list plan run shot merge report papers compare calibrate cache budget effects stress doctor --help --version"
+    words="list plan run shot merge report papers compare calibrate cache budget effects stress nightly history doctor --help --version"
+  elif [ "$command" = history ] && [ "$COMP_CWORD" -eq 3 ]; then
+    words="list plot prune export"
+  elif [ "$command" = history ]; then
+    words=$(_aobudget_flags)
   else
     case $previous in
       --technique) words=$(_aobudget_names techniques) ;;
@@ -26,8 +35,7 @@ _aobudget() {
       --index) words="modulo xor" ;;
       *)
         case $current in
-          # A flag that was given another name stays in the help, to say so, and is not offered.
-          -*) words=$("${COMP_WORDS[0]}" "$command" --help 2>/dev/null | sed -n '/ is now /d; s/^  \(--*[a-z-]*\).*/\1/p') ;;
+          -*) words=$(_aobudget_flags) ;;
         esac
         ;;
     esac

@@ -13,10 +13,16 @@ static bool read_keep(const struct aob_history_options *options, double *keep, s
            aob_fail(error, "--keep: '%s' is not a whole number from 1 to 1000000000", options->keep);
 }
 
+/* Who writes makes what is not there; but then there is nothing to remove. */
 static bool check(const struct aob_history_options *options, struct aob_error *error)
 {
     double keep;
-    return read_keep(options, &keep, error);
+    struct aob_history *history =
+        read_keep(options, &keep, error)
+            ? aob_history_open(options->common.words.items[0], AOB_HISTORY_READ, error)
+            : NULL;
+    aob_history_close(history);
+    return history != NULL;
 }
 
 static void print(const struct aob_history_options *options, const struct aob_prune *pruned,

@@ -52,12 +52,16 @@ bool aob_database_begin(struct aob_history *history, struct aob_error *error)
 {
     if (!history->writes)
         return aob_fail(error, "%s: the history is open for reading only", history->path);
-    return aob_database_run(history, "BEGIN IMMEDIATE", error);
+    history->failed = false;
+    history->changing = aob_database_run(history, "BEGIN IMMEDIATE", error);
+    return history->changing;
 }
 
 bool aob_database_end(struct aob_history *history, bool ok, struct aob_error *error)
 {
-    if (ok && aob_database_run(history, "COMMIT", error))
+    ok = ok && !history->failed && aob_database_run(history, "COMMIT", error);
+    history->changing = false;
+    if (ok)
         return true;
     if (!sqlite3_get_autocommit(history->db)) /* some failures have taken it back by themselves */
         sqlite3_exec(history->db, "ROLLBACK", NULL, NULL, NULL);
@@ -69,7 +73,7 @@ static void judge(struct aob_query *query, int code)
 {
     if (query->failed || code == SQLITE_OK)
         return;
-    query->failed = true;
+    query->failed = query->history->failed = true;
     aob_database_fail(query->history, query->error);
 }
 
@@ -106,6 +110,7 @@ void aob_query_bytes(struct aob_query *query, const void *bytes, size_t size)
 
 bool aob_query_step(struct aob_query *query)
 {
+    query->failed = query->failed || (query->history->changing && query->history->failed);
     if (query->failed)
         return false;
     errno = 0;

@@ -10,6 +10,8 @@ struct aob_history {
     sqlite3 *db;
     char *path;
     bool writes;
+    bool changing; /* between aob_database_begin and aob_database_end */
+    bool failed;   /* meanwhile, a statement: the others do nothing any more */
 };
 
 /* Writes the line for what SQLite said last: what is wrong with the file, and what to do. Always false. */
@@ -19,12 +21,14 @@ bool aob_database_fail(struct aob_history *history, struct aob_error *error);
 bool aob_database_run(struct aob_history *history, const char *sql, struct aob_error *error);
 
 /* What a transaction's changes are made in. Begun with the lock of a writer, for which another one is waited
- * AOB_HISTORY_WAIT_S. aob_database_end keeps the changes if `ok`, else takes all of them back; false then, too. A history that
- * was opened for reading only is refused by a line. */
+ * AOB_HISTORY_WAIT_S; a history that was opened for reading only is refused by a line. aob_database_end keeps the changes if
+ * `ok`, else takes all of them back; false then, too. After a full disk, among others, SQLite takes the transaction back by
+ * itself, and would keep what each statement does behind it: so after the first failure none runs any more. */
 bool aob_database_begin(struct aob_history *history, struct aob_error *error);
 bool aob_database_end(struct aob_history *history, bool ok, struct aob_error *error);
 
-/* A statement in use. It keeps the first failure: what comes after it does nothing, so only its end is asked. */
+/* A statement in use. After the first failure, its own or another one's of the transaction, it does nothing: so only its end
+ * is asked. */
 struct aob_query {
     struct aob_history *history;
     sqlite3_stmt *statement;

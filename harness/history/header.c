@@ -11,7 +11,7 @@
 #include "schema.h"
 
 /* Places in the header of an SQLite file (its file format, "The Database Header"). */
-enum { HEAD = 100, PAGE_SIZE = 16, PAGES = 28, CHANGES = 24, VERSION = 60, APPLICATION = 68, PAGES_OF = 92 };
+enum { HEAD = 100, PAGE_SIZE = 16, PAGES = 28, CHANGES = 24, APPLICATION = 68, PAGES_OF = 92 };
 static const char magic[16] = "SQLite format 3";
 
 static uint32_t word(const unsigned char *bytes)
@@ -44,10 +44,6 @@ static enum aob_header judge_head(const char *path, const unsigned char *head, l
     if (word(head + APPLICATION) != AOB_HISTORY_APPLICATION)
         return aob_fail(error, "%s: is the SQLite file of another program, no history: name another file",
                         path);
-    if (word(head + VERSION) > AOB_HISTORY_VERSION)
-        return aob_fail(error,
-                        "%s: made by a newer aobudget (version %u; this one reads up to %d): use that one",
-                        path, word(head + VERSION), AOB_HISTORY_VERSION);
     if (size < stated_size(head) && !aob_header_has_log(path))
         return aob_fail(error, "%s: the history is cut short (%lld of %lld bytes): take its last copy", path,
                         size, stated_size(head));

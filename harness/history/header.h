@@ -8,11 +8,11 @@ enum aob_header {
     AOB_HEADER_BAD,   /* a line says why */
     AOB_HEADER_NONE,  /* there is no such file */
     AOB_HEADER_EMPTY, /* of 0 bytes */
-    AOB_HEADER_GOOD,  /* a history of a version that this program reads, and as long as its header says */
+    AOB_HEADER_GOOD,  /* a history of whatever version, as long as its header says */
 };
 
-/* Bad are: what is no regular file or cannot be read, no SQLite file, one of another application, one of a newer version, and
- * one that is shorter than its header says while no write-ahead log lies beside it. */
+/* Bad are: what is no regular file or cannot be read, no SQLite file, one of another application, and one that
+ * is shorter than its header says while no write-ahead log lies beside it. */
 enum aob_header aob_header_judge(const char *path, struct aob_error *error);
 
 /* Whether the write-ahead log beside a history holds anything: changes that were not worked in yet. */

@@ -138,6 +138,9 @@ static void test_damaged_page(void **state)
     assert_false(aob_lines_read(history, &(struct aob_lines_ask){0}, &lines, &error));
     assert_contains(error.text, "the history is damaged");
     assert_int_equal(lines.count, 0);
+    error = (struct aob_error){{0}};
+    assert_false(aob_lines_read(history, &(struct aob_lines_ask){0}, &lines, &error)); /* and again */
+    assert_contains(error.text, "the history is damaged");
     aob_history_close(history);
     free(bytes);
 }
@@ -250,8 +253,10 @@ static int body_meets_a_limit(void)
     if (taken || !strstr(error.text, "File too large"))
         return fprintf(stderr, "%s\n", error.text), 1;
     struct aob_nights nights = {0};
+    size_t lines = 0, points = 0;
     bool ok = aob_nights_read(history, NULL, &nights, &error) && nights.count == 3 &&
-              nights.items[2].cases == 0 && nights.items[1].cases == 3;
+              nights.items[2].cases == 0 && nights.items[1].cases == 3 &&
+              aob_lines_count(history, NULL, &lines, &points, &error) && points == 6;
     aob_nights_finish(&nights);
     ok = ok && aob_night_take(history, night, NULL, &error);
     aob_history_close(history);
@@ -263,12 +268,38 @@ static void test_full_disk(void **state)
     (void)state;
     int status;
     make_history();
-    run_write(500, 2);
+    run_write(3000, 2); /* more than SQLite holds in memory, so that it fails in the middle */
     pid_t child = fork();
     if (!child)
         _exit(body_meets_a_limit());
     waitpid(child, &status, 0);
     assert_int_equal(status, 0);
+}
+
+/* SQLite takes a transaction back by itself when the disk is full in its midst, as RAISE(ROLLBACK) does: nothing that the
+ * other statements do then may stay. */
+static void test_taken_back(void **state)
+{
+    (void)state;
+    size_t lines = 0, points = 0;
+    make_history();
+    alter("CREATE TRIGGER full BEFORE INSERT ON figures WHEN (SELECT count(*) FROM figures) = 10"
+          " BEGIN SELECT RAISE(ROLLBACK, 'no room'); END");
+    run_write(20, 2);
+    struct aob_history *history = history_open(AOB_HISTORY_WRITE);
+    const struct aob_night_desc desc = {.name = "nightly", .config_hash = "c", .folder = folder};
+    int64_t night = aob_night_begin(history, &desc, &error);
+    assert_false(aob_night_take(history, night, NULL, &error));
+    assert_contains(error.text, "no room");
+    assert_true(aob_lines_count(history, NULL, &lines, &points, &error));
+    assert_int_equal(lines, 3);
+    assert_int_equal(points, 6);
+    aob_history_close(history);
+    alter("DROP TRIGGER full");
+    history = history_open(AOB_HISTORY_WRITE);
+    assert_true(aob_night_take(history, night, &points, &error));
+    assert_int_equal(points, 20);
+    aob_history_close(history);
 }
 
 #define TEST(test) cmocka_unit_test_setup_teardown(test, night_folder_make, night_folder_remove)
@@ -288,6 +319,7 @@ int main(void)
         TEST(test_read_only),
         TEST(test_read_only_beside_a_writer),
         TEST(test_full_disk),
+        TEST(test_taken_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
