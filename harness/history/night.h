@@ -29,8 +29,9 @@ void aob_nights_finish(struct aob_nights *nights);
 
 struct aob_night_desc {
     const char *name, *config_hash, *folder; /* folder: as given; an absolute path is kept */
-    const char *modules; /* a hash of program and modules: a night that was stopped is gone on with only if it is equal */
-    int64_t date;        /* seconds since 1970, UTC; 0: now */
+    const char *
+        modules; /* a hash of program and modules: a night that was stopped is gone on with only if it is equal */
+    int64_t date; /* seconds since 1970, UTC; 0: now */
 };
 /* Begins a night and returns its id; 0 after a line. */
 int64_t aob_night_begin(struct aob_history *history, const struct aob_night_desc *desc,

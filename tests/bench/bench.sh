@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, cases, linear, divided, bent, effects, lit, thrift, temporal, effects_plan, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, cache, shapes, stress, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, cases, linear, divided, bent, effects, lit, thrift, temporal, effects_plan, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, watch, cache, shapes, stress, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -99,6 +99,7 @@ source tests/bench/effects.sh
 source tests/bench/papers.sh
 source tests/bench/timing.sh
 source tests/bench/compare.sh
+source tests/bench/watch.sh
 source tests/bench/cache.sh
 source tests/bench/cache_shapes.sh
 source tests/bench/stress.sh
