@@ -17,6 +17,7 @@ struct values {
     double *y, *weights, *halves; /* logarithms; 1 / width, bounded; half of the width as it is */
     size_t *at;                   /* places of their points */
     size_t n, start;              /* start: the first value since the restart */
+    size_t judged;                /* so many values are no later than the verdict that restarted it */
 };
 
 /* k nights beside the level before them. */
@@ -61,17 +62,17 @@ static void weigh(struct values *v, const struct aob_point *points)
     free(widths);
 }
 
-/* The night in which the level began that the latest decided verdict tells of; INT64_MIN: none. */
-static int64_t restart_of(const struct aob_point *points, size_t earlier)
+/* Place of the latest verdict before tonight that tells of a level; `none` if there is no such. */
+static size_t decided_at(const struct aob_point *points, size_t earlier, size_t none)
 {
     for (size_t i = earlier; i-- > 0;) {
         int verdict = points[i].verdict;
         bool decided = verdict == AOB_NIGHT_SLOWER || verdict == AOB_NIGHT_FASTER ||
                        verdict == AOB_NIGHT_MOVED || verdict == AOB_NIGHT_MACHINE;
         if (decided && points[i].since)
-            return points[i].since;
+            return i;
     }
-    return INT64_MIN;
+    return none;
 }
 
 /* The last point must have a value. */
@@ -82,18 +83,17 @@ static struct values values_of(const struct aob_point *points, size_t count)
                        AOB_NEW_ARRAY(double, AOB_WATCH_LINE),
                        AOB_NEW_ARRAY(size_t, AOB_WATCH_LINE),
                        0,
+                       0,
                        0};
-    int64_t since = restart_of(points, count - 1);
-    size_t first = count, kept = 0;
-    while (first > 0 && kept < AOB_WATCH_LINE) {
-        first--;
-        kept +=
-            has_value(&points[first]) && (first + 1 == count || points[first].verdict != AOB_NIGHT_OUTLIER);
-    }
+    size_t decided = decided_at(points, count - 1, count), first = count;
+    int64_t since = decided < count ? points[decided].since : INT64_MIN;
+    for (size_t kept = 0; first > 0 && kept < AOB_WATCH_LINE;)
+        kept += has_value(&points[--first]);
     for (size_t i = first; i < count; i++) {
-        if (!has_value(&points[i]) || (i + 1 < count && points[i].verdict == AOB_NIGHT_OUTLIER))
+        if (!has_value(&points[i]))
             continue;
-        v.start += points[i].night < since && i + 1 < count;
+        v.start += i + 1 < count && points[i].night < since;
+        v.judged += decided < count && i <= decided;
         v.y[v.n] = log(points[i].ratio);
         v.at[v.n++] = i;
     }
@@ -113,7 +113,7 @@ static size_t add_distances(const struct values *v, size_t from, size_t to, cons
     return count;
 }
 
-/* The noise of the line as a standard deviation; NAN: not known. `levels`: those from the restart to last night. */
+/* The noise of the line, a third of what a shift must lie beyond; NAN: not known. `levels`: those from the restart to last night. */
 static double noise_of(const struct values *v, const struct aob_levels *levels)
 {
     size_t last = v->n - 1, count = 0;
@@ -124,7 +124,8 @@ static double noise_of(const struct values *v, const struct aob_levels *levels)
     count = add_distances(v, v->start, last, levels, distances, count);
     size_t taken = old.count + levels->count;
     if (count >= taken + AOB_WATCH_KNOWN)
-        noise = 1.4826 * aob_median(distances, count) * sqrt((double)count / (double)(count - taken));
+        noise = fmax(1.4826 * aob_median(distances, count), aob_quantile(distances, count, 0.95) / 3) *
+                sqrt((double)count / (double)(count - taken));
     aob_levels_finish(&old);
     free(distances);
     return noise;
@@ -212,6 +213,7 @@ static size_t nights_since(const struct values *v, size_t most, double before)
 static void watch_values(const struct values *v, double least, struct aob_watch *watch)
 {
     size_t last = v->n - 1, most = last - v->start < AOB_WATCH_NIGHTS ? last - v->start : AOB_WATCH_NIGHTS;
+    most = v->n - v->judged < most ? v->n - v->judged : most;
     struct tail tails[AOB_WATCH_NIGHTS + 1] = {{0}}, *told = tails + 1;
     struct aob_levels levels;
     aob_levels_fit(v->y + v->start, v->weights + v->start, last - v->start, &levels);

@@ -1,30 +1,33 @@
 /* Whether the latest night of a line stands out against the nights before it. Pure functions.
  *
  * A value is ln(ratio) of a point whose status is "ok" and whose ratio is finite and above 0. Other points (failed, untimed)
- * are passed over, and so is one that was judged AOB_NIGHT_OUTLIER: measured again it was found not to be its case's cost.
- * Only the latest AOB_WATCH_LINE values count.
+ * are passed over. Only the latest AOB_WATCH_LINE values count. A point that was judged AOB_NIGHT_OUTLIER counts as any other:
+ * medians do not follow it, and a line that is often disturbed must know that it is.
  *
  * The line restarts at the point `since` of the latest verdict SLOWER, FASTER, MOVED or MACHINE before tonight: what is told
- * is not told again the next night. The values from there to last night, cut into levels (level.h), are what tonight
- * stands beside. The noise is that of the whole line, before the restart too: 1.4826 times the median distance of an earlier value from its
- * level's median, times sqrt(n / (n - levels)), since each level has taken one of n values. It is known of
- * AOB_WATCH_KNOWN values beyond the number of levels.
+ * is not told again the next night, and a level that is told later begins later than that verdict. The values from the restart to
+ * last night, cut into levels (level.h), are what tonight stands beside. The noise is that of the whole line, before the restart too:
+ * of the distances of earlier values from their levels' medians it is 1.4826 times the median, or a third of what one in twenty
+ * is beyond, whichever is larger (of normal errors the first; the second where a few nights in twenty are far off), times
+ * sqrt(n / (n - levels)), since each level has taken one of n values. It is known of AOB_WATCH_KNOWN values more than
+ * there are levels.
  *
  * For each k up to AOB_WATCH_NIGHTS the last k values are set beside the level that the line had before them: the weighted
  * median of what lies between its start and them. It is the last level that has more than AOB_WATCH_NIGHTS values with tonight's,
- * or the first one, since a younger level is what is asked about: one outlier is no level to come back from. Their own level is their median, of an even number the one that is
- * nearer to the level before, so more than half of them lie beyond it. They stand out if that shift, as a logarithm, is
+ * or the first one, since a younger level is what is asked about: one outlier is no level to come back from. The
+ * shift is the largest that more than half of their weight lies at or beyond. They stand out if that shift, as a logarithm, is
  * larger than each of
  *
  *     ln(1 + least),
  *     3 x noise                           for k = 1,
  *     3 x noise x 1.2533 sqrt(1/k + 1/m)  for more (the errors of two medians, m values before them),
- *     h / sqrt(k)                         half the width of their intervals (the median one of k),
+ *     (sum of h_i^-2)^-1/2                half the width of their intervals, h_i, together,
  *
  * and tonight's value lies nearer to the new level than to the one before: what was back tonight is no level. With more nights
  * smaller shifts stand out, which a single night would hide. k above 1 needs AOB_WATCH_KNOWN values before the k. As long as the
  * noise is not known, 3 x noise is replaced: the shift must be larger than half of tonight's interval and half of the
  * widest interval before it together. A value without an interval has a wide one: alone it never stands out.
+ * A weight is 1 over the width of the interval, within half and four times the line's usual width.
  *
  * `since` is the place that cuts the last AOB_WATCH_NIGHTS values in two with the least sum of w |y - level|, the first part
  * about the level before. */
@@ -51,8 +54,8 @@ struct aob_watch {
 /* Of a line whose last point is the night in question, whose own verdict does not matter. `least`: the smallest share that
  * counts, such as .02. A last point without a value, or without an earlier one, is never suspect.
  *
- * A suspect stays one on later nights until its verdict restarts the line or its point is an outlier. So a shift that
- * was measured again for nothing on several nights is best judged MACHINE, with its `since`. */
+ * A shift that lasts stays a suspect until a verdict restarts the line. So one that was measured again for nothing on
+ * several nights is best judged MACHINE, with its `since`. */
 void aob_watch_line(const struct aob_point *points, size_t count, double least, struct aob_watch *watch);
 
 /* Which of `count` p-values are discoveries at the false-discovery rate q: those up to the largest p that is at most
