@@ -16,3 +16,5 @@ install(FILES cmake/aobudgetConfig.cmake cmake/module.cmake cmake/shaders.cmake
   ${package}/aobudgetConfigVersion.cmake DESTINATION lib/cmake/aobudget)
 install(FILES ${CMAKE_SOURCE_DIR}/share/aobudget.1 DESTINATION share/man/man1)
 install(FILES ${CMAKE_SOURCE_DIR}/share/aobudget.bash DESTINATION share/bash-completion/completions RENAME aobudget)
+install(FILES ${CMAKE_SOURCE_DIR}/share/slurm/aobudget-sweep.sbatch DESTINATION share/aobudget/slurm)
+install(PROGRAMS ${CMAKE_SOURCE_DIR}/share/parallel/aobudget-sweep.sh DESTINATION share/aobudget/parallel)
