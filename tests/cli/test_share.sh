@@ -25,7 +25,7 @@ check "weightings" test "$(complete_line shot --target-weighting u)" = uniform
 for flag in $("$program" shot --help | sed -n '/ is now /d; s/^  \(--*[a-z-]*\).*/\1/p'); do
   check "the man page knows $flag" grep -qF -- "${flag//-/\\-}" "$man"
 done
-check "what a history does" test "$(complete_line history h.db "" | xargs)" = "list prune export"
+check "what a history does" test "$(complete_line history h.db "" | xargs)" = "list plot prune export"
 check "its flags" grep -qx -- --keep <(complete_line history h.db prune --)
 check "nothing foreign" test -z "$(complete_line shot --technique xyz | tr -d '\n')"
 finish
