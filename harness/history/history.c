@@ -25,6 +25,15 @@ static bool may_write(const char *path)
     return faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) == 0;
 }
 
+/* Whether locks and log cannot be put beside the file. */
+static bool is_shut(const char *path)
+{
+    char *folder = folder_of(path);
+    bool shut = !may_write(path) || !may_write(folder);
+    free(folder);
+    return shut;
+}
+
 /* The log of changes lies beside the file, so its folder must be writable as well. */
 static bool check_writable(const char *path, bool there, struct aob_error *error)
 {
@@ -143,6 +152,24 @@ static bool refuse_missing(const char *path, enum aob_header header, struct aob_
     return aob_fail(error, "%s: is empty: no night was ever kept in it", path);
 }
 
+static bool open_and_judge(struct aob_history *history, bool there, struct aob_error *error)
+{
+    bool log = aob_header_has_log(history->path), alone = !history->writes && is_shut(history->path);
+    bool ok =
+        connect(history, alone, error) && (there || make_tables(history, error)) && judge(history, error);
+    if (ok)
+        return true;
+    if (alone && log && sqlite3_errcode(history->db) == SQLITE_CANTOPEN)
+        aob_fail(error,
+                 "%s: what a stopped program changed last lies in %s-wal, and cannot be worked in here: copy "
+                 "both to "
+                 "a folder that can be written",
+                 history->path, history->path);
+    if (log) /* what is refused is left as it is */
+        sqlite3_db_config(history->db, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, NULL);
+    return false;
+}
+
 struct aob_history *aob_history_open(const char *path, enum aob_history_use use, struct aob_error *error)
 {
     bool writes = use == AOB_HISTORY_WRITE;
@@ -151,17 +178,10 @@ struct aob_history *aob_history_open(const char *path, enum aob_history_use use,
     if (header == AOB_HEADER_BAD || (!there && !writes && !refuse_missing(path, header, error)) ||
         (writes && !check_writable(path, header != AOB_HEADER_NONE, error)))
         return NULL;
-    char *folder = folder_of(path);
     struct aob_history *history = AOB_NEW(struct aob_history);
     *history = (struct aob_history){.path = aob_strdup(path), .writes = writes};
-    bool log = aob_header_has_log(path), alone = !writes && (!may_write(path) || !may_write(folder));
-    bool ok =
-        connect(history, alone, error) && (there || make_tables(history, error)) && judge(history, error);
-    free(folder);
-    if (ok)
+    if (open_and_judge(history, there, error))
         return history;
-    if (log) /* what is refused is left as it is */
-        sqlite3_db_config(history->db, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, NULL);
     aob_history_close(history);
     return NULL;
 }

@@ -77,20 +77,25 @@ static void test_newer(void **state)
     check_refused("made by a newer aobudget (version 3; this one reads up to 1): use that one", false);
 }
 
-/* The newer version is in the log of a writer that was killed, and in the file it is still the old one. */
-static void test_newer_in_the_log(void **state)
+/* What a writer that was killed leaves in the log, and not yet in the file. */
+static void kill_writer(const char *sql)
 {
-    (void)state;
     int status;
-    make_history();
     pid_t child = fork();
     if (!child) {
         sqlite3 *db = NULL;
         sqlite3_open(path, &db);
-        sqlite3_exec(db, "PRAGMA user_version = 4", NULL, NULL, NULL);
+        sqlite3_exec(db, sql, NULL, NULL, NULL);
         raise(SIGKILL);
     }
     waitpid(child, &status, 0);
+}
+
+static void test_newer_in_the_log(void **state)
+{
+    (void)state;
+    make_history();
+    kill_writer("PRAGMA user_version = 4");
     check_refused("made by a newer aobudget (version 4; this one reads up to 1)", false);
 }
 
@@ -218,6 +223,35 @@ static void test_read_only(void **state)
                      0); /* both, as on a medium that is read only */
 }
 
+static int body_is_told_of_the_log(void)
+{
+    if (!aob_history_open(path, AOB_HISTORY_READ, &error) &&
+        strstr(error.text, "-wal, and cannot be worked in here: copy both"))
+        return 0;
+    return fprintf(stderr, "%s\n", error.text), 1;
+}
+
+/* A writer was killed, and nobody may work in what it left in the log. */
+static void test_log_on_a_read_only_medium(void **state)
+{
+    (void)state;
+    make_history();
+    kill_writer("PRAGMA user_version = 1; UPDATE point SET ratio = 7");
+    char *shared = aob_alloc(strlen(path) + 5, 1);
+    sprintf(shared, "%s-shm", path);
+    assert_int_equal(unlink(shared), 0);
+    free(shared);
+    assert_int_equal(chmod(place, 0555), 0);
+    assert_int_equal(run_as_user(body_is_told_of_the_log), 0);
+    assert_int_equal(chmod(place, 0755), 0);
+    struct aob_lines lines;
+    struct aob_history *history = history_open(AOB_HISTORY_READ);
+    assert_true(aob_lines_read(history, &(struct aob_lines_ask){0}, &lines, &error));
+    assert_near(lines.items[0].points[0].ratio, 7, 0);
+    aob_lines_finish(&lines);
+    aob_history_close(history);
+}
+
 /* A writer that is open keeps its log: who may not write reads it none the less, and sees what was kept last. */
 static void test_read_only_beside_a_writer(void **state)
 {
@@ -318,6 +352,7 @@ int main(void)
         TEST(test_empty),
         TEST(test_read_only),
         TEST(test_read_only_beside_a_writer),
+        TEST(test_log_on_a_read_only_medium),
         TEST(test_full_disk),
         TEST(test_taken_back),
     };
