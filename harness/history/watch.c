@@ -231,8 +231,9 @@ static void watch_values(const struct values *v, double least, struct aob_watch 
         size_t nights = nights_since(v, most, told->before);
         watch->suspect = true;
         watch->since = v->at[v->n - nights];
-        told = tails + nights;
-        shift = aob_level_value(v->y + v->n - nights, v->weights + v->n - nights, nights) - told->before;
+        told = tails[nights].stands_out ? tails + nights : told;
+        size_t k = (size_t)(told - tails), end = v->n - k;
+        shift = aob_level_value(v->y + end, v->weights + end, k) - told->before;
     }
     watch->before = exp(told->before);
     watch->shift = exp(shift);

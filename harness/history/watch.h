@@ -13,14 +13,14 @@
  * there are levels.
  *
  * For each k up to AOB_WATCH_NIGHTS the last k values are set beside the level that the line had before them: the weighted
- * median of what lies between its start and them. It is the last level that has more than AOB_WATCH_NIGHTS values with tonight's,
- * or the first one, since a younger level is what is asked about: one outlier is no level to come back from. The
+ * median of what lies between its start and them. It is the last level that has more than AOB_WATCH_NIGHTS values, tonight's
+ * among them, or the first one, since a younger level is what is asked about: one outlier is no level to come back from. The
  * shift is the largest that more than half of their weight lies at or beyond. They stand out if that shift, as a logarithm, is
  * larger than each of
  *
  *     ln(1 + least),
- *     3 x noise                           for k = 1,
- *     3 x noise x 1.2533 sqrt(1/k + 1/m)  for more (the errors of two medians, m values before them),
+ *     3 x noise x sqrt(1 + pi/2 / m)      for k = 1: m values before it, whose median errs as well,
+ *     3 x noise x sqrt(pi/2 (1/k + 1/m))  for more: the errors of two medians,
  *     (sum of h_i^-2)^-1/2                half the width of their intervals, h_i, together,
  *
  * and tonight's value lies nearer to the new level than to the one before: what was back tonight is no level. With more nights
@@ -40,19 +40,19 @@
 enum { AOB_WATCH_NIGHTS = 7, AOB_WATCH_KNOWN = 4, AOB_WATCH_LINE = 365 };
 
 struct aob_watch {
-    bool suspect; /* the cost stands out: it is to be measured again, beside the old module */
-    size_t
-        since; /* place of the point where the new level began; the last one's if only that stands out, or nothing does */
+    bool suspect;  /* the cost stands out: it is to be measured again, beside the old module */
+    size_t since;  /* place of the point where the new level began; the last one's if nothing stands out */
     double before; /* the level that it stands out against, a ratio to the fixed pass; NAN: there is none */
-    double
-        shift; /* the new level over that: 1.05 is 5 % dearer; NAN: none. Tonight alone, where nothing stands out */
-    double
-        least; /* the share by which it had to stand out, .05: the largest of the four above; NAN: none. A fall counts from
-                      1 / (1 + least) on */
+    double shift;  /* the new level over that: 1.05 is 5 % dearer; NAN: none */
+    double least;  /* the share, .05, that it is beyond: the largest of the four above; NAN: none */
 };
 
 /* Of a line whose last point is the night in question, whose own verdict does not matter. `least`: the smallest share that
  * counts, such as .02. A last point without a value, or without an earlier one, is never suspect.
+ *
+ * The new level of a suspect is the weighted median of the nights since `since`, or, where these alone do not stand out, of the k
+ * that stand out most; else it is tonight's value. A fall is suspected from 1 / (1 + least) on. `least` is INFINITY where tonight has
+ * no interval.
  *
  * A shift that lasts stays a suspect until a verdict restarts the line. So one that was measured again for nothing on
  * several nights is best judged MACHINE, with its `since`. */
