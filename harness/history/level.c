@@ -132,7 +132,8 @@ static void rows_add(struct rows *rows)
     for (size_t r = 0; r < n; r++) {
         const double *costs = rows->costs + cell(0, r);
         double best = row ? INFINITY : costs[0];
-        for (size_t l = row; row && l <= r; l++)
+        /* A longer level never costs less, so behind one that is too dear alone there is nothing. */
+        for (size_t l = r; row && l >= row && costs[l] < best; l--)
             if (rows->before[l - 1] + costs[l] < best) {
                 best = rows->before[l - 1] + costs[l];
                 rows->starts[row][r] = (uint32_t)l;

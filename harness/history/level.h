@@ -16,7 +16,7 @@
  * intervals say; without it two values would always be two levels that fit exactly.
  *
  * The result is exact, and the same on every call: the least D for each J is found by dynamic programming over the ends of
- * levels (Bellman's recursion, as in the same paper). Time and memory grow as n^2: 2000 values take about half a second
+ * levels (Bellman's recursion, as in the same paper). Time and memory grow as n^2: 2000 values take half a second
  * and 16 MB. Pure functions. */
 #ifndef AOB_HISTORY_LEVEL_H
 #define AOB_HISTORY_LEVEL_H
