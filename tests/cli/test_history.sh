@@ -102,7 +102,7 @@ check "from a moment" "$program" history h.db export --from 2026-06-02T02:00:01Z
 check "that one" test "$(wc -l <moment.csv)" -eq 3
 
 expect 2 "usage: aobudget history F.db" "$program" history h.db
-expect 2 "history: there is no 'lst'; there are list, prune, export" "$program" history h.db lst
+expect 2 "history: there is no 'lst'; there are list, plot, prune, export" "$program" history h.db lst
 expect 2 "history list: takes no --keep" "$program" history h.db list --keep 3
 expect 2 "history prune: takes no --config" "$program" history h.db prune --config nightly --keep 3
 expect 2 "history prune: say how many nights of each config stay, as --keep 30" "$program" history h.db prune

@@ -106,32 +106,45 @@ check "the next night it is no news, but is told" jq -e '.line == "1 failing sti
 night broken4 0 broken.yaml
 check "when it runs again nothing is worse" jq -e '.worse == 0 and .line == "nothing changed"' broken4.json
 
-# --- A run that was made elsewhere. Its journal is what the night is of, so costs can be planted in it.
-sed 's/name: costs/name: planted/' costs.yaml >planted.yaml
+# --- A run that was made elsewhere. Its journal is what the night is of, so costs can be planted in it: all are 10 when they are
+# measured.
 install_old
-"$program" run planted.yaml --out first --quiet
+run() { # NAME FOLDER
+  sed "s/name: costs/name: $1/" costs.yaml >"$1.yaml"
+  "$program" run "$1.yaml" --out "$2" --quiet
+}
 plant() { # FROM TO FACTOR: the costs of slow.so
   cp -r "$1" "$2"
   jq -c --argjson by "$3" 'if .module == "modules/slow.so" then .time |= (.ratio_to_ref *= $by | .ci_low *= $by | .ci_high *= $by) else . end' \
     "$1/journal.jsonl" >"$2/journal.jsonl"
 }
-plant first second 1
-night planted1 0 first
-night planted2 0 second
-printf new >>modules/slow.so # the same code in other bytes
-"$program" run planted.yaml --out third --quiet
-plant third fourth 1.44
-night planted4 0 fourth
-check "what is not there when it is measured again is an outlier" jq -e '.worse == 0 and ([.cases[] | .verdict == "outlier" and .beside == 1
-  and (.said | test("^44.0 % dearer since .*, and not when it was measured again"))] | length == 2 and all)' planted4.json
-plant third fifth 1.2
-night planted5 0 fifth
-check "a shift that the old build has too is laid to the machine" jq -e '.worse == 0 and .suspects == 2 and ([.cases[] | .verdict == "machine"
-  and (.said | test("^20.0 % dearer since .*, and the"))] | length == 2 and all)' planted5.json
+run shifted shifted
+run planted first
+plant shifted shifted1 0.8
+plant shifted shifted2 0.8
+plant first second 0.8
+plant first third 0.8
+night shifted1 0 shifted1
+night shifted2 0 shifted2
+night planted1 0 second
+night planted2 0 third
+night planted3 0 first
+check "a shift of the same build is laid to the machine" jq -e '.worse == 0 and .suspects == 2 and ([.cases[] | .verdict == "machine"
+  and .beside == null and (.said | test("^25.0 % dearer since .*, and the technique.s build is the same"))] | length == 2 and all)' planted3.json
 expect 2 "first is the night of" "$program" nightly first --history nights.db
+printf new >>modules/slow.so # the same code in other bytes
+run shifted shifted3
+night shifted3 0 shifted3
+check "and so is one that the old build has too" jq -e '.worse == 0 and .suspects == 2 and ([.cases[] | .verdict == "machine"
+  and .beside == 1 and (.said | test("^25.0 % dearer since .*, and the old build beside it is too"))] | length == 2 and all)' shifted3.json
+run planted fourth
+plant fourth fifth 1.44
+night planted5 0 fifth
+check "what is not there when it is measured again is an outlier" jq -e '.worse == 0 and ([.cases[] | .verdict == "outlier" and .beside == 1
+  and (.said | test("^44.0 % dearer since .*, and not when it was measured again"))] | length == 2 and all)' planted5.json
 sqlite3 nights.db 'DELETE FROM module'
 printf newer >>modules/slow.so
-"$program" run planted.yaml --out sixth --quiet
+run planted sixth
 plant sixth seventh 2
 night planted7 3 seventh
 check "without the old build it stays open, and the cause is told" jq -e '.open == 2 and (.cases[0].said | test("not measured again: .*give the old build with --old$"))' planted7.json
