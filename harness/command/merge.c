@@ -23,11 +23,11 @@ static void note_summary(const json_t *document)
     size_t at;
     json_array_foreach(json_object_get(document, "out"), at, out)
     {
-        aob_note("%s: %g cases of %zu folders", aob_member_text(out, "folder"),
+        aob_note("%s: %.0f cases of %zu folders", aob_member_text(out, "folder"),
                  aob_member_number(out, "cases"), json_array_size(json_object_get(out, "folders")));
     }
     if (dropped > 0)
-        aob_note("%g records were dropped: they say the same as one of a folder that was given before",
+        aob_note("%.0f records were dropped: they say the same as one of a folder that was given before",
                  dropped);
 }
 

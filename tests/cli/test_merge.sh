@@ -163,6 +163,24 @@ check "nothing was written" test ! -e bad
 check "and every part is as it was" "$program" merge part-1 part-2 part-3 --out again --quiet
 check "to the byte" cmp again/journal.jsonl whole/journal.jsonl
 
+# A disk that is full leaves no run, and the call is made again.
+expect 2 "cannot write: File too large" bash -c "ulimit -f 20; '$program' merge part-1 part-2 part-3 --out full"
+check "no run is there" test ! -s full/journal.jsonl
+check "so it is made again" "$program" merge part-1 part-2 part-3 --out full --quiet
+check "and whole" cmp full/journal.jsonl whole/journal.jsonl
+
+# Raw rounds of timed parts come along, as does what a merge has made.
+sed 's/time: false/seconds: 0.05, images: false/; s/, "null"//; s/1, 2, 3/1/' sweep.yaml >timed.yaml
+for i in 1 2; do "$program" run timed.yaml --shard $i/2 --out timed-$i --quiet; done
+check "timed parts" "$program" merge timed-1 timed-2 --out timed --quiet
+check "have rounds" test "$(ls timed/rounds | wc -l)" -ge 2
+check "all of them" diff <(cd timed/rounds && sha256sum *) <(sha256sum timed-?/rounds/* | sed 's|timed-./rounds/||' | sort -k 2)
+check "a merge of a merge" "$program" merge timed timed-1 --out timed-again --quiet
+check "is the same" cmp timed/journal.jsonl timed-again/journal.jsonl
+check "a run has nothing to time" "$program" run timed.yaml --out timed --quiet --json timed.json
+check "so it times nothing" jq -e '.cases == 9 and .status.ok == 9 and .seconds.measured == 0' timed.json
+check "budget takes it" "$program" budget timed --ms 1000
+
 # A journal that was cut within a line lacks that case; one with a line of rubbish says so.
 rm -rf twin && cp -r part-1 twin
 head -c -10 part-1/journal.jsonl >twin/journal.jsonl
