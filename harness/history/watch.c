@@ -258,18 +258,24 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-void aob_watch_discover(const double *p, size_t count, double q, bool *found)
+double aob_watch_level(const double *p, size_t count, double q)
 {
-    double *sorted = AOB_NEW_ARRAY(double, count + 1), largest = -1;
-    size_t tested = 0;
+    double *sorted = AOB_NEW_ARRAY(double, count + 1);
+    size_t tested = 0, found = 1;
     for (size_t i = 0; i < count; i++)
         if (!isnan(p[i]))
             sorted[tested++] = p[i];
     qsort(sorted, tested, sizeof *sorted, compare);
     for (size_t i = 0; i < tested; i++)
         if (sorted[i] <= q * (double)(i + 1) / (double)tested)
-            largest = sorted[i];
-    for (size_t i = 0; i < count; i++)
-        found[i] = p[i] <= largest;
+            found = i + 1;
     free(sorted);
+    return tested ? q * (double)found / (double)tested : q;
+}
+
+void aob_watch_discover(const double *p, size_t count, double q, bool *found)
+{
+    double level = aob_watch_level(p, count, q);
+    for (size_t i = 0; i < count; i++)
+        found[i] = p[i] <= level;
 }

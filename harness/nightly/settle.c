@@ -131,13 +131,11 @@ static void measure_groups(struct settling *g)
     }
 }
 
-/* The level at which a share of AOB_NIGHTLY_DISCOVERY of the differences that are told is false: of m costs with k
- * discoveries each interval is one at k / m of it, and lies beside 1 where the p-value is a discovery. */
+/* Of each interval of the night: of the differences that are told a share of AOB_NIGHTLY_DISCOVERY is false on average. */
 static double night_level(const struct settling *g)
 {
     double *p = AOB_NEW_ARRAY(double, g->suspects->count + 1);
-    bool *found = AOB_NEW_ARRAY(bool, g->suspects->count + 1);
-    size_t count = 0, tested = 0, discoveries = 0;
+    size_t count = 0;
     for (size_t i = 0; i < g->groups.count; i++) {
         const struct aob_group *group = g->groups.list[i];
         for (size_t k = 0; group->module && k < group->count; k++) {
@@ -146,14 +144,9 @@ static double night_level(const struct settling *g)
                 p[count++] = aob_ratio_p(&item->cost.cost, item->cost.processes);
         }
     }
-    aob_watch_discover(p, count, AOB_NIGHTLY_DISCOVERY, found);
-    for (size_t i = 0; i < count; i++) {
-        tested += isnan(p[i]) ? 0 : 1;
-        discoveries += found[i];
-    }
+    double level = aob_watch_level(p, count, AOB_NIGHTLY_DISCOVERY);
     free(p);
-    free(found);
-    return AOB_NIGHTLY_DISCOVERY * (double)(discoveries ? discoveries : 1) / (double)(tested ? tested : 1);
+    return level;
 }
 
 /* Both builds cost the same beside each other. Whether the machine has changed or only that night's measurement was off is seen

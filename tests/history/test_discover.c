@@ -43,11 +43,28 @@ static void test_discoveries_by_definition(void **state)
     }
 }
 
+/* Of the paper's fifteen four are found: the level is .05 x 4 / 15. Fifteen that are none leave .05 / 15, one NAN less .05 / 14. */
+static void test_level(void **state)
+{
+    (void)state;
+    double p[15];
+    for (int i = 0; i < 15; i++)
+        p[i] = i < 4 ? .0095 : .5;
+    assert_float_equal(aob_watch_level(p, 15, .05), .05 * 4 / 15, 1e-15);
+    for (int i = 0; i < 4; i++)
+        p[i] = .5;
+    assert_float_equal(aob_watch_level(p, 15, .05), .05 / 15, 1e-15);
+    p[7] = NAN;
+    assert_float_equal(aob_watch_level(p, 15, .05), .05 / 14, 1e-15);
+    assert_float_equal(aob_watch_level(p, 0, .05), .05, 1e-15);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_discoveries_of_the_paper),
         cmocka_unit_test(test_discoveries_by_definition),
+        cmocka_unit_test(test_level),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
