@@ -45,12 +45,14 @@ EOF
     done
   }
   make_parts 10 100000 no
+  sync # a run has flushed its lines
   size=$(($(cat "$folder"/part-*/journal.jsonl | wc -c) / 1000000))
   row "merge: 10 folders of 10,000 cases, $size MB" "$(elapsed build/release/aobudget merge "$folder"/part-* --out "$folder/merged")" s "<=" 10
   row "merge: cases in the merged journal" "$(wc -l <"$folder/merged/journal.jsonl")" cases ">=" 100000
   rm -rf "$folder/merged"
   make_parts 4 1000 yes
   seal_images
+  sync
   row "merge: 4 folders of 250 cases with images, $(du -sm "$folder"/part-*/images | awk '{ s += $1 } END { print s }') MB" \
     "$(elapsed build/release/aobudget merge "$folder"/part-* --out "$folder/merged")" s
   rm -rf "$folder"/part-* "$folder/merged"

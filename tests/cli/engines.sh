@@ -32,7 +32,7 @@ kill_part() {
   for _ in $(seq 1200); do
     for part in 1 2 3 4; do
       lines=$(cat "$OUT-$part-of-4/journal.jsonl" 2>/dev/null | wc -l)
-      process=$(pgrep -of "^$program run sweep.yaml --shard $part/4 ") || continue
+      process=$(pgrep -of "^$program run sweep.yaml --shard $part/4 --out $OUT-$part-of-4 ") || continue
       if [ "$lines" -ge 3 ] && [ "$lines" -lt $((sizes[part] / 2)) ] && kill -9 "$process"; then
         echo "$part"
         return

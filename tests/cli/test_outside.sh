@@ -17,7 +17,8 @@ program=$prefix/bin/aobudget
 # What is installed stands alone.
 for file in bin/aobudget bin/aobudget-plot lib/libaoviz.so lib/aobudget/modules/gtao.so include/aobudget/technique.h \
   include/aobudget/steps.h share/aobudget/shaders/common/noise.glsl \
-  share/aobudget/shaders/steps/blur.glsl lib/cmake/aobudget/aobudgetConfig.cmake; do
+  share/aobudget/shaders/steps/blur.glsl share/aobudget/slurm/aobudget-sweep.sbatch \
+  share/aobudget/parallel/aobudget-sweep.sh lib/cmake/aobudget/aobudgetConfig.cmake; do
   check "$file" test -s "$prefix/$file"
 done
 # A path is named where it begins and ends as one: in a tree at /aobudget, share/aobudget is none of its paths.
