@@ -162,22 +162,31 @@ bool aob_lines_count(struct aob_history *history, const char *config, size_t *li
     return aob_query_end(&query);
 }
 
-bool aob_line_judge(struct aob_history *history, int64_t line, int64_t night, enum aob_night_verdict verdict,
-                    int64_t since, const char *said, struct aob_error *error)
+static bool judge(struct aob_query *query, int64_t night, const struct aob_line_verdict *verdict,
+                  struct aob_error *error)
+{
+    struct aob_history *history = query->history;
+    aob_query_text(query, aob_night_verdict_names[verdict->verdict]);
+    aob_query_whole(query, verdict->since);
+    aob_query_text(query, verdict->said ? verdict->said : "");
+    aob_query_whole(query, verdict->line);
+    aob_query_whole(query, night);
+    return aob_query_run(query) && (sqlite3_changes(history->db) == 1 ||
+                                    aob_fail(error, "%s: line %lld has no point in night %lld", history->path,
+                                             (long long)verdict->line, (long long)night));
+}
+
+bool aob_lines_judge(struct aob_history *history, int64_t night, const struct aob_line_verdict *verdicts,
+                     size_t count, struct aob_error *error)
 {
     struct aob_query query;
+    bool ok = true;
     if (!aob_database_begin(history, error))
         return false;
     aob_query_begin(&query, history,
                     "UPDATE point SET verdict = ?, since = ?, said = ? WHERE line = ? AND night = ?", error);
-    aob_query_text(&query, aob_night_verdict_names[verdict]);
-    aob_query_whole(&query, since);
-    aob_query_text(&query, said ? said : "");
-    aob_query_whole(&query, line);
-    aob_query_whole(&query, night);
-    aob_query_run(&query);
-    bool ok = aob_query_end(&query) && (sqlite3_changes(history->db) == 1 ||
-                                        aob_fail(error, "%s: line %lld has no point in night %lld",
-                                                 history->path, (long long)line, (long long)night));
+    for (size_t i = 0; ok && i < count; i++)
+        ok = judge(&query, night, &verdicts[i], error);
+    ok = aob_query_end(&query) && ok;
     return aob_database_end(history, ok, error);
 }

@@ -79,8 +79,13 @@ enum aob_night_verdict {
 };
 extern const char *const aob_night_verdict_names[]; /* lower-case words: "none", "first", "slower", ... */
 
-/* Keeps the verdict on a line's point of a night, with one sentence. `since`: the night in which the new level began; 0 where
- * there is none. */
-bool aob_line_judge(struct aob_history *history, int64_t line, int64_t night, enum aob_night_verdict verdict,
-                    int64_t since, const char *said, struct aob_error *error);
+struct aob_line_verdict {
+    int64_t line; /* its id */
+    enum aob_night_verdict verdict;
+    int64_t since;    /* the night in which the new level began; 0: it tells of none */
+    const char *said; /* one sentence; NULL is "" */
+};
+/* Keeps the verdicts on the points that the lines have in a night: all of them or none. */
+bool aob_lines_judge(struct aob_history *history, int64_t night, const struct aob_line_verdict *verdicts,
+                     size_t count, struct aob_error *error);
 #endif

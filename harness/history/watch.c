@@ -235,6 +235,7 @@ static void watch_values(const struct values *v, double least, struct aob_watch 
         size_t k = (size_t)(told - tails), end = v->n - k;
         shift = aob_level_value(v->y + end, v->weights + end, k) - told->before;
     }
+    watch->level = v->at[first];
     watch->before = exp(told->before);
     watch->shift = exp(shift);
     watch->least = expm1(told->need);
@@ -243,7 +244,7 @@ static void watch_values(const struct values *v, double least, struct aob_watch 
 
 void aob_watch_line(const struct aob_point *points, size_t count, double least, struct aob_watch *watch)
 {
-    *watch = (struct aob_watch){false, count ? count - 1 : 0, NAN, NAN, NAN};
+    *watch = (struct aob_watch){false, count ? count - 1 : 0, 0, NAN, NAN, NAN};
     if (count == 0 || !has_value(&points[count - 1]))
         return;
     struct values v = values_of(points, count);

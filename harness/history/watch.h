@@ -42,6 +42,7 @@ enum { AOB_WATCH_NIGHTS = 7, AOB_WATCH_KNOWN = 4, AOB_WATCH_LINE = 365 };
 struct aob_watch {
     bool suspect;  /* the cost stands out: it is to be measured again, beside the old module */
     size_t since;  /* place of the point where the new level began; the last one's if nothing stands out */
+    size_t level;  /* place of the first point of the level before it */
     double before; /* the level that it stands out against, a ratio to the fixed pass; NAN: there is none */
     double shift;  /* the new level over that: 1.05 is 5 % dearer; NAN: none */
     double least;  /* the share, .05, that it is beyond: the largest of the four above; NAN: none */

@@ -7,27 +7,44 @@
 #include "base/memory.h"
 #include "compare/builds.h"
 
-static bool is_of(const struct aob_group *group, const char *module, const char *old)
-{
-    bool same = group->module && module ? strcmp(group->module, module) == 0 : group->module == module;
-    return same && strcmp(group->old, old) == 0;
-}
+/* What tells groups apart, as in struct aob_group. */
+struct group_of {
+    bool beside;
+    const char *module, *old, *old_module;
+};
 
-struct aob_group *aob_groups_find(struct aob_groups *groups, const char *night_folder, const char *module,
-                                  const char *old)
+static struct aob_group *find(struct aob_groups *groups, const char *night_folder, const struct group_of *of)
 {
-    for (size_t i = 0; i < groups->count; i++)
-        if (is_of(groups->list[i], module, old))
-            return groups->list[i];
+    for (size_t i = 0; i < groups->count; i++) {
+        struct aob_group *group = groups->list[i];
+        if (group->beside == of->beside && strcmp(group->module, of->module) == 0 &&
+            strcmp(group->old, of->old) == 0 && strcmp(group->old_module, of->old_module) == 0)
+            return group;
+    }
     struct aob_group *group = AOB_NEW(struct aob_group);
     *AOB_PUSH(groups->list, groups->count, groups->capacity) = group;
     struct aob_text name = {0};
-    aob_text_add(&name, "%s/%zu", module ? "beside" : "images", groups->count);
+    aob_text_add(&name, "%s/%zu", of->beside ? "beside" : "images", groups->count);
     *group = (struct aob_group){.name = name.data,
                                 .folder = aob_path_join(night_folder, name.data),
-                                .module = aob_strdup(module),
-                                .old = aob_strdup(old)};
+                                .beside = of->beside,
+                                .module = aob_strdup(of->module),
+                                .old = aob_strdup(of->old),
+                                .old_module = aob_strdup(of->old_module)};
     return group;
+}
+
+struct aob_group *aob_groups_beside(struct aob_groups *groups, const char *night_folder,
+                                    const struct aob_point *now, const char *old)
+{
+    return find(groups, night_folder, &(struct group_of){true, now->module, old, old});
+}
+
+struct aob_group *aob_groups_stored(struct aob_groups *groups, const char *night_folder,
+                                    const struct aob_point *now, const struct aob_point *before,
+                                    const char *old)
+{
+    return find(groups, night_folder, &(struct group_of){false, now->module, old, before->module});
 }
 
 void aob_group_add(struct aob_group *group, struct aob_suspect *suspect)
@@ -74,14 +91,15 @@ static bool measure(const struct aob_group *group, const struct aob_nightly_desc
 bool aob_group_measure(struct aob_group *group, const struct aob_nightly_desc *desc, const char *run,
                        struct aob_error *error)
 {
-    bool beside = group->module;
+    bool beside = group->beside;
     struct aob_contest *contest = &group->contest;
     *contest = (struct aob_contest){.names = {group->old, beside ? group->module : run},
                                     .folders = {beside ? group->folder : group->old, beside ? NULL : run},
-                                    .modules = {beside ? group->old : NULL, group->module},
+                                    .modules = {group->old_module, group->module},
                                     .keys = beside ? NULL : &group->keys,
                                     .maps = group->folder,
                                     .precision = desc->precision};
+    group->tried = true;
     group->ready = aob_folder_create(group->folder, error) && (!beside || measure(group, desc, run, error)) &&
                    aob_contest_read(contest, error);
     return group->ready;
@@ -107,6 +125,7 @@ void aob_groups_finish(struct aob_groups *groups)
         free(group->folder);
         free(group->module);
         free(group->old);
+        free(group->old_module);
         free(group);
     }
     free(groups->list);

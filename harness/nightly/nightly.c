@@ -2,8 +2,10 @@
 #include <stdlib.h>
 #include "base/file.h"
 #include "base/json.h"
+#include "base/memory.h"
 #include "compare/compare.h"
 #include "run/run.h"
+#include "lacks.h"
 #include "settle.h"
 #include "tell.h"
 
@@ -12,68 +14,104 @@ struct nightly {
     const struct aob_nightly_desc *desc;
     struct aob_history *history;
     struct aob_night_start start;
+    struct aob_nights nights; /* of the config, this one too */
     struct aob_lines lines;
     struct aob_suspects suspects;
-    bool partial; /* the run lacks cases */
+    size_t asked, missing, gone; /* cases (tell.h) */
 };
 
-static bool has_journal(const char *run)
-{
-    char *path = aob_path_join(run, "journal.jsonl");
-    bool has = aob_file_size(path) > 0;
-    free(path);
-    return has;
-}
-
-/* A night in which no case runs any more has a journal too, and that is what it has to tell. */
+/* A night in which no case runs any more has a record of each, and that is what it has to tell. */
 static bool measure(struct nightly *n, struct aob_error *error)
 {
     const struct aob_run_desc run = {.dispatch = n->desc->dispatch,
                                      .config = n->desc->config,
                                      .out = n->start.run,
                                      .quiet = n->desc->quiet};
+    struct aob_error cause = {{0}};
     if (n->start.measured)
-        return true;
-    if (aob_run(&run, error) != AOB_EXIT_USAGE)
-        return true;
-    if (!has_journal(n->start.run))
+        return aob_run_lacks(n->start.run, &n->asked, &n->missing, error);
+    enum aob_exit code = aob_run(&run, &cause);
+    struct aob_error unread = {{0}};
+    bool whole = aob_run_lacks(n->start.run, &n->asked, &n->missing, &unread) && n->asked && !n->missing;
+    if (code == AOB_EXIT_USAGE && !whole) {
+        *error = cause;
         return false;
-    aob_warn("%s", error->text);
-    *error = (struct aob_error){{0}};
-    n->partial = true;
-    return true;
+    }
+    if (code == AOB_EXIT_USAGE)
+        aob_warn("%s", cause.text);
+    return aob_night_start_stands(&n->start, n->desc, error);
 }
 
 static bool read_lines(struct nightly *n, struct aob_error *error)
 {
     const struct aob_lines_ask ask = {.config = n->start.name, .night = n->start.id, .figures = true};
     return aob_night_take(n->history, n->start.id, NULL, error) &&
+           aob_nights_read(n->history, n->start.name, &n->nights, error) &&
            aob_lines_read(n->history, &ask, &n->lines, error) &&
            (n->lines.count || aob_fail(error, "%s has no case to judge", n->start.run));
+}
+
+static bool has_line(const struct aob_lines *lines, int64_t id)
+{
+    for (size_t i = 0; i < lines->count; i++)
+        if (lines->items[i].id == id)
+            return true;
+    return false;
+}
+
+/* A config that lost a case, or a driver that begins lines of its own, would be silent otherwise. */
+static bool count_gone(struct nightly *n, struct aob_error *error)
+{
+    struct aob_lines_ask ask = {.config = n->start.name};
+    struct aob_lines lines = {0};
+    for (size_t i = 0; i < n->nights.count; i++)
+        if (n->nights.items[i].id < n->start.id && !aob_night_is_stopped(&n->nights.items[i]))
+            ask.night = n->nights.items[i].id;
+    bool ok = !ask.night || aob_lines_read(n->history, &ask, &lines, error);
+    for (size_t i = 0; ok && i < lines.count; i++)
+        n->gone += !has_line(&n->lines, lines.items[i].id);
+    aob_lines_finish(&lines);
+    return ok;
 }
 
 static bool judge(struct nightly *n, struct aob_error *error)
 {
     double precision = n->desc->precision > 0 ? n->desc->precision : AOB_COMPARE_PRECISION;
-    aob_suspects_choose(&n->suspects, &n->lines, precision);
-    return aob_suspects_settle(&n->suspects, n->history, n->desc, &n->start, error);
+    aob_suspects_choose(&n->suspects, &n->lines, &n->nights, precision);
+    return aob_suspects_settle(&n->suspects, n->history, &n->nights, n->desc, &n->start, error);
 }
 
 /* Later nights begin from what this one says. */
 static bool keep(struct nightly *n, const struct aob_night_told *told, struct aob_error *error)
 {
-    bool ok = true;
-    for (size_t i = 0; ok && i < n->suspects.count; i++) {
+    struct aob_line_verdict *verdicts = AOB_NEW_ARRAY(struct aob_line_verdict, n->suspects.count + 1);
+    for (size_t i = 0; i < n->suspects.count; i++) {
         const struct aob_suspect *s = &n->suspects.items[i];
-        ok = aob_line_judge(n->history, s->line->id, n->start.id, s->verdict,
-                            s->watch.suspect || s->moved ? aob_suspect_since(s) : 0, s->said, error);
+        verdicts[i] =
+            (struct aob_line_verdict){s->line->id, s->told.verdict, aob_suspect_since(s), s->told.said};
     }
     json_t *summary = aob_night_summary(told);
     char *text = json_dumps(summary, 0);
-    ok = ok && aob_night_end(n->history, n->start.id, text, error);
+    bool ok = aob_lines_judge(n->history, n->start.id, verdicts, n->suspects.count, error) &&
+              aob_night_end(n->history, n->start.id, text, error);
     free(text);
     json_decref(summary);
+    free(verdicts);
     return ok;
+}
+
+/* What a night found is told before it ends: one that is stopped in between is judged again. The trend shows what is kept. */
+static bool tell(struct nightly *n, struct aob_text *out, enum aob_exit *code, struct aob_error *error)
+{
+    const struct aob_night_told told = {n->desc,  &n->start,  &n->suspects, n->history,
+                                        n->asked, n->missing, n->gone};
+    struct aob_error cause = {{0}};
+    if (!aob_night_tell(&told, out, error) || !keep(n, &told, error))
+        return false;
+    if (!aob_night_trend(&told, &cause))
+        aob_warn("the trend page: %s", cause.text);
+    *code = aob_night_code(&told);
+    return true;
 }
 
 static bool check(const struct aob_nightly_desc *desc, struct aob_error *error)
@@ -86,16 +124,16 @@ static bool check(const struct aob_nightly_desc *desc, struct aob_error *error)
 enum aob_exit aob_nightly(const struct aob_nightly_desc *desc, struct aob_text *out, struct aob_error *error)
 {
     struct nightly n = {.desc = desc};
+    enum aob_exit code = AOB_EXIT_USAGE;
     if (!check(desc, error) || !(n.history = aob_history_open(desc->history, AOB_HISTORY_WRITE, error)))
-        return AOB_EXIT_USAGE;
+        return code;
     bool ok = aob_night_start(n.history, desc, &n.start, error) && measure(&n, error) &&
-              read_lines(&n, error) && judge(&n, error);
-    const struct aob_night_told told = {desc, &n.start, &n.suspects, n.history, n.partial};
-    ok = ok && keep(&n, &told, error) && aob_night_tell(&told, out, error);
-    enum aob_exit code = ok ? aob_night_code(&told) : AOB_EXIT_USAGE;
+              read_lines(&n, error) && count_gone(&n, error) && judge(&n, error) &&
+              tell(&n, out, &code, error);
     aob_suspects_finish(&n.suspects);
     aob_lines_finish(&n.lines);
-    aob_night_start_finish(&n.start);
+    aob_nights_finish(&n.nights);
     aob_history_close(n.history);
-    return code;
+    aob_night_start_finish(&n.start);
+    return ok ? code : AOB_EXIT_USAGE;
 }

@@ -3,6 +3,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "base/file.h"
+#include "base/hash.h"
 #include "base/memory.h"
 #include "base/text.h"
 
@@ -49,9 +50,15 @@ char *aob_old_files_find(const struct aob_old_files *files, const struct aob_poi
         return NULL;
     }
     struct aob_error cause = {{0}};
-    char *given = find_given(files->given, now->module);
+    char *given = find_given(files->given, now->module), digest[AOB_KEY_SIZE];
     char *file = given ? given : write_kept(files, old, &cause);
     if (!file)
         aob_fail(error, "%s; give the old build with --old", cause.text);
+    else if (!aob_hash_file(file, digest, error) ||
+             (strcmp(digest, now->build) == 0 &&
+              !aob_fail(error, "%s is the build that the night measured, and no older one", file))) {
+        free(file);
+        file = NULL;
+    }
     return file;
 }

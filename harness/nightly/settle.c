@@ -13,8 +13,8 @@ struct settling {
     struct aob_suspects *suspects;
     const struct aob_nightly_desc *desc;
     const struct aob_night_start *start;
+    const struct aob_nights *nights;
     struct aob_old_files files;
-    struct aob_nights nights;
     struct aob_groups groups;
 };
 
@@ -25,9 +25,9 @@ static bool is_same_build(const struct aob_suspect *s)
 
 static const struct aob_night *night_of(const struct settling *g, int64_t id)
 {
-    for (size_t i = 0; i < g->nights.count; i++)
-        if (g->nights.items[i].id == id)
-            return &g->nights.items[i];
+    for (size_t i = 0; i < g->nights->count; i++)
+        if (g->nights->items[i].id == id)
+            return &g->nights->items[i];
     return NULL;
 }
 
@@ -45,20 +45,30 @@ static void describe_shift(const struct settling *g, const struct aob_suspect *s
                    date_of(g, aob_suspect_since(s)));
 }
 
-/* Of the two images only what was stored: the errors. */
+static enum aob_outcome outcome_of(enum aob_error_change change)
+{
+    return change == AOB_ERROR_MORE      ? AOB_OUTCOME_WORSE
+           : change == AOB_ERROR_UNKNOWN ? AOB_OUTCOME_OPEN
+                                         : AOB_OUTCOME_GOOD;
+}
+
+static void say_image(struct aob_suspect *s, const struct aob_error_pair *errors, const char *why)
+{
+    char text[200];
+    aob_error_change_print(errors, text, sizeof text);
+    aob_finding_say(&s->image, AOB_NIGHT_MOVED, outcome_of(aob_error_change(errors)),
+                    "the image changed; %s%s%s", text, *why ? "; " : "", why);
+}
+
+/* Of the two images only what the history has: the errors. */
 static void judge_by_errors(struct aob_suspect *s, const char *why)
 {
     const struct aob_point *a = s->before, *b = s->now;
-    const struct aob_error_pair pair = {
-        {a->rmse, a->reference_se, a->band_pixels}, {b->rmse, b->reference_se, b->band_pixels}, NAN};
-    enum aob_error_change change = aob_error_change(&pair);
-    char errors[200];
-    aob_error_change_print(&pair, errors, sizeof errors);
-    aob_suspect_say(s, AOB_NIGHT_MOVED,
-                    change == AOB_ERROR_MORE      ? AOB_OUTCOME_WORSE
-                    : change == AOB_ERROR_UNKNOWN ? AOB_OUTCOME_OPEN
-                                                  : AOB_OUTCOME_GOOD,
-                    "the image changed; %s; %s", errors, why);
+    say_image(s,
+              &(struct aob_error_pair){{a->rmse, a->reference_se, a->band_pixels},
+                                       {b->rmse, b->reference_se, b->band_pixels},
+                                       NAN},
+              why);
 }
 
 static bool is_folder(const char *path)
@@ -73,31 +83,31 @@ static void compare_stored(struct settling *g, struct aob_suspect *s, const char
     const struct aob_night *night = night_of(g, s->before->night);
     judge_by_errors(s, why);
     if (night && is_folder(night->folder))
-        aob_group_add(aob_groups_find(&g->groups, g->start->folder, NULL, night->folder), s);
+        aob_group_add(aob_groups_stored(&g->groups, g->start->folder, s->now, s->before, night->folder), s);
 }
 
 static void leave_open(struct settling *g, struct aob_suspect *s, const char *why)
 {
     char shift[100];
-    if (s->watch.suspect) {
-        describe_shift(g, s, shift);
-        aob_suspect_say(s, AOB_NIGHT_OPEN, AOB_OUTCOME_OPEN, "%s, and not measured again: %s", shift, why);
-    } else
-        compare_stored(g, s, why);
+    if (s->moved)
+        compare_stored(g, s, s->watch.suspect ? "" : why);
+    if (!s->watch.suspect)
+        return;
+    describe_shift(g, s, shift);
+    aob_finding_say(&s->cost, AOB_NIGHT_OPEN, AOB_OUTCOME_OPEN, "%s, and not measured again: %s", shift, why);
 }
 
 static void blame_machine(struct settling *g, struct aob_suspect *s)
 {
     char shift[100];
-    if (!s->watch.suspect) {
-        compare_stored(g, s, "the technique's build is the same: the program or the driver changed it");
+    if (s->moved)
+        compare_stored(g, s, "the technique's build is the same, so the program changed it");
+    if (!s->watch.suspect)
         return;
-    }
     describe_shift(g, s, shift);
-    aob_suspect_say(
-        s, AOB_NIGHT_MACHINE, AOB_OUTCOME_GOOD,
-        "%s, and the technique's build is the same: the machine, the driver or the program is the cause",
-        shift);
+    aob_finding_say(&s->cost, AOB_NIGHT_MACHINE, AOB_OUTCOME_GOOD,
+                    "%s, and the technique's build is the same: the machine or the program is the cause",
+                    shift);
 }
 
 static void choose_group(struct settling *g, struct aob_suspect *s)
@@ -109,26 +119,40 @@ static void choose_group(struct settling *g, struct aob_suspect *s)
     }
     char *old = aob_old_files_find(&g->files, s->old, s->now, &why);
     if (old)
-        aob_group_add(aob_groups_find(&g->groups, g->start->folder, s->now->module, old), s);
+        aob_group_add(aob_groups_beside(&g->groups, g->start->folder, s->now, old), s);
     else
         leave_open(g, s, why.text);
     free(old);
 }
 
+static void measure_group(struct settling *g, struct aob_group *group)
+{
+    struct aob_error why = {{0}};
+    if (group->beside && !g->desc->quiet)
+        aob_note("nightly: measuring %zu case%s of %s again, beside the old build", group->count,
+                 group->count == 1 ? "" : "s", group->module);
+    if (aob_group_measure(group, g->desc, g->start->run, &why) || !group->beside)
+        return;
+    for (size_t k = 0; k < group->count; k++)
+        leave_open(g, group->items[k], why.text);
+}
+
+/* Stored images are compared last, since those come to them whose module could not be measured. */
 static void measure_groups(struct settling *g)
 {
-    for (size_t i = 0; i < g->groups.count; i++) { /* leave_open may add groups behind this one */
-        struct aob_error why = {{0}};
-        const char *module = g->groups.list[i]->module;
-        size_t count = g->groups.list[i]->count;
-        if (module && !g->desc->quiet)
-            aob_note("nightly: measuring %zu case%s of %s again, beside the old build", count,
-                     count == 1 ? "" : "s", module);
-        if (aob_group_measure(g->groups.list[i], g->desc, g->start->run, &why) || !module)
-            continue;
-        for (size_t k = 0; k < count; k++)
-            leave_open(g, g->groups.list[i]->items[k], why.text);
-    }
+    for (size_t i = 0; i < g->groups.count; i++)
+        if (g->groups.list[i]->beside)
+            measure_group(g, g->groups.list[i]);
+    for (size_t i = 0; i < g->groups.count; i++)
+        if (!g->groups.list[i]->tried)
+            measure_group(g, g->groups.list[i]);
+}
+
+/* Whether its times are enough for a verdict, which aob_judge gives. */
+static bool is_tested(const struct aob_compared *item)
+{
+    return item && !*item->unfit.text && item->cost.rounds >= AOB_COMPARE_ROUNDS &&
+           item->cost.processes >= AOB_COMPARE_PROCESSES;
 }
 
 /* Of each interval of the night: of the differences that are told a share of AOB_NIGHTLY_DISCOVERY is false on average. */
@@ -138,9 +162,9 @@ static double night_level(const struct settling *g)
     size_t count = 0;
     for (size_t i = 0; i < g->groups.count; i++) {
         const struct aob_group *group = g->groups.list[i];
-        for (size_t k = 0; group->module && k < group->count; k++) {
+        for (size_t k = 0; group->beside && k < group->count; k++) {
             const struct aob_compared *item = aob_group_item(group, group->items[k]);
-            if (item && !*item->unfit.text)
+            if (is_tested(item))
                 p[count++] = aob_ratio_p(&item->cost.cost, item->cost.processes);
         }
     }
@@ -151,65 +175,52 @@ static double night_level(const struct settling *g)
 
 /* Both builds cost the same beside each other. Whether the machine has changed or only that night's measurement was off is seen
  * from what the new build costs now. */
-static void judge_same(const struct settling *g, struct aob_suspect *s, const struct aob_compared *item)
+static void judge_same(struct aob_suspect *s, const struct aob_compared *item, const char *shift)
 {
     double again = item->couple->b->ratio / s->watch.before;
-    char shift[100];
-    describe_shift(g, s, shift);
     bool gone = fabs(log(again)) <= log1p(s->watch.least);
-    aob_suspect_say(
-        s, gone ? AOB_NIGHT_OUTLIER : AOB_NIGHT_MACHINE, AOB_OUTCOME_GOOD,
+    aob_finding_say(
+        &s->cost, gone ? AOB_NIGHT_OUTLIER : AOB_NIGHT_MACHINE, AOB_OUTCOME_GOOD,
         gone ? "%s, and not when it was measured again; %s"
-             : "%s, and the old build beside it is too, so the machine or the driver is the cause; %s",
+             : "%s, and the old build beside it is too, so the machine or the program is the cause; %s",
         shift, item->judgement.reason);
 }
 
-/* Only its image was asked after, so a cost that is not decided leaves nothing open. */
-static enum aob_outcome outcome_of(const struct aob_suspect *s, const struct aob_judgement *j)
-{
-    enum aob_outcome outcome = aob_judgement_outcome(j, false);
-    bool open = outcome == AOB_OUTCOME_OPEN && !s->watch.suspect && j->error != AOB_ERROR_UNKNOWN;
-    return open ? AOB_OUTCOME_GOOD : outcome;
-}
-
-/* By the two images alone. */
-static void judge_images(struct aob_suspect *s, const struct aob_compared *item)
-{
-    if (item->judgement.verdict != AOB_VERDICT_MOVED || item->judgement.error == AOB_ERROR_UNKNOWN)
-        return;
-    char errors[200];
-    aob_error_change_print(&item->errors, errors, sizeof errors);
-    aob_suspect_say(s, AOB_NIGHT_MOVED,
-                    item->judgement.error == AOB_ERROR_MORE ? AOB_OUTCOME_WORSE : AOB_OUTCOME_GOOD,
-                    "the image changed; %s", errors);
-}
-
-static void judge_beside(const struct settling *g, struct aob_suspect *s, const struct aob_compared *item)
+/* A cost that nobody suspected is told where it turns out to be dearer, and leaves nothing open. */
+static void judge_cost(const struct settling *g, struct aob_suspect *s, const struct aob_compared *item)
 {
     const struct aob_judgement *j = &item->judgement;
+    enum aob_night_verdict verdict = j->cost == AOB_VERDICT_SLOWER ? AOB_NIGHT_SLOWER : AOB_NIGHT_FASTER;
+    enum aob_outcome outcome = j->cost == AOB_VERDICT_SLOWER ? AOB_OUTCOME_WORSE : AOB_OUTCOME_GOOD;
+    bool differs = j->cost == AOB_VERDICT_SLOWER || j->cost == AOB_VERDICT_FASTER;
     char shift[100];
-    if (s->moved && !s->watch.suspect && j->verdict != AOB_VERDICT_MOVED) {
-        judge_by_errors(s, "the old build gives the same one now, so the program or the driver changed it");
-        return;
-    }
-    if (!isfinite(s->now->ratio)) {
-        judge_by_errors(s, "nothing is timed");
-        judge_images(s, item);
-        return;
-    }
     s->beside = item->cost.cost.ratio;
     s->low = item->cost.cost.low;
     s->high = item->cost.cost.high;
+    if (!s->watch.suspect) {
+        if (differs)
+            aob_finding_say(&s->cost, verdict, outcome, "its cost beside the old build is %.1f %% %s",
+                            100 * fabs(s->beside - 1), s->beside > 1 ? "dearer" : "cheaper");
+        return;
+    }
     describe_shift(g, s, shift);
-    if (j->verdict == AOB_VERDICT_MOVED)
-        aob_suspect_say(s, AOB_NIGHT_MOVED, outcome_of(s, j), "%s", j->reason);
-    else if (j->verdict == AOB_VERDICT_SLOWER || j->verdict == AOB_VERDICT_FASTER)
-        aob_suspect_say(s, j->verdict == AOB_VERDICT_SLOWER ? AOB_NIGHT_SLOWER : AOB_NIGHT_FASTER,
-                        aob_judgement_outcome(j, false), "%s; beside the old build %s", shift, j->reason);
-    else if (j->verdict == AOB_VERDICT_SAME)
-        judge_same(g, s, item);
+    if (differs)
+        aob_finding_say(&s->cost, verdict, outcome, "%s, %.1f %% %s beside the old build", shift,
+                        100 * fabs(s->beside - 1), s->beside > 1 ? "dearer" : "cheaper");
+    else if (j->cost == AOB_VERDICT_SAME)
+        judge_same(s, item, shift);
     else
-        aob_suspect_say(s, AOB_NIGHT_OPEN, AOB_OUTCOME_OPEN, "%s; beside the old build %s", shift, j->reason);
+        aob_finding_say(&s->cost, AOB_NIGHT_OPEN, AOB_OUTCOME_OPEN,
+                        "%s, not decided beside the old build: %s", shift,
+                        *item->unfit.text ? item->unfit.text : j->reason);
+}
+
+static void judge_image(struct aob_suspect *s, const struct aob_compared *item, bool beside)
+{
+    if (item->image.moved)
+        say_image(s, &item->errors, "");
+    else if (s->moved && beside)
+        judge_by_errors(s, "the old build gives the same one now, so the program changed it");
 }
 
 static void keep_map(const struct aob_group *group, struct aob_suspect *s, const struct aob_compared *item)
@@ -222,50 +233,52 @@ static void keep_map(const struct aob_group *group, struct aob_suspect *s, const
     s->map = path.data;
 }
 
+/* A night that times nothing has no cost to tell of. */
+static void judge_item(const struct settling *g, const struct aob_group *group, struct aob_suspect *s)
+{
+    const struct aob_compared *item = aob_group_item(group, s);
+    if (!item && group->beside)
+        aob_finding_say(&s->cost, AOB_NIGHT_OPEN, AOB_OUTCOME_OPEN,
+                        "it stood out, and could not be measured beside the old build: %s has the causes",
+                        group->folder);
+    if (!item)
+        return;
+    keep_map(group, s, item);
+    judge_image(s, item, group->beside);
+    if (group->beside && isfinite(s->now->ratio))
+        judge_cost(g, s, item);
+}
+
 static bool judge_group(const struct settling *g, struct aob_group *group, double level,
                         struct aob_error *error)
 {
     if (!group->ready)
         return true;
-    if (!aob_contest_judge(&group->contest, group->module ? level : 0, error))
+    if (!aob_contest_judge(&group->contest, group->beside ? level : 0, error))
         return false;
     aob_compared_draw(&group->contest.table, g->desc->dispatch.program);
-    for (size_t k = 0; k < group->count; k++) {
-        struct aob_suspect *s = group->items[k];
-        const struct aob_compared *item = aob_group_item(group, s);
-        if (!item && group->module)
-            aob_suspect_say(s, AOB_NIGHT_OPEN, AOB_OUTCOME_OPEN,
-                            "it stood out, and could not be measured beside the old build: %s has the causes",
-                            group->folder);
-        if (!item)
-            continue;
-        keep_map(group, s, item);
-        if (group->module)
-            judge_beside(g, s, item);
-        else
-            judge_images(s, item);
-    }
+    for (size_t k = 0; k < group->count; k++)
+        judge_item(g, group, group->items[k]);
     return true;
 }
 
 bool aob_suspects_settle(struct aob_suspects *suspects, struct aob_history *history,
-                         const struct aob_nightly_desc *desc, const struct aob_night_start *start,
-                         struct aob_error *error)
+                         const struct aob_nights *nights, const struct aob_nightly_desc *desc,
+                         const struct aob_night_start *start, struct aob_error *error)
 {
     char *old = aob_path_join(start->folder, "old");
-    struct settling g = {
-        .suspects = suspects, .desc = desc, .start = start, .files = {history, desc->old, old}};
-    bool ok = aob_nights_read(history, start->name, &g.nights, error);
-    for (size_t i = 0; ok && i < suspects->count; i++)
+    struct settling g = {suspects, desc, start, nights, {history, desc->old, old}, {0}};
+    for (size_t i = 0; i < suspects->count; i++)
         if (aob_suspect_stands_out(&suspects->items[i]))
             choose_group(&g, &suspects->items[i]);
-    if (ok)
-        measure_groups(&g);
+    measure_groups(&g);
     double level = night_level(&g);
+    bool ok = true;
     for (size_t i = 0; ok && i < g.groups.count; i++)
         ok = judge_group(&g, g.groups.list[i], level, error);
+    for (size_t i = 0; i < suspects->count; i++)
+        aob_suspect_join(&suspects->items[i]);
     aob_groups_finish(&g.groups);
-    aob_nights_finish(&g.nights);
     free(old);
     return ok;
 }

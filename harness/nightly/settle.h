@@ -6,8 +6,8 @@
 #include "suspect.h"
 
 /* Gives every suspect its verdict, and draws the maps of images that changed. What cannot be measured again is left open with
- * the cause; that is no error. False with a line if the history cannot be read, or a map not be written. */
+ * the cause; that is no error. `nights`: those of the config. False with a line if a map cannot be written. */
 bool aob_suspects_settle(struct aob_suspects *suspects, struct aob_history *history,
-                         const struct aob_nightly_desc *desc, const struct aob_night_start *start,
-                         struct aob_error *error);
+                         const struct aob_nights *nights, const struct aob_nightly_desc *desc,
+                         const struct aob_night_start *start, struct aob_error *error);
 #endif

@@ -1,73 +1,22 @@
 #include "start.h"
+#include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <time.h>
+#include <unistd.h>
 #include "base/file.h"
-#include "base/hash.h"
 #include "base/member.h"
 #include "base/memory.h"
-#include "config/config.h"
+#include "subject.h"
 
-/* What a night is of. */
-struct subject {
-    char name[256], config_hash[AOB_KEY_SIZE], modules[AOB_KEY_SIZE];
-};
+static const char stopped[] = "{\"line\": \"stopped\"}";
 
-static bool add_file(struct aob_hash *hash, const char *path, struct aob_error *error)
+bool aob_night_is_stopped(const struct aob_night *night)
 {
-    char digest[AOB_KEY_SIZE];
-    bool ok = aob_hash_file(path, digest, error);
-    if (ok)
-        aob_hash_add(hash, digest, sizeof digest);
-    return ok;
-}
-
-/* Program and modules: a night that was stopped is gone on with only by the same ones. */
-static bool hash_modules(const struct aob_nightly_desc *desc, const struct aob_config *config, char *digest,
-                         struct aob_error *error)
-{
-    struct aob_hash hash;
-    aob_hash_begin(&hash);
-    bool ok = add_file(&hash, desc->dispatch.program, error);
-    for (size_t i = 0; ok && i < desc->dispatch.modules.count; i++)
-        ok = add_file(&hash, desc->dispatch.modules.paths[i], error);
-    for (size_t i = 0; ok && i < config->technique_count; i++)
-        ok = !config->techniques[i].file || add_file(&hash, config->techniques[i].file, error);
-    aob_hash_end(&hash, digest);
-    return ok;
-}
-
-static bool subject_of_config(const struct aob_nightly_desc *desc, struct subject *subject,
-                              struct aob_error *error)
-{
-    struct aob_config config = {0};
-    bool ok =
-        aob_config_read(&config, desc->config, error) && hash_modules(desc, &config, subject->modules, error);
-    if (ok) {
-        snprintf(subject->name, sizeof subject->name, "%s", config.name);
-        snprintf(subject->config_hash, sizeof subject->config_hash, "%s", config.hash);
-    }
-    aob_config_finish(&config);
-    return ok;
-}
-
-static bool subject_of_run(const char *run, struct subject *subject, struct aob_error *error)
-{
-    json_error_t json;
-    char *path = aob_path_join(run, "run.json");
-    json_t *info = json_load_file(path, 0, &json);
-    if (info) {
-        snprintf(subject->name, sizeof subject->name, "%s", aob_member_text(info, "name"));
-        snprintf(subject->config_hash, sizeof subject->config_hash, "%s",
-                 aob_member_text(info, "config_hash"));
-        aob_hash_text(aob_member_text(info, "build"), subject->modules);
-    } else
-        aob_fail(error, "%s: %s; is it the folder of a run?", path, json.text);
-    bool ok = info && (*subject->name || aob_fail(error, "%s: it has no name", path));
-    json_decref(info);
-    free(path);
-    return ok;
+    return !night->whole || strcmp(night->summary, stopped) == 0;
 }
 
 static bool is_folder(const char *path)
@@ -90,75 +39,91 @@ static char *new_folder(const char *out, const char *date)
     }
 }
 
-static void print_date(time_t at, char date[32])
+/* A night that nobody has is not locked, whatever became of the program that had it. */
+static bool lock(struct aob_night_start *start, const char *folder, struct aob_error *error)
 {
-    struct tm tm;
-    gmtime_r(&at, &tm);
-    strftime(date, 32, "%Y-%m-%dT%H:%M:%SZ", &tm);
+    int file = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file < 0)
+        return aob_fail(error, "%s: %s", folder, strerror(errno));
+    if (flock(file, LOCK_EX | LOCK_NB) != 0) {
+        close(file);
+        return aob_fail(error, "%s: another call of nightly has this night; wait until it has ended", folder);
+    }
+    if (start->lock)
+        close(start->lock);
+    start->lock = file;
+    return true;
 }
 
 /* What was measured of a night that nobody goes on with stays known. */
 static bool end_stopped(struct aob_history *history, const struct aob_night *night, struct aob_error *error)
 {
     struct aob_error cause = {{0}};
-    aob_warn("the night of %s was stopped, and this one is of another config, program or module: it ends "
-             "with what it has",
-             night->date);
-    if (is_folder(night->folder) && !aob_night_take(history, night->id, NULL, &cause))
+    struct aob_night_start other = {0};
+    if (is_folder(night->folder) && !lock(&other, night->folder, error))
+        return false;
+    aob_warn(
+        "the night of %s was stopped, and this is none to go on with it: it ends unjudged, with what it has",
+        night->date);
+    if (other.lock && !aob_night_take(history, night->id, NULL, &cause))
         aob_warn("%s", cause.text);
-    return aob_night_end(history, night->id, "{\"line\": \"stopped\"}", error);
+    aob_night_start_finish(&other);
+    return aob_night_end(history, night->id, stopped, error);
 }
 
-static bool is_same(const struct aob_night *night, const struct subject *subject)
+static bool is_same(const struct aob_night *night, const struct aob_subject *subject)
 {
     return strcmp(night->config_hash, subject->config_hash) == 0 &&
            strcmp(night->modules, subject->modules) == 0 && is_folder(night->folder);
 }
 
-/* Of a run that was made elsewhere the night is that of its folder. */
-static bool find_stopped(struct aob_history *history, const struct subject *subject,
+static bool go_on(const struct aob_night *night, struct aob_night_start *start, struct aob_error *error)
+{
+    free(start->run);
+    free(start->date);
+    start->id = night->id;
+    start->date = aob_strdup(night->date);
+    start->run = aob_strdup(night->folder);
+    return lock(start, start->run, error);
+}
+
+/* A run that was made elsewhere is the night of its folder, and of no other. */
+static bool find_stopped(struct aob_history *history, const struct aob_subject *subject,
                          struct aob_night_start *start, struct aob_error *error)
 {
     struct aob_nights nights = {0};
-    char *run = start->measured ? aob_path_absolute(start->run) : NULL;
     bool ok = aob_nights_read(history, subject->name, &nights, error);
     for (size_t i = 0; ok && i < nights.count; i++) {
         const struct aob_night *night = &nights.items[i];
-        bool own = !run || strcmp(run, night->folder) == 0;
-        if (run && own && night->whole)
-            ok = aob_fail(error, "%s is the night of %s already (%lld in the history)", start->run,
-                          night->date, (long long)night->id);
-        else if (!night->whole && own && is_same(night, subject)) {
-            free(start->run);
-            free(start->date);
-            *start = (struct aob_night_start){.id = night->id,
-                                              .date = aob_strdup(night->date),
-                                              .name = start->name,
-                                              .run = aob_strdup(night->folder),
-                                              .out = start->out,
-                                              .measured = start->measured};
-        } else if (!night->whole)
-            ok = end_stopped(history, night, error);
+        bool own = !start->measured || strcmp(start->run, night->folder) == 0;
+        if (start->measured && own && night->whole)
+            ok = aob_fail(error, "%s is the night of %s already, number %lld", start->run, night->date,
+                          (long long)night->id);
+        else if (!night->whole)
+            ok = own && is_same(night, subject) ? go_on(night, start, error)
+                                                : end_stopped(history, night, error);
     }
     aob_nights_finish(&nights);
-    free(run);
     return ok;
 }
 
-static bool begin(struct aob_history *history, const struct subject *subject, struct aob_night_start *start,
-                  struct aob_error *error)
+static bool begin(struct aob_history *history, const struct aob_subject *subject,
+                  struct aob_night_start *start, struct aob_error *error)
 {
-    time_t now = time(NULL);
     char date[32];
-    print_date(now, date);
+    struct tm tm;
+    gmtime_r(&subject->date, &tm);
+    strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &tm);
     start->date = aob_strdup(date);
     start->run = start->measured ? start->run : new_folder(start->out, date);
+    if (!aob_folder_create(start->run, error) || !lock(start, start->run, error))
+        return false;
     start->id = aob_night_begin(history,
                                 &(struct aob_night_desc){.name = subject->name,
                                                          .config_hash = subject->config_hash,
                                                          .folder = start->run,
                                                          .modules = subject->modules,
-                                                         .date = now},
+                                                         .date = subject->date},
                                 error);
     return start->id;
 }
@@ -166,15 +131,15 @@ static bool begin(struct aob_history *history, const struct subject *subject, st
 bool aob_night_start(struct aob_history *history, const struct aob_nightly_desc *desc,
                      struct aob_night_start *start, struct aob_error *error)
 {
-    struct subject subject = {"", "", ""};
+    struct aob_subject subject;
     start->measured = is_folder(desc->config);
-    if (!(start->measured ? subject_of_run(desc->config, &subject, error)
-                          : subject_of_config(desc, &subject, error)))
+    if (!aob_subject_read(&subject, desc, start->measured, error))
         return false;
     char *nights = aob_path_join("results/nightly", subject.name);
     start->name = aob_strdup(subject.name);
+    start->modules = aob_strdup(subject.modules);
     start->out = aob_strdup(desc->out ? desc->out : nights);
-    start->run = start->measured ? aob_strdup(desc->config) : NULL;
+    start->run = start->measured ? realpath(desc->config, NULL) : NULL;
     free(nights);
     if (!aob_folder_create(start->out, error) || !find_stopped(history, &subject, start, error) ||
         (!start->id && !begin(history, &subject, start, error)))
@@ -183,12 +148,28 @@ bool aob_night_start(struct aob_history *history, const struct aob_nightly_desc 
     return aob_folder_create(start->folder, error);
 }
 
+bool aob_night_start_stands(const struct aob_night_start *start, const struct aob_nightly_desc *desc,
+                            struct aob_error *error)
+{
+    struct aob_subject now;
+    return aob_subject_read(&now, desc, start->measured, error) &&
+           (strcmp(now.modules, start->modules) == 0 ||
+            aob_fail(
+                error,
+                "a module or the program was built again while the night of %s was measured, so its cases "
+                "are of two builds: start the night again",
+                start->date));
+}
+
 void aob_night_start_finish(struct aob_night_start *start)
 {
+    if (start->lock)
+        close(start->lock);
     free(start->date);
     free(start->name);
     free(start->run);
     free(start->folder);
     free(start->out);
+    free(start->modules);
     *start = (struct aob_night_start){0};
 }

@@ -2,23 +2,31 @@
 #ifndef AOB_NIGHTLY_SUSPECT_H
 #define AOB_NIGHTLY_SUSPECT_H
 #include "compare/verdict.h"
+#include "history/night.h"
 #include "history/watch.h"
+
+/* What is said of a case: of its cost, of its image, or in the end of both. */
+struct aob_finding {
+    enum aob_night_verdict verdict;
+    enum aob_outcome outcome;
+    char said[600]; /* one sentence; "": nothing */
+};
+void aob_finding_say(struct aob_finding *finding, enum aob_night_verdict verdict, enum aob_outcome outcome,
+                     const char *format, ...) __attribute__((format(printf, 4, 5)));
 
 struct aob_suspect {
     const struct aob_line *line;
     const struct aob_point *now;
-    const struct aob_point *before; /* the latest good one before; NULL: there is none */
+    const struct aob_point *before; /* the latest good one of a night that was judged; NULL: there is none */
     const struct aob_point
         *old; /* whose build of the module the new one is set against; NULL: nothing stands out */
     struct aob_watch watch; /* of its cost */
     bool moved;             /* its image is another than that of `before` */
 
-    /* What is said of it in the end. */
-    enum aob_night_verdict verdict;
-    enum aob_outcome outcome;
-    char said[700]; /* one sentence; "": nothing */
+    struct aob_finding cost, image; /* of what stands out; of other cases the first is what is said */
+    struct aob_finding told;        /* both (aob_suspect_join) */
     double beside, low,
-        high;  /* cost of the new module over the old one's, and its interval; NAN: not measured */
+        high;  /* cost of the new module over the old one's, and its 95 % interval; NAN: not measured */
     char *map; /* below the night's folder, without its ending; NULL: none */
 };
 struct aob_suspects { /* zero it first; an item for each line that has a case of the night, in their order */
@@ -28,16 +36,17 @@ struct aob_suspects { /* zero it first; an item for each line that has a case of
 };
 
 /* Of the lines' last points, which are the night's. What needs no second measurement is decided: first cases, such as do not
- * run any more, and memory or cache figures that changed. `precision`: the share that counts. */
-void aob_suspects_choose(struct aob_suspects *suspects, const struct aob_lines *lines, double precision);
+ * run any more, and memory or cache figures that changed. `nights`: those of the config. `precision`: the share that counts. */
+void aob_suspects_choose(struct aob_suspects *suspects, const struct aob_lines *lines,
+                         const struct aob_nights *nights, double precision);
 void aob_suspects_finish(struct aob_suspects *suspects);
 
 /* Whether it is to be measured again, or its images to be compared. */
 bool aob_suspect_stands_out(const struct aob_suspect *suspect);
 
-/* The night in which its new level began. */
+/* The night in which its new level of cost began, if that is decided, so that later nights count from there; else 0. */
 int64_t aob_suspect_since(const struct aob_suspect *suspect);
 
-void aob_suspect_say(struct aob_suspect *suspect, enum aob_night_verdict verdict, enum aob_outcome outcome,
-                     const char *format, ...) __attribute__((format(printf, 4, 5)));
+/* Joins what is said of cost and image: the verdict is that of the worse one, and the image's of two alike. */
+void aob_suspect_join(struct aob_suspect *suspect);
 #endif

@@ -17,8 +17,8 @@ static struct aob_night_item item_of(const struct aob_suspect *s)
     return (struct aob_night_item){.line = s->line,
                                    .now = s->now,
                                    .before = s->before,
-                                   .verdict = s->verdict,
-                                   .said = s->said,
+                                   .verdict = s->told.verdict,
+                                   .said = s->told.said,
                                    .before_ratio = s->watch.before,
                                    .after_ratio = s->watch.before * s->watch.shift,
                                    .beside = s->beside,
@@ -29,7 +29,8 @@ static struct aob_night_item item_of(const struct aob_suspect *s)
 
 static bool is_told(const struct aob_suspect *s)
 {
-    return s->verdict != AOB_NIGHT_FIRST && (s->verdict != AOB_NIGHT_NONE || s->outcome != AOB_OUTCOME_GOOD);
+    return s->told.verdict != AOB_NIGHT_FIRST &&
+           (s->told.verdict != AOB_NIGHT_NONE || s->told.outcome != AOB_OUTCOME_GOOD);
 }
 
 /* Of each verdict what is worse comes before what is not. `items` has room for all. */
@@ -40,7 +41,8 @@ static size_t gather(const struct aob_suspects *suspects, struct aob_night_item 
         for (int worse = 1; worse >= 0; worse--)
             for (size_t i = 0; i < suspects->count; i++) {
                 const struct aob_suspect *s = &suspects->items[i];
-                if (is_told(s) && s->verdict == ranks[r] && (s->outcome == AOB_OUTCOME_WORSE) == worse)
+                if (is_told(s) && s->told.verdict == ranks[r] &&
+                    (s->told.outcome == AOB_OUTCOME_WORSE) == worse)
                     items[count++] = item_of(s);
             }
     return count;
@@ -50,7 +52,7 @@ static size_t count_verdict(const struct aob_suspects *suspects, enum aob_night_
 {
     size_t count = 0;
     for (size_t i = 0; i < suspects->count; i++)
-        count += suspects->items[i].verdict == verdict &&
+        count += suspects->items[i].told.verdict == verdict &&
                  (verdict == AOB_NIGHT_FIRST || is_told(&suspects->items[i]));
     return count;
 }
@@ -59,7 +61,7 @@ static size_t count_outcome(const struct aob_suspects *suspects, enum aob_outcom
 {
     size_t count = 0;
     for (size_t i = 0; i < suspects->count; i++)
-        count += suspects->items[i].outcome == outcome;
+        count += suspects->items[i].told.outcome == outcome;
     return count;
 }
 
@@ -79,6 +81,19 @@ static size_t count_suspects(const struct aob_suspects *suspects)
     return count;
 }
 
+/* Adds what the night did not compare: first cases, such as the run lacks, and such as the night before had. */
+static void add_lacks(const struct aob_night_told *told, struct aob_text *text, const char *before)
+{
+    size_t first = count_verdict(told->suspects, AOB_NIGHT_FIRST);
+    if (first)
+        aob_text_add(text, "%s%zu for the first time", text->size ? before : "", first);
+    if (told->missing)
+        aob_text_add(text, "%s%zu of %zu cases not measured", text->size ? before : "", told->missing,
+                     told->asked);
+    if (told->gone)
+        aob_text_add(text, "%s%zu of the night before not in this one", text->size ? before : "", told->gone);
+}
+
 json_t *aob_night_summary(const struct aob_night_told *told)
 {
     struct aob_text line = {0};
@@ -90,11 +105,14 @@ json_t *aob_night_summary(const struct aob_night_told *told)
         if (count)
             aob_text_add(&line, "%s%zu %s", line.size ? ", " : "", count, name);
     }
-    json_t *summary =
-        json_pack("{s:s, s:i, s:i, s:i, s:o}", "line", line.size ? line.data : "nothing changed", "worse",
-                  (int)count_outcome(told->suspects, AOB_OUTCOME_WORSE), "open",
-                  (int)count_outcome(told->suspects, AOB_OUTCOME_OPEN), "first",
-                  (int)count_verdict(told->suspects, AOB_NIGHT_FIRST), "verdicts", counts);
+    if (!line.size)
+        aob_text_add(&line, told->suspects->watched ? "nothing changed" : "nothing to compare with");
+    add_lacks(told, &line, "; ");
+    json_t *summary = json_pack("{s:s, s:i, s:i, s:i, s:i, s:i, s:o}", "line", line.data, "worse",
+                                (int)count_outcome(told->suspects, AOB_OUTCOME_WORSE), "open",
+                                (int)count_outcome(told->suspects, AOB_OUTCOME_OPEN), "first",
+                                (int)count_verdict(told->suspects, AOB_NIGHT_FIRST), "missing",
+                                (int)told->missing, "gone", (int)told->gone, "verdicts", counts);
     aob_text_finish(&line);
     return summary;
 }
@@ -103,7 +121,7 @@ enum aob_exit aob_night_code(const struct aob_night_told *told)
 {
     if (count_outcome(told->suspects, AOB_OUTCOME_WORSE))
         return AOB_EXIT_BAD;
-    return told->partial || count_outcome(told->suspects, AOB_OUTCOME_OPEN) ? AOB_EXIT_PART : AOB_EXIT_OK;
+    return told->missing || count_outcome(told->suspects, AOB_OUTCOME_OPEN) ? AOB_EXIT_PART : AOB_EXIT_OK;
 }
 
 static json_t *item_to_json(const struct aob_night_item *item, enum aob_outcome outcome)
@@ -128,8 +146,8 @@ static bool write_document(const struct aob_night_told *told, struct aob_error *
     for (size_t i = 0; i < told->suspects->count; i++) {
         const struct aob_suspect *s = &told->suspects->items[i];
         struct aob_night_item item = item_of(s);
-        if (*s->said)
-            json_array_append_new(cases, item_to_json(&item, s->outcome));
+        if (*s->told.said)
+            json_array_append_new(cases, item_to_json(&item, s->told.outcome));
     }
     json_object_set_new(document, "night", json_integer(told->start->id));
     json_object_set_new(document, "date", json_string(told->start->date));
@@ -142,7 +160,7 @@ static bool write_document(const struct aob_night_told *told, struct aob_error *
     return ok;
 }
 
-static bool write_trend(const struct aob_night_told *told, struct aob_error *error)
+bool aob_night_trend(const struct aob_night_told *told, struct aob_error *error)
 {
     struct aob_nights nights = {0};
     struct aob_lines lines = {0};
@@ -158,31 +176,33 @@ static bool write_trend(const struct aob_night_told *told, struct aob_error *err
     return ok;
 }
 
-static bool write_page(const struct aob_night_told *told, const struct aob_night_page *page,
-                       struct aob_text *out, struct aob_error *error)
+/* The summary goes to another place than the night's folder, where links from there lead nowhere. */
+static bool write_markdown(const struct aob_night_told *told, const struct aob_night_page *page,
+                           struct aob_error *error)
 {
+    struct aob_night_page unlinked = *page;
     struct aob_text markdown = {0};
-    bool ok = aob_night_page_write(page, told->start->folder, error);
-    aob_night_page_screen(page, out);
-    aob_night_page_markdown(page, &markdown);
-    ok = ok &&
-         (!told->desc->markdown || aob_file_write(told->desc->markdown, markdown.data, markdown.size, error));
+    if (!told->desc->markdown)
+        return true;
+    unlinked.trend = unlinked.run_page = NULL;
+    aob_night_page_markdown(&unlinked, &markdown);
+    bool ok = aob_file_write(told->desc->markdown, markdown.data, markdown.size, error);
     aob_text_finish(&markdown);
     return ok;
 }
 
-/* The first cause stands for all; each case has its own. */
-static char *note_of(const struct aob_night_item *items, size_t count)
+/* What was not compared, and what could not be decided: its first cause stands for all, as each case has its own. */
+static char *note_of(const struct aob_night_told *told, const struct aob_night_item *items, size_t count)
 {
+    struct aob_text text = {0};
     size_t open = 0;
     const char *first = "";
+    add_lacks(told, &text, "; ");
     for (size_t i = 0; i < count; i++)
         if (items[i].verdict == AOB_NIGHT_OPEN && !open++)
             first = items[i].said;
-    if (!open)
-        return NULL;
-    struct aob_text text = {0};
-    aob_text_add(&text, "%zu could not be decided: %s", open, first);
+    if (open)
+        aob_text_add(&text, "%s%zu could not be decided: %s", text.size ? "; " : "", open, first);
     return text.data;
 }
 
@@ -192,7 +212,7 @@ bool aob_night_tell(const struct aob_night_told *told, struct aob_text *out, str
     struct aob_night_item *items = AOB_NEW_ARRAY(struct aob_night_item, told->suspects->count + 1);
     size_t count = gather(told->suspects, items);
     char *report = aob_path_join(start->run, "report/index.html"), *absolute = aob_path_absolute(report);
-    char *note = note_of(items, count);
+    char *note = note_of(told, items, count);
     const struct aob_night_page page = {.title = start->name,
                                         .date = start->date,
                                         .old_note = note,
@@ -204,7 +224,11 @@ bool aob_night_tell(const struct aob_night_told *told, struct aob_text *out, str
                                         .count = count,
                                         .trend = "../trend/index.html",
                                         .run_page = start->measured ? absolute : "report/index.html"};
-    bool ok = write_trend(told, error) && write_page(told, &page, out, error) && write_document(told, error);
+    bool ok = aob_night_page_write(&page, start->folder, error) && write_markdown(told, &page, error) &&
+              write_document(told, error);
+    aob_night_page_screen(&page, out);
+    if (ok && !told->desc->quiet)
+        aob_note("nightly: page: %s/index.html", start->folder);
     free(note);
     free(report);
     free(absolute);

@@ -34,7 +34,7 @@ void aob_night_words_verdict(const struct aob_night_page *page, struct aob_text 
             aob_text_add(text, "%s%zu %s", i ? ", " : "", count_like(page, i, page->count),
                          aob_trend_word((int64_t)page->items[i].verdict)->word);
     if (!page->count)
-        aob_text_add(text, "nothing changed");
+        aob_text_add(text, page->watched || !page->cases ? "nothing changed" : "nothing to compare with");
 }
 
 void aob_night_words_counts(const struct aob_night_page *page, struct aob_text *text)

@@ -52,7 +52,8 @@ lines_of() { sqlite3 nights.db "$1"; }
 # --- Costs
 install_old
 night costs1 0 costs.yaml
-check "the first night has first cases only" jq -e '.first == 4 and .worse == 0 and .suspects == 0 and .watched == 0' costs1.json
+check "the first night has first cases only" jq -e '.first == 4 and .worse == 0 and .suspects == 0 and .watched == 0
+  and .line == "nothing to compare with; 4 for the first time"' costs1.json
 night costs2 0 costs.yaml
 check "the second has nothing to tell" jq -e '.line == "nothing changed" and .watched == 4 and .suspects == 0 and .cases == []' costs2.json
 cp "$modules/passes11.so" modules/slow.so
@@ -62,9 +63,10 @@ check "a module that is 10 % slower is named, beside its old build, to the digit
     | .beside, .low, .high, .after / .before | . > 1.0999 and . < 1.1001] | length == 8 and all)' costs3.json
 check "and the one that is not is not" jq -e '[.cases[].case] | length == 2 and all(test("same.so") | not)' costs3.json
 check "the sentence names the share and the night" jq -e --arg date "$(jq -r .date costs3.json | cut -c1-10)" \
-  'all(.cases[]; .said | startswith("10.0 % dearer since \($date); beside the old build "))' costs3.json
+  'all(.cases[].said; . == "10.0 % dearer since \($date), 10.0 % dearer beside the old build")' costs3.json
 check "the screen names it" grep -q 'slow.so' costs3.out
 check "the Markdown names it" grep -q 'slow.so' costs3.md
+check "and has no link, as none would lead anywhere" sh -c '! grep -q "](" costs3.md'
 check "the night has a page and a trend" test -s "$(jq -r .folder costs3.json)/index.html" -a -s results/nightly/costs/trend/index.html
 night costs4 0 costs.yaml
 check "the alarm is given once" jq -e '.suspects == 0' costs4.json
@@ -154,6 +156,57 @@ plant sixth eighth 2
 night planted8 0 eighth --old builds
 check "--old has it" jq -e '.open == 0 and .suspects == 2 and ([.cases[].beside == 1] | all)' planted8.json
 
+check "--old that is the build itself is none" sh -c 'mkdir own && cp modules/slow.so own'
+cp own/slow.so modules/slow.so && printf own >>modules/slow.so && cp modules/slow.so own/
+run planted tenth
+plant tenth ninth 4
+night planted9 3 ninth --old own
+check "and is said to be" jq -e '.open == 2 and (.cases[0].said | test("own/slow.so is the build that the night measured, and no older one$"))' planted9.json
+expect 2 "is the night of" "$program" nightly ./eighth/ --history nights.db
+
+# --- A step that is dated late: the nights before it are of the new build already, and it is to blame all the same.
+install_old
+cp "$modules/passes10.so" modules/late.so
+printf late >>modules/late.so
+sed 's/name: costs/name: late/; s/slow.so/late.so/' costs.yaml >late.yaml
+"$program" run late.yaml --out before --quiet
+late() { # FROM FOLDER FACTOR WANTED
+  cp -r "$1" "$2"
+  jq -c --argjson to "$3" 'if .module == "modules/late.so" then .time |= (.ratio_to_ref = 10 * $to | .ci_low = 9.99 * $to | .ci_high = 10.01 * $to) else . end' \
+    "$1/journal.jsonl" >"$2/journal.jsonl"
+  night "$2" "$4" "$2"
+}
+i=0
+for by in 1 1.004 .997 1.006 .995 1.003 .999 1.005 .996; do
+  i=$((i + 1))
+  late before "late$i" "$by" 0
+done
+cp "$modules/passes11.so" modules/late.so
+printf late >>modules/late.so
+"$program" run late.yaml --out after --quiet
+late after late10 1.012 0
+late after late11 1.035 1
+check "the build of the level before is set beside it" jq -e '.worse == 2 and all(.cases[]; .verdict == "slower" and .beside > 1.0999)' late11.json
+
+# --- What a run lacks, image and cost together, and a trend page that cannot be written
+cp "$modules/loop_moved.so" modules/moved.so
+cp "$modules/loop_again.so" modules/still.so
+"$program" run images.yaml --out whole --quiet
+look() { # FOLDER FILTER OF JQ
+  cp -r whole "$1"
+  jq -c "$2" whole/journal.jsonl >"$1/journal.jsonl"
+}
+look cut 'select(.module != "modules/moved.so")'
+look other 'if .module == "modules/moved.so" then .image_digest = "00000000000000000000000000000001" | .error.rmse = 0.9 | .errors[0].rmse = 0.9 else . end'
+night lacks1 3 cut
+check "what a run lacks is said" jq -e '.missing == 1 and (.line | test("; 1 of 2 cases not measured"))' lacks1.json
+rm -rf results/nightly/images/trend && touch results/nightly/images/trend
+night lacks2 1 other
+check "an image of the same build is laid to the program, and is worse all the same" jq -e '[.cases[] | select(.outcome == "worse" and .verdict == "moved")
+  | .said | test("^the image changed; RMSE .*worse.*so the program changed it$")] == [true]' lacks2.json
+check "the trend is a warning" grep -q 'warning: the trend page: ' lacks2.err
+rm results/nightly/images/trend
+
 # --- Killed in the middle
 sed 's/name: costs/name: killed/; s/seconds: 0.2/seconds: 1/; s/views: \[front, far\]/views: [front]/; s/96x54/96x54, 64x36, 32x18, 16x9/' costs.yaml >killed.yaml
 setsid "$program" nightly killed.yaml --history killed.db --quiet >/dev/null 2>&1 &
@@ -173,6 +226,29 @@ check "a night that was killed is gone on with" test "$got" -eq 0 -a "$(jq .nigh
 check "and no case of it is measured again" cmp -n "$(stat -c %s before.jsonl)" before.jsonl "$journal"
 check "it had begun and not ended" test "$before" -ge 2 -a "$before" -lt 8
 check "the history has every case of it" test "$(sqlite3 killed.db 'SELECT count(*), min(whole) FROM point JOIN night ON night.id = night')" = '8|1'
+
+# --- Two calls at once, and a module that is built again meanwhile
+sed 's/name: killed/name: twice/' killed.yaml >twice.yaml
+start() { # waits until a case of the night is measured
+  "$program" nightly twice.yaml --history twice.db --quiet >/dev/null 2>"$1.err" &
+  first=$!
+  for ((i = 0; i < 600; i++)); do
+    cat results/nightly/twice/*/journal.jsonl 2>/dev/null | grep -q . && [ "$(cat results/nightly/twice/*/journal.jsonl | wc -l)" -ge "$2" ] && break
+    sleep 0.1
+  done
+}
+start twice1 1
+expect 2 "another call of nightly has this night" "$program" nightly twice.yaml --history twice.db
+got=0 && wait $first || got=$?
+check "the first one ends well" test "$got" -eq 0
+start twice2 9
+printf again >>modules/slow.so
+got=0 && wait $first || got=$?
+check "a module that was built meanwhile ends the night" test "$got" -eq 2
+check "with a line" grep -q 'was built again while the night of' twice2.err
+got=0 && "$program" nightly twice.yaml --history twice.db --quiet --json twice3.json 2>twice3.err || got=$?
+check "the next night is judged against the one that was judged" test "$got" -eq 0 -a "$(jq .night twice3.json)" -eq 3 -a "$(jq .watched twice3.json)" -eq 8
+check "and the other is said to be unjudged" grep -q 'it ends unjudged' twice3.err
 
 # --- Bad input
 expect 2 "--history F.db is missing" "$program" nightly costs.yaml

@@ -24,6 +24,13 @@ static void check_point(const struct aob_point *p)
     assert_int_equal(p->verdict, AOB_NIGHT_NONE);
 }
 
+static bool judge(int64_t line, int64_t night, enum aob_night_verdict verdict, int64_t since,
+                  const char *said)
+{
+    const struct aob_line_verdict one = {line, verdict, since, said};
+    return aob_lines_judge(history, night, &one, 1, &error);
+}
+
 static void test_values(void **state)
 {
     (void)state;
@@ -142,7 +149,7 @@ static void test_taken_again(void **state)
     run_write(3, 2);
     int64_t night = night_keep(history, "nightly", false);
     lines_read(false);
-    assert_true(aob_line_judge(history, lines.items[0].id, night, AOB_NIGHT_SLOWER, 1, "it is", &error));
+    assert_true(judge(lines.items[0].id, night, AOB_NIGHT_SLOWER, 1, "it is"));
     run_write(2, 4);
     size_t taken = 0;
     assert_true(aob_night_take(history, night, &taken, &error));
@@ -178,15 +185,19 @@ static void test_verdicts(void **state)
     lines_read(false);
     int64_t line = lines.items[0].id;
     for (int verdict = 0; verdict < AOB_NIGHT_VERDICTS; verdict++) {
-        assert_true(
-            aob_line_judge(history, line, night, (enum aob_night_verdict)verdict, verdict, "said", &error));
+        assert_true(judge(line, night, (enum aob_night_verdict)verdict, verdict, "said"));
         lines_read(false);
         assert_int_equal(lines.items[0].points[0].verdict, verdict);
         assert_int_equal(lines.items[0].points[0].since, verdict);
         assert_string_equal(lines.items[0].points[0].said, "said");
     }
-    assert_false(aob_line_judge(history, line, night + 1, AOB_NIGHT_OPEN, 0, "", &error));
+    assert_false(judge(line, night + 1, AOB_NIGHT_OPEN, 0, ""));
     assert_contains(error.text, "line 1 has no point in night 2");
+    const struct aob_line_verdict both[] = {{line, AOB_NIGHT_SLOWER, 7, "half"},
+                                            {line + 1, AOB_NIGHT_NONE, 0, NULL}};
+    assert_false(aob_lines_judge(history, night, both, 2, &error));
+    lines_read(false);
+    assert_int_equal(lines.items[0].points[0].verdict, AOB_NIGHT_VERDICTS - 1);
 }
 
 static void test_chosen_lines(void **state)
