@@ -30,7 +30,8 @@ struct record {
     size_t nights, series;
     double *deviations, *halves; /* [night * series + series]: logarithms */
     double *sigmas;              /* of each series, 1.4826 MAD */
-    bool *fine;                  /* three times that is less than 5 % */
+    bool *
+        fine; /* 5 % is beyond the bar of a night: three times that, and what one night in twenty is beyond */
     char **names;
     struct process *processes;
     size_t process_count, process_capacity;
@@ -166,7 +167,7 @@ static void describe(struct record *r, size_t series)
     for (size_t n = 0; n < r->nights; n++)
         values[n] = fabs(values[n] - middle);
     r->sigmas[series] = 1.4826 * aob_median(values, r->nights);
-    r->fine[series] = 3 * r->sigmas[series] < 0.05;
+    r->fine[series] = fmax(3 * r->sigmas[series], aob_quantile(values, r->nights, 0.95)) < 0.05;
     free(values);
 }
 

@@ -45,7 +45,7 @@ for ((night = 1; night <= nights; night++)); do
   [ $((night % 4)) -ne 0 ] || pair $((night / 4 - 1))
 done
 
-head() { # WHAT
+heading() { # WHAT
   echo "# $1"
   jq -rs '.[0] | "# \(.fingerprint.cpu), \(.fingerprint.cores) cores; \(.fingerprint.driver); clock: \(.time.clock) (processor time of the process)"' \
     "$work/night-1/journal.jsonl"
@@ -55,7 +55,7 @@ head() { # WHAT
 
 # Deviations from the median over nights.
 {
-  head "Nights that bench_watch draws from: a row each; of each case the deviation of ln(ratio) and half of ln(high / low), in 1e-5."
+  heading "Nights that bench_watch draws from: a row each; of each case the deviation of ln(ratio) and half of ln(high / low), in 1e-5."
   jq -rs 'sort_by(.backend, .technique) | map("\(.technique) \(.backend)") | join("\t")' "$work/night-1/journal.jsonl"
   for ((night = 1; night <= nights; night++)); do
     jq -rs 'sort_by(.backend, .technique) | map("\(.time.ratio_to_ref | log) \((.time.ci_high / .time.ci_low | log) / 2)") | join(" ")' \
@@ -71,7 +71,7 @@ head() { # WHAT
 } >tests/bench/watch_nights.tsv
 
 {
-  head "Two builds of equal code in one block: a row a process; its recording, its case, ln(B / A) of its rounds, and of its two fixed passes, in 1e-4."
+  heading "Two builds of equal code in one block: a row a process; its recording, its case, ln(B / A) of its rounds, and of its two fixed passes, in 1e-4."
   for folder in $(ls -d "$work"/pair-[0-9]* | sort -V); do
     case=$(jq -rs '.[0] | "\(.technique) \(.backend)"' "$folder/journal.jsonl")
     zstdcat "$folder"/rounds/*.jsonl.zst | jq -rs --arg name "$(basename "$folder")" --arg case "$case" '
