@@ -61,7 +61,7 @@ static void leave_suspects(const struct aob_group *group, struct aob_old_module 
             json_array_remove(stored->records, i);
 }
 
-/* A night that times nothing asks for the images alone, and they are made in the first rounds. */
+/* A night that times nothing asks for the images alone, so the timing that comes with them is as short as can be. */
 static double seconds_of(const struct aob_group *group, const struct aob_nightly_desc *desc)
 {
     for (size_t i = 0; i < group->count; i++)

@@ -13,6 +13,7 @@ static const char *file_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
+/* In a folder the module's whole path comes before its name alone, which two modules may share. */
 static char *find_given(const char *given, const char *module)
 {
     struct stat info;
@@ -20,10 +21,13 @@ static char *find_given(const char *given, const char *module)
         return NULL;
     if (stat(given, &info) != 0 || !S_ISDIR(info.st_mode))
         return aob_strdup(given);
-    char *path = aob_path_join(given, file_name(module));
-    if (aob_file_exists(path))
-        return path;
-    free(path);
+    const char *const names[] = {module, file_name(module)};
+    for (size_t i = 0; i < AOB_COUNT(names); i++) {
+        char *path = aob_path_join(given, names[i]);
+        if (aob_file_exists(path))
+            return path;
+        free(path);
+    }
     return NULL;
 }
 

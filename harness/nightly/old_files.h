@@ -10,8 +10,9 @@ struct aob_old_files {
     const char *folder; /* files from the history are written here; made where one is */
 };
 
-/* The file of the build that `old` was measured with, for the module of `now`; free() it. A file that was given stands for the
- * module of its name, whatever the history says, and a single one for all. NULL after a line where there is none. */
+/* The file of the build that `old` was measured with, for the module of `now`; free() it. What the user gave
+ * stands for it, whatever the history says: of a folder the file at the module's path there, or else of its name; a single file for all
+ * modules. NULL after a line where there is none, or where it is the new build itself. */
 char *aob_old_files_find(const struct aob_old_files *files, const struct aob_point *old,
                          const struct aob_point *now, struct aob_error *error);
 #endif

@@ -7,7 +7,7 @@
 #include "reports/trend/night_page.h"
 #include "reports/trend/trend.h"
 
-/* Worst first. Of those with nothing to tell such stand last as fail every night; first cases are counted only. */
+/* Worst first. Cases that fail every night come last; first cases are only counted. */
 static const enum aob_night_verdict ranks[] = {AOB_NIGHT_BROKEN, AOB_NIGHT_SLOWER,  AOB_NIGHT_MOVED,
                                                AOB_NIGHT_OPEN,   AOB_NIGHT_MACHINE, AOB_NIGHT_CHANGED,
                                                AOB_NIGHT_FASTER, AOB_NIGHT_OUTLIER, AOB_NIGHT_NONE};

@@ -88,6 +88,14 @@ check "the page shows it" grep -qF "$(jq -r '.cases[0].map' images3.json).png" "
 night images4 0 images.yaml
 check "the next night has nothing to tell" jq -e '.line == "nothing changed"' images4.json
 
+cp "$modules/loop16.so" modules/moved.so
+night images5 0 images.yaml
+check "an image that is nearer to the truth is told, and is no regression" jq -e '.worse == 0 and (.cases[0] | .verdict == "moved" and .outcome == "good")' images5.json
+sqlite3 nights.db "UPDATE point SET verdict = 'none', said = '' WHERE night = (SELECT max(id) FROM night);
+  UPDATE night SET summary = '{\"line\": \"stopped\"}' WHERE id = (SELECT max(id) FROM night)"
+night images6 0 images.yaml
+check "nothing is compared with a night that was not judged" jq -e '.cases | length == 1 and .[0].verdict == "moved"' images6.json
+
 # --- A case that does not run any more
 cat >broken.yaml <<EOC
 name: broken
