@@ -197,7 +197,6 @@ late after late11 1.035 1
 check "the build of the level before is set beside it" jq -e '.worse == 2 and all(.cases[]; .verdict == "slower" and .beside > 1.0999)' late11.json
 
 # --- What a run lacks, image and cost together, and a trend page that cannot be written
-cp "$modules/loop_moved.so" modules/moved.so
 cp "$modules/loop_again.so" modules/still.so
 "$program" run images.yaml --out whole --quiet
 look() { # FOLDER FILTER OF JQ
