@@ -4,9 +4,10 @@
  * are passed over. Only the latest AOB_WATCH_LINE values count. A point that was judged AOB_NIGHT_OUTLIER counts as any other:
  * medians do not follow it, and a line that is often disturbed must know that it is.
  *
- * The line restarts at the point `since` of the latest verdict SLOWER, FASTER, MOVED or MACHINE before tonight: what is told
- * is not told again the next night, and a level that is told later begins later than that verdict. The values from the restart to
- * last night, cut into levels (level.h), are what tonight stands beside. The noise is that of the whole line, before the restart too:
+ * The line restarts at the point `since` of the latest verdict SLOWER, FASTER, MOVED or MACHINE before tonight that has one:
+ * what is told is not told again the next night, and a level that is told later begins later than that verdict. The values from
+ * the restart to last night, cut into levels (level.h), are what tonight stands beside. The noise is that of the whole line, before
+ * the restart too:
  * of the distances of earlier values from their levels' medians it is 1.4826 times the median, or a third of what one in twenty
  * is beyond, whichever is larger (of normal errors the first; the second where a few nights in twenty are far off), times
  * sqrt(n / (n - levels)), since each level has taken one of n values. It is known of AOB_WATCH_KNOWN values more than
@@ -55,8 +56,9 @@ struct aob_watch {
  * that stand out most; else it is tonight's value. A fall is suspected from 1 / (1 + least) on. `least` is INFINITY where tonight has
  * no interval.
  *
- * A shift that lasts stays a suspect until a verdict restarts the line. So one that was measured again for nothing on
- * several nights is best judged MACHINE, with its `since`. */
+ * A shift that lasts stays a suspect until a verdict restarts the line. So one that costs the same beside the old build, and is
+ * as far from the level before when it is measured again, is best judged MACHINE, with its `since`. One that is back within
+ * `least` of that level is an OUTLIER, which restarts nothing. */
 void aob_watch_line(const struct aob_point *points, size_t count, double least, struct aob_watch *watch);
 
 /* Which of `count` p-values are discoveries at the false-discovery rate q: those up to the level q k / m, k the largest rank

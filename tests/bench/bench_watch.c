@@ -1,41 +1,25 @@
 /* bench_watch NIGHTS.tsv PAIRS.tsv HISTORIES: how the watch of a history does on 90 nights of 200 series whose noise was
- * recorded (watch_record.sh writes the two files). A block of as many series as were recorded takes the noise of one recorded
- * night, drawn for each block and night, so what moved the cases of a night together moves them together here. What is
- * suspected is measured again: five to ten successive recorded processes of two equal builds, times the step between the module
- * before `since` and tonight's. An alarm needs a discovery at 5 % and a ratio beyond 2 % and the noise floor. Lines "NAME VALUE". */
+ * recorded (watch_recorded.h; watch_record.sh writes the two files). A block of as many series as were recorded takes the noise
+ * of one recorded night, drawn for each block and night, so what moved the cases of a night together moves them together
+ * here. What is suspected, and what it is set beside, is chosen by aob_suspects_choose. It is measured again with successive
+ * recorded processes of two builds of equal code, times the step between the old build and tonight's, and judged as settle.c
+ * does. What the new build alone costs then has the noise of the recorded night after tonight's. A study of the held-out
+ * nights, and two of those that the rule was chosen on. Lines "NAME VALUE". */
 #include <inttypes.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include "base/memory.h"
-#include "base/statistics.h"
+#include "compare/compare.h"
 #include "compare/quotient.h"
 #include "compare/verdict.h"
-#include "history/watch.h"
+#include "nightly/nightly.h"
+#include "nightly/suspect.h"
 #include "random.h"
 #include "timing/estimate.h"
+#include "timing/processes.h"
+#include "watch_recorded.h"
 
 enum { NIGHTS = 90, SERIES = 200, PLANTED = 20, FIRST_STEP = 10, WITHIN = 2 };
-enum { PROCESSES = 5, PROCESSES_MOST = 10, ROUNDS_MAX = 200 };
-static const double least = 0.02, discovery = 0.05;
-
-struct process {
-    char recording[64], series[64];               /* "pair-3", "gtao vulkan" */
-    double cost[ROUNDS_MAX], control[ROUNDS_MAX]; /* ratios of the two builds, and of the two fixed passes */
-    size_t rounds;
-};
-
-struct record {
-    size_t nights, series;
-    double *deviations, *halves; /* [night * series + series]: logarithms */
-    double *sigmas;              /* of each series, 1.4826 MAD */
-    bool *
-        fine; /* 5 % is beyond the bar of a night: three times that, and what one night in twenty is beyond */
-    char **names;
-    struct process *processes;
-    size_t process_count, process_capacity;
-};
+enum { PROCESSES_MOST = (int)(AOB_COMPARE_SECONDS / AOB_PROCESS_SECONDS) };
+static const double least = AOB_COMPARE_PRECISION;
+static const uint32_t first_seed = 1;
 
 enum noise { RECORDED, TOGETHER, STUDENT, LAPLACE };
 
@@ -44,132 +28,22 @@ struct study {
     enum noise noise;
     double step; /* logarithm; 0: none is planted */
     uint32_t seed;
-    size_t histories, suspects, processes, false_nights, steps, fine_steps, fine_named, told, in_time, named,
-        delay;
+    size_t histories, suspects, processes, false_nights, steps, quiet_steps, quiet_named, told, in_time,
+        named, delay, open, machine, outlier;
 };
 
 struct history {
+    char ok[3];
+    struct aob_night nights[NIGHTS];
+    struct aob_line lines[SERIES];
     struct aob_point points[SERIES][NIGHTS];
     double truth[SERIES][NIGHTS];
+    size_t rows[SERIES]; /* recorded night that tonight has the noise of */
     size_t step[SERIES]; /* its night; NIGHTS: none */
     bool told[SERIES];
-    struct aob_watch watches[SERIES];
-    struct aob_ratio costs[SERIES], controls[SERIES];
-    double p[SERIES];
-    bool found[SERIES];
+    struct aob_comparison again[SERIES]; /* of what was measured again; the interval is one of 95 % */
+    double alone[SERIES];                /* what the new build costs then, in fixed passes */
 };
-
-static FILE *open_text(const char *path)
-{
-    FILE *file = fopen(path, "r");
-    if (!file) {
-        perror(path);
-        exit(2);
-    }
-    return file;
-}
-
-static void read_names(char *line, struct record *r)
-{
-    size_t capacity = 0, count = 0;
-    for (char *rest = line, *name; (name = strsep(&rest, "\t\n"));)
-        if (*name)
-            *AOB_PUSH(r->names, count, capacity) = aob_strdup(name);
-}
-
-/* Behind the names a row is a night: deviation and half the interval of each series, in 1e-5. */
-static void read_nights(const char *path, struct record *r)
-{
-    FILE *file = open_text(path);
-    char *line = NULL;
-    size_t room = 0, count = 0, capacity_d = 0, capacity_h = 0, halves = 0;
-    while (getline(&line, &room, file) > 0) {
-        if (*line == '#')
-            continue;
-        if (!r->names) {
-            read_names(line, r);
-            continue;
-        }
-        char *at = line, *end;
-        for (double value = strtod(at, &end); end != at; at = end, value = strtod(at, &end), count++)
-            *(count % 2 ? AOB_PUSH(r->halves, halves, capacity_h)
-                        : AOB_PUSH(r->deviations, r->series, capacity_d)) = value * 1e-5;
-        r->nights++;
-    }
-    r->series = r->nights ? r->series / r->nights : 0;
-    free(line);
-    fclose(file);
-}
-
-/* "1,-2,3" in 1e-4 becomes exp of each. */
-static size_t read_list(char *text, double *values)
-{
-    size_t count = 0;
-    for (char *rest = text, *part; count < ROUNDS_MAX && (part = strsep(&rest, ",\n"));)
-        if (*part)
-            values[count++] = exp(1e-4 * atof(part));
-    return count;
-}
-
-/* A row is a process: its recording and series, the rounds of B / A, and of the control. */
-static void read_pairs(const char *path, struct record *r)
-{
-    FILE *file = open_text(path);
-    char *line = NULL;
-    size_t room = 0;
-    while (getline(&line, &room, file) > 0) {
-        char *rest = line, *recording = strsep(&rest, "\t"), *series = strsep(&rest, "\t");
-        char *costs = strsep(&rest, "\t");
-        if (*line == '#' || !costs || !rest)
-            continue;
-        struct process *process = AOB_PUSH(r->processes, r->process_count, r->process_capacity);
-        snprintf(process->recording, sizeof process->recording, "%s", recording);
-        snprintf(process->series, sizeof process->series, "%s", series);
-        process->rounds = read_list(costs, process->cost);
-        read_list(rest, process->control);
-    }
-    free(line);
-    fclose(file);
-}
-
-/* Whether PROCESSES of one recording begin here, of that series. */
-static bool is_pair(const struct record *r, size_t first, size_t series)
-{
-    const struct process *begin = &r->processes[first], *end = begin + PROCESSES - 1;
-    return strcmp(begin->recording, end->recording) == 0 && strcmp(begin->series, r->names[series]) == 0;
-}
-
-/* The first process of the recording. */
-static const struct process *recording_of(const struct record *r, size_t process)
-{
-    const struct process *first = &r->processes[process];
-    while (first > r->processes && strcmp(first[-1].recording, first->recording) == 0)
-        first--;
-    return first;
-}
-
-/* Whether each series has a pair to be measured again with. */
-static bool is_whole(const struct record *r)
-{
-    size_t found = 0;
-    for (size_t i = 0; i < r->series; i++)
-        for (size_t first = 0, had = found; first + PROCESSES <= r->process_count && found == had; first++)
-            found += is_pair(r, first, i);
-    return r->nights && found == r->series;
-}
-
-static void describe(struct record *r, size_t series)
-{
-    double *values = AOB_NEW_ARRAY(double, r->nights), middle;
-    for (size_t n = 0; n < r->nights; n++)
-        values[n] = r->deviations[n * r->series + series];
-    middle = aob_median(values, r->nights);
-    for (size_t n = 0; n < r->nights; n++)
-        values[n] = fabs(values[n] - middle);
-    r->sigmas[series] = 1.4826 * aob_median(values, r->nights);
-    r->fine[series] = fmax(3 * r->sigmas[series], aob_quantile(values, r->nights, 0.95)) < 0.05;
-    free(values);
-}
 
 /* Of the same 1.4826 MAD as the recorded noise of the series. */
 static double drawn_noise(struct study *s, size_t series)
@@ -181,6 +55,12 @@ static double drawn_noise(struct study *s, size_t series)
     return sigma / 1.0984 * random_normal(&s->seed) / sqrt(square / 4);
 }
 
+static double noise_of(struct study *s, size_t row, size_t column)
+{
+    bool drawn = s->noise == STUDENT || s->noise == LAPLACE;
+    return drawn ? drawn_noise(s, column) : s->record->deviations[row * s->record->series + column];
+}
+
 static void draw_night(struct study *s, struct history *h, size_t night)
 {
     const struct record *r = s->record;
@@ -189,21 +69,23 @@ static void draw_night(struct study *s, struct history *h, size_t night)
         size_t column = i % r->series;
         if (column == 0 && (i == 0 || s->noise != TOGETHER))
             row = random_below(&s->seed, r->nights);
-        bool drawn = s->noise == STUDENT || s->noise == LAPLACE;
         double half = r->halves[row * r->series + column];
-        double error = drawn ? drawn_noise(s, column) : r->deviations[row * r->series + column];
-        double value = h->truth[i][night] + error;
+        double value = h->truth[i][night] + noise_of(s, row, column);
+        h->rows[i] = row;
         h->points[i][night] = (struct aob_point){.night = (int64_t)night + 1,
-                                                 .status = "ok",
+                                                 .status = h->ok,
                                                  .ratio = exp(value),
                                                  .low = exp(value - half),
                                                  .high = exp(value + half)};
+        h->lines[i] = (struct aob_line){.id = (int64_t)i + 1, .points = h->points[i], .count = night + 1};
     }
+    h->nights[night] = (struct aob_night){.id = (int64_t)night + 1, .whole = true, .summary = h->ok};
 }
 
 static void plant(struct study *s, struct history *h)
 {
     memset(h, 0, sizeof *h);
+    strcpy(h->ok, "ok");
     for (size_t i = 0; i < SERIES; i++)
         h->step[i] = NIGHTS;
     for (size_t k = 0; k < PLANTED && s->step != 0; k++) {
@@ -212,59 +94,55 @@ static void plant(struct study *s, struct history *h)
         for (size_t n = h->step[i]; n < NIGHTS; n++)
             h->truth[i][n] = s->step;
         s->steps++;
-        s->fine_steps += s->record->fine[i % s->record->series];
+        s->quiet_steps += s->record->quiet[i % s->record->series];
     }
 }
 
-/* Successive processes of one recording of the series, where B costs exp(truth) times as much as they found: five, and more as
- * long as the interval reaches farther than half of the difference that counts. */
-static size_t measure_again(struct study *s, size_t column, double truth, struct aob_ratio *cost,
-                            struct aob_ratio *control)
+static const struct recording *draw_recording(struct study *s, size_t series)
 {
     const struct record *r = s->record;
+    const struct recording *drawn;
+    do
+        drawn = &r->recordings[random_below(&s->seed, r->recording_count)];
+    while (!is_of_part(r, drawn, series));
+    return drawn;
+}
+
+/* Processes of one recording from any of them on, each once, where B costs exp(truth) times as much as they found: as many as
+ * the timing takes until it is precise, or as the seconds or the recording allow. */
+static void measure_again(struct study *s, size_t column, double truth, struct aob_comparison *again)
+{
+    const struct recording *recording = draw_recording(s, column);
     struct aob_rounds costs[PROCESSES_MOST], controls[PROCESSES_MOST];
     double ones[ROUNDS_MAX], parts[ROUNDS_MAX];
-    size_t first, count = 0;
-    do
-        first = random_below(&s->seed, r->process_count - PROCESSES + 1);
-    while (!is_pair(r, first, column));
+    size_t at = random_below(&s->seed, recording->count), count = 0;
     for (size_t i = 0; i < ROUNDS_MAX; i++) {
         ones[i] = 1;
         parts[i] = exp(-truth);
     }
-    for (const struct process *p = r->processes + first; count < PROCESSES_MOST; p++) {
-        if (p == r->processes + r->process_count || strcmp(p->recording, r->processes[first].recording) != 0)
-            p = recording_of(r, first);
+    *again = (struct aob_comparison){.resolution = least};
+    while (count < PROCESSES_MOST && count < recording->count) {
+        const struct process *p = &s->record->processes[recording->first + (at + count) % recording->count];
         costs[count] = (struct aob_rounds){p->cost, parts, p->rounds};
         controls[count++] = (struct aob_rounds){p->control, ones, p->rounds};
-        *cost = aob_estimate_ratio(costs, count);
-        if (count >= PROCESSES && log(cost->high / cost->low) <= least)
+        again->rounds += p->rounds;
+        again->cost = aob_estimate_ratio(costs, count);
+        if (count >= AOB_COMPARE_PROCESSES_AB && again->rounds >= AOB_PROCESSES_ROUNDS &&
+            aob_estimate_half_width(&again->cost) <= 0.5 * least)
             break;
     }
-    *control = aob_estimate_ratio(controls, count);
-    return count;
+    again->control = aob_estimate_ratio(controls, count);
+    again->processes = count;
+    s->processes += count;
 }
 
-/* The level at which the interval just touches 1. */
-static double p_value(const struct aob_ratio *cost, size_t processes)
+/* A shift that is told with the wrong sign is as false as one that is none. */
+static void tell(struct study *s, struct history *h, size_t i, const struct aob_suspect *suspect,
+                 bool *false_alarm)
 {
-    size_t freedom = processes - 1;
-    double side = cost->ratio > 1 ? log(cost->ratio / cost->low) : log(cost->high / cost->ratio);
-    double t = aob_student(.05, freedom) * fabs(log(cost->ratio)) / side, low = log(1e-9), high = 0;
-    for (int i = 0; i < 40; i++) {
-        double middle = .5 * (low + high);
-        if (aob_student(exp(middle), freedom) > t)
-            low = middle;
-        else
-            high = middle;
-    }
-    return exp(.5 * (low + high));
-}
-
-static void tell(struct study *s, struct history *h, size_t i, size_t night, bool *false_alarm)
-{
-    size_t since = h->watches[i].since, step = h->step[i];
-    if (step > night || h->told[i]) {
+    size_t night = suspect->line->count - 1, since = suspect->watch.since, step = h->step[i];
+    bool right = suspect->cost.verdict == (s->step > 0 ? AOB_NIGHT_SLOWER : AOB_NIGHT_FASTER);
+    if (step > night || h->told[i] || !right) {
         *false_alarm = true;
         return;
     }
@@ -274,109 +152,159 @@ static void tell(struct study *s, struct history *h, size_t i, size_t night, boo
     bool named = night - step <= WITHIN && since + WITHIN >= step && since <= step + WITHIN;
     s->in_time += night - step <= WITHIN;
     s->named += named;
-    s->fine_named += named && s->record->fine[i % s->record->series];
+    s->quiet_named += named && s->record->quiet[i % s->record->series];
 }
 
-static void judge(struct study *s, struct history *h, size_t i, size_t night, bool *false_alarm)
+/* As judge_cost and judge_same of settle.c. `level`: that of the night. */
+static enum aob_night_verdict verdict_of(const struct aob_suspect *suspect,
+                                         const struct aob_comparison *again, double alone, double level)
 {
-    struct aob_point *point = &h->points[i][night];
-    double size = fabs(log(h->costs[i].ratio)), floor = aob_noise_floor(&h->controls[i]);
-    bool same = h->costs[i].low > 1 / (1 + least) && h->costs[i].high < 1 + least;
-    point->since = h->points[i][h->watches[i].since].night;
-    if (h->found[i] && size > log1p(fmax(least, floor))) {
-        point->verdict = h->costs[i].ratio > 1 ? AOB_NIGHT_SLOWER : AOB_NIGHT_FASTER;
-        tell(s, h, i, night, false_alarm);
-    } else if (same && h->watches[i].since < night)
-        point->verdict = AOB_NIGHT_MACHINE;
-    else {
-        point->verdict = same ? AOB_NIGHT_OUTLIER : AOB_NIGHT_OPEN;
-        point->since = 0;
-    }
+    struct aob_comparison wide = *again;
+    wide.cost = aob_widen(&again->cost, again->processes, level);
+    enum aob_verdict cost = aob_judge(&wide).cost;
+    if (cost == AOB_VERDICT_SLOWER || cost == AOB_VERDICT_FASTER)
+        return cost == AOB_VERDICT_SLOWER ? AOB_NIGHT_SLOWER : AOB_NIGHT_FASTER;
+    bool gone = fabs(log(alone / suspect->watch.before)) <= log1p(suspect->watch.least);
+    return cost != AOB_VERDICT_SAME ? AOB_NIGHT_OPEN : gone ? AOB_NIGHT_OUTLIER : AOB_NIGHT_MACHINE;
+}
+
+static void judge(struct study *s, struct history *h, size_t i, struct aob_suspect *suspect, double level,
+                  bool *false_alarm)
+{
+    struct aob_point *point = &h->points[i][suspect->line->count - 1];
+    suspect->cost.verdict = verdict_of(suspect, &h->again[i], h->alone[i], level);
+    point->verdict = suspect->cost.verdict;
+    point->since = aob_suspect_since(suspect);
+    s->open += point->verdict == AOB_NIGHT_OPEN;
+    s->machine += point->verdict == AOB_NIGHT_MACHINE;
+    s->outlier += point->verdict == AOB_NIGHT_OUTLIER;
+    if (point->verdict == AOB_NIGHT_SLOWER || point->verdict == AOB_NIGHT_FASTER)
+        tell(s, h, i, suspect, false_alarm);
+}
+
+/* As is_tested and night_level of settle.c: p, or NAN where it does not count. */
+static double p_of(const struct aob_comparison *again)
+{
+    bool tested = again->rounds >= AOB_COMPARE_ROUNDS && again->processes >= AOB_COMPARE_PROCESSES;
+    return tested ? aob_ratio_p(&again->cost, again->processes) : NAN;
 }
 
 static void one_night(struct study *s, struct history *h, size_t night)
 {
+    const struct record *r = s->record;
+    double p[SERIES], level;
     bool false_alarm = false;
+    struct aob_suspects suspects = {0};
     draw_night(s, h, night);
+    aob_suspects_choose(&suspects, &(struct aob_lines){h->lines, SERIES},
+                        &(struct aob_nights){h->nights, night + 1}, least);
     for (size_t i = 0; i < SERIES; i++) {
-        struct aob_watch *watch = &h->watches[i];
-        aob_watch_line(h->points[i], night + 1, least, watch);
-        h->p[i] = NAN;
-        if (!watch->suspect)
+        const struct aob_suspect *suspect = &suspects.items[i];
+        size_t column = i % r->series;
+        p[i] = NAN;
+        if (!suspect->watch.suspect)
             continue;
-        double before = watch->since ? h->truth[i][watch->since - 1] : 0;
-        size_t processes = measure_again(s, i % s->record->series, h->truth[i][night] - before, &h->costs[i],
-                                         &h->controls[i]);
-        h->p[i] = p_value(&h->costs[i], processes);
-        s->processes += processes;
+        double now = h->truth[i][night];
+        measure_again(s, column, now - h->truth[i][suspect->old - h->points[i]], &h->again[i]);
+        h->alone[i] = exp(now + noise_of(s, (h->rows[i] + 1) % r->nights, column));
+        p[i] = p_of(&h->again[i]);
         s->suspects++;
     }
-    aob_watch_discover(h->p, SERIES, discovery, h->found);
+    level = aob_watch_level(p, SERIES, AOB_NIGHTLY_DISCOVERY);
     for (size_t i = 0; i < SERIES; i++)
-        if (h->watches[i].suspect)
-            judge(s, h, i, night, &false_alarm);
+        if (suspects.items[i].watch.suspect)
+            judge(s, h, i, &suspects.items[i], level, &false_alarm);
     s->false_nights += false_alarm;
+    aob_suspects_finish(&suspects);
+}
+
+static void print(const char *study, const char *name, double value)
+{
+    printf("%s_%s %.2f\n", study, name, value);
+}
+
+static void print_study(const struct study *s, const char *name)
+{
+    double nights = (double)(s->histories * NIGHTS), steps = (double)s->steps;
+    print(name, "suspects", (double)s->suspects / nights);
+    print(name, "false", 100 * (double)s->false_nights / nights);
+    print(name, "processes", (double)s->processes / (double)s->suspects);
+    print(name, "open", (double)s->open / nights);
+    print(name, "machine", (double)s->machine / nights);
+    print(name, "outlier", (double)s->outlier / nights);
+    if (s->steps) {
+        printf("%s_steps %zu\n%s_quiet_steps %zu\n", name, s->steps, name, s->quiet_steps);
+        print(name, "named", 100 * (double)s->named / steps);
+        print(name, "quiet", 100 * (double)s->quiet_named / (double)s->quiet_steps);
+        print(name, "in_time", 100 * (double)s->in_time / steps);
+        print(name, "told", 100 * (double)s->told / steps);
+        print(name, "delay", (double)s->delay / (double)s->told);
+    }
+    fflush(stdout);
 }
 
 static void run_study(const struct record *record, const char *name, enum noise noise, double step,
                       size_t histories)
 {
-    struct study s = {.record = record, .noise = noise, .step = step, .seed = 1, .histories = histories};
+    struct study s = {
+        .record = record, .noise = noise, .step = step, .seed = first_seed, .histories = histories};
     struct history *h = AOB_NEW(struct history);
     for (size_t i = 0; i < histories; i++) {
         plant(&s, h);
         for (size_t night = 0; night < NIGHTS; night++)
             one_night(&s, h, night);
     }
-    double nights = (double)(histories * NIGHTS), steps = (double)s.steps;
-    printf("%s_suspects %.2f\n%s_false %.2f\n", name, (double)s.suspects / nights, name,
-           100 * (double)s.false_nights / nights);
-    printf("%s_processes %.1f\n", name, (double)s.processes / (double)s.suspects);
-    if (s.steps) {
-        printf("%s_steps %zu\n%s_named %.1f\n", name, s.steps, name, 100 * (double)s.named / steps);
-        printf("%s_fine %.1f\n%s_in_time %.1f\n", name, 100 * (double)s.fine_named / (double)s.fine_steps,
-               name, 100 * (double)s.in_time / steps);
-        printf("%s_told %.1f\n%s_delay %.2f\n", name, 100 * (double)s.told / steps, name,
-               (double)s.delay / (double)s.told);
-    }
-    fflush(stdout);
+    print_study(&s, name);
     free(h);
+}
+
+static void describe_part(const struct record *r, const char *name)
+{
+    size_t quiet = 0, pairs = 0, later = 0;
+    for (size_t i = 0; i < r->series; i++) {
+        quiet += r->quiet[i];
+        later += count_recordings(r, i, true) > 0;
+    }
+    for (size_t i = 0; i < r->recording_count; i++)
+        pairs += r->recordings[i].later == r->later;
+    printf("%s_nights %zu\n%s_pairs %zu\n%s_quiet_series %zu\n", name, r->nights, name, pairs, name, quiet);
+    print(name, "sigma", 100 * aob_median(r->sigmas, r->series));
+    if (r->later)
+        printf("%s_paired_series %zu\n", name, later);
 }
 
 int main(int argc, char **argv)
 {
-    struct record record = {0};
+    struct record whole = {0};
     size_t histories = argc == 4 ? strtoul(argv[3], NULL, 10) : 0;
-    size_t fine = 0;
     if (!histories)
         return fprintf(stderr, "usage: bench_watch NIGHTS.tsv PAIRS.tsv HISTORIES\n"), 2;
-    read_nights(argv[1], &record);
-    read_pairs(argv[2], &record);
-    if (!is_whole(&record))
-        return fprintf(stderr, "bench_watch: a series has no recorded pair of five processes\n"), 2;
-    record.sigmas = AOB_NEW_ARRAY(double, record.series);
-    record.fine = AOB_NEW_ARRAY(bool, record.series);
-    for (size_t i = 0; i < record.series; i++)
-        describe(&record, i);
-    for (size_t i = 0; i < record.series; i++)
-        fine += record.fine[i];
-    printf("fine %zu\n", fine);
-    printf("nights %zu\nseries %zu\nprocesses %zu\nsigma %.2f\n", record.nights, record.series,
-           record.process_count, 100 * aob_median(record.sigmas, record.series));
-    run_study(&record, "none", RECORDED, 0, histories);
-    run_study(&record, "together", TOGETHER, 0, histories);
-    run_study(&record, "five", RECORDED, log(1.05), histories);
-    run_study(&record, "three", RECORDED, log(1.03), histories);
-    run_study(&record, "two", RECORDED, log(1.02), histories);
-    run_study(&record, "student", STUDENT, log(1.05), histories);
-    run_study(&record, "laplace", LAPLACE, log(1.05), histories);
-    free(record.deviations);
-    free(record.halves);
-    for (size_t i = 0; i < record.series; i++)
-        free(record.names[i]);
-    free(record.names);
-    free(record.sigmas);
-    free(record.fine);
-    free(record.processes);
+    read_nights(argv[1], &whole);
+    read_pairs(argv[2], &whole);
+    if (!is_whole(&whole))
+        return fprintf(stderr,
+                       "bench_watch: there are no later nights, or a series lacks a pair, or a pair has "
+                       "fewer than %d processes\n",
+                       PROCESSES_LEAST),
+               2;
+    struct record chosen = part_of(&whole, false), held = part_of(&whole, true);
+    printf("nights %zu\nseries %zu\nprocesses %zu\nseed %" PRIu32 "\nhistories %zu\n", whole.nights,
+           whole.series, whole.process_count, first_seed, histories);
+    describe_part(&chosen, "chosen");
+    describe_part(&held, "held");
+    run_study(&held, "none", RECORDED, 0, histories);
+    run_study(&held, "five", RECORDED, log(1.05), histories);
+    run_study(&chosen, "chosen_none", RECORDED, 0, histories);
+    run_study(&chosen, "chosen_five", RECORDED, log(1.05), histories);
+    run_study(&held, "together", TOGETHER, 0, histories);
+    run_study(&held, "three", RECORDED, log(1.03), histories);
+    run_study(&held, "two", RECORDED, log(1.02), histories);
+    run_study(&held, "student", STUDENT, log(1.05), histories);
+    run_study(&held, "laplace", LAPLACE, log(1.05), histories);
+    free(chosen.sigmas);
+    free(chosen.quiet);
+    free(held.sigmas);
+    free(held.quiet);
+    record_finish(&whole);
     return 0;
 }
