@@ -13,6 +13,7 @@ struct origin {
     const struct aob_merge_source *source;
     char seal[AOB_SEAL_SIZE + 1]; /* the same where the bytes are the same; empty: there is none */
     const char *becomes;          /* its name in the merged folder; NULL: it was not copied */
+    bool spare; /* of a record that agrees with one that stands: taken where no other is whole */
 };
 struct file {
     char *name; /* below a run's folder */
@@ -30,7 +31,7 @@ struct copying {
     size_t name_count, name_capacity;
 };
 
-static void meet(struct copying *copying, const struct aob_merge_source *source, const char *name)
+static void meet(struct copying *copying, const struct aob_merge_source *source, const char *name, bool spare)
 {
     char *text = aob_path_join(source->path, name);
     size_t next = copying->met.count;
@@ -42,7 +43,7 @@ static void meet(struct copying *copying, const struct aob_merge_source *source,
     if (at == copying->count)
         AOB_PUSH(copying->items, copying->count, copying->capacity)->name = aob_strdup(name);
     struct file *file = &copying->items[at];
-    AOB_PUSH(file->origins, file->count, file->capacity)->source = source;
+    *AOB_PUSH(file->origins, file->count, file->capacity) = (struct origin){.source = source, .spare = spare};
 }
 
 static void gather(struct copying *copying)
@@ -53,16 +54,36 @@ static void gather(struct copying *copying)
         size_t at;
         json_array_foreach(names, at, name)
         {
-            meet(copying, c->source, json_string_value(name));
+            meet(copying, c->source, json_string_value(name), false);
         }
         json_decref(names);
     }
 }
 
-/* The folder that was given first comes first; all sources lie in one array. */
+/* What else such a record names, as its own raw rounds, no record names that stands. */
+static void gather_spare(struct copying *copying)
+{
+    for (size_t i = 0; i < copying->all->other_count; i++) {
+        const struct aob_merge_other *other = &copying->all->others[i];
+        json_t *wanted = other->differs ? NULL : aob_merge_named(copying->all->cases[other->at].line),
+               *names = other->differs ? NULL : aob_merge_named(other->line), *name;
+        size_t at;
+        json_array_foreach(names, at, name)
+        {
+            if (aob_merge_named_has(wanted, name))
+                meet(copying, other->source, json_string_value(name), true);
+        }
+        json_decref(wanted);
+        json_decref(names);
+    }
+}
+
+/* The folder that was given first comes first; all sources lie in one array. Spare ones come last. */
 static int compare_origins(const void *a, const void *b)
 {
     const struct origin *first = a, *second = b;
+    if (first->spare != second->spare)
+        return first->spare - second->spare;
     return (first->source > second->source) - (first->source < second->source);
 }
 
@@ -180,6 +201,8 @@ static bool copy_file(struct copying *copying, struct file *file, struct aob_err
     qsort(file->origins, file->count, sizeof *file->origins, compare_origins);
     for (size_t i = 0; i < file->count && ok; i++) {
         struct origin *origin = &file->origins[i];
+        if (origin->spare && find_copied(file))
+            break;
         char *path = aob_path_join(origin->source->path, file->name);
         take_seal(origin, path, graph);
         free(path);
@@ -237,6 +260,7 @@ bool aob_merge_files_copy(struct aob_merge_files *files, const struct aob_merge_
     char *graphs = aob_path_join(out, "graphs");
     *files = (struct aob_merge_files){.lost = json_array(), .apart = json_array()};
     gather(&copying);
+    gather_spare(&copying);
     bool ok = aob_folder_create(graphs, error);
     for (size_t i = 0; i < copying.count && ok; i++)
         ok = copy_file(&copying, &copying.items[i], error);

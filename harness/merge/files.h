@@ -15,7 +15,7 @@ struct aob_merge_files {
 };
 
 /* Copies what the records that stand name from their folders into `out`. A sealed file is copied only if its seal is right, so
- * what is damaged in one folder is taken from another that has it whole. The name of a truth says what it depends on: two files of
+ * what is damaged in one folder is taken from another that has it whole, also from one whose record was dropped. The name of a truth says what it depends on: two files of
  * one name should have the same bytes. Where they have not, the second gets a name of its own, and the lines of the records that name it
  * are changed to that in place. Nothing is on disk before aob_folder_flush. False after a line if a file cannot be written. Call
  * aob_merge_files_finish in either case. */

@@ -23,11 +23,14 @@ struct merging {
 
 static bool open_sources(struct merging *merging, struct aob_error *error)
 {
-    for (size_t i = 0; i < merging->desc->count; i++)
-        if (!aob_merge_source_open(&merging->sources[i], merging->desc->folders[i], error) ||
-            !aob_merge_source_judge(&merging->sources[0], &merging->sources[i], error))
-            return false;
-    return true;
+    json_t *builds = json_object();
+    bool ok = true;
+    for (size_t i = 0; i < merging->desc->count && ok; i++)
+        ok = aob_merge_source_open(&merging->sources[i], merging->desc->folders[i], error) &&
+             aob_merge_source_judge(&merging->sources[0], &merging->sources[i], error) &&
+             aob_merge_source_judge_builds(&merging->sources[i], builds, error);
+    json_decref(builds);
+    return ok;
 }
 
 static bool read_sources(struct merging *merging, struct aob_error *error)
@@ -85,7 +88,8 @@ static bool write_folder(struct merging *merging, const struct aob_merge_set *se
     struct aob_run_folder folder = {0};
     struct aob_merge_files files = {0};
     bool ok = aob_run_folder_open(&folder, set->out, info, true, error) && keep_config(set, &folder, error) &&
-              aob_merge_files_copy(&files, all, set->out, error) && aob_folder_flush(set->out, error) &&
+              aob_merge_files_copy(&files, all, set->out, error) &&
+              aob_merge_union_keep(all, set->out, error) && aob_folder_flush(set->out, error) &&
               write_journal(all, folder.journal_path, error);
     if (ok)
         aob_merge_told_take(&merging->told, set, info, all, &files);
@@ -109,7 +113,9 @@ static bool merge_sets(struct merging *merging, struct aob_error *error)
 {
     for (size_t i = 0; i < merging->sets.count; i++)
         if (!merge_set(merging, &merging->sets.items[i], error))
-            return false;
+            return i ? aob_fail_in(error, "%s is merged, but not %s", merging->sets.items[i - 1].out,
+                                   merging->sets.items[i].out)
+                     : false;
     return true;
 }
 

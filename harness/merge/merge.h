@@ -16,11 +16,11 @@ struct aob_merged {
     enum aob_exit code;
 };
 
-/* Merges. Nothing is written unless all folders are parts of one run, none of them is being written to, and no folder that is to
- * be written holds anything else. While a merge writes to a folder, that holds no run: the journal is emptied first and written
+/* Merges. Nothing is written unless all folders are parts of one run, none of them is being written to, and each folder that is to
+ * be written can be created and holds nothing else. While a merge writes to a folder, that holds no run: the journal is emptied first and written
  * last, as a whole. So an interrupted merge is made again by the same call, and the same folders give the same journal, byte for
  * byte. Notes and warnings tell which folders went elsewhere, what conflicts, what is lost and how much is missing. The code is
  * 0 where each case of the plan is there and nothing conflicts and no file is lost, else 3. False after a line if nothing could
- * be merged; else decref the document. */
+ * be merged, or a later folder not; else decref the document. */
 bool aob_merge(const struct aob_merge_desc *desc, struct aob_merged *merged, struct aob_error *error);
 #endif

@@ -7,16 +7,21 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-static void add(json_t *names, const json_t *name)
+bool aob_merge_named_has(const json_t *names, const json_t *name)
 {
     const json_t *other;
     size_t at;
     json_array_foreach(names, at, other)
     {
         if (json_equal(other, name))
-            return;
+            return true;
     }
-    if (json_is_string(name))
+    return false;
+}
+
+static void add(json_t *names, const json_t *name)
+{
+    if (json_is_string(name) && !aob_merge_named_has(names, name))
         json_array_append(names, (json_t *)(uintptr_t)name);
 }
 

@@ -9,6 +9,8 @@
  * another form is among them. */
 json_t *aob_merge_named(const struct aob_piece *line);
 
+bool aob_merge_named_has(const json_t *names, const json_t *name);
+
 /* Whether the name has one of these forms: a journal from elsewhere must not make a merge write outside its folder. */
 bool aob_merge_named_is_safe(const char *name);
 bool aob_merge_named_is_graph(const char *name); /* which has no seal */

@@ -1,7 +1,9 @@
 #include "set.h"
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include "base/file.h"
 #include "base/json.h"
 #include "base/memory.h"
@@ -116,6 +118,46 @@ static bool judge_earlier(const char *out, const json_t *info, const struct aob_
     return true;
 }
 
+/* The folder, or the nearest one above that there is, must be one that can be written to; a link to nothing is there, too. */
+static bool judge_place(const char *out, struct aob_error *error)
+{
+    char *path = aob_strdup(out), *slash;
+    struct stat info;
+    bool there;
+    while (!(there = lstat(path, &info) == 0) && (slash = strrchr(path, '/')))
+        slash[slash == path] = '\0'; /* the root keeps its slash */
+    const char *place = there ? path : ".";
+    bool ok = true;
+    if (stat(place, &info) == 0 && !S_ISDIR(info.st_mode))
+        ok = aob_fail(error, "%s: it is not a folder", place);
+    else if (access(place, W_OK | X_OK) != 0)
+        ok = aob_fail(error, "%s: cannot create the folder: %s", out, strerror(errno));
+    free(path);
+    return ok;
+}
+
+/* Of the folder and of what a run has in it. */
+static bool judge_places(const char *out, struct aob_error *error)
+{
+    static const char *const folders[] = {"images", "truths", "rounds", "graphs", NULL};
+    bool ok = judge_place(out, error);
+    for (const char *const *f = folders; *f && ok; f++) {
+        char *path = aob_path_join(out, *f);
+        ok = judge_place(path, error);
+        free(path);
+    }
+    return ok;
+}
+
+/* Of the folders that are written, this may be a later one. */
+static bool judge_writer(const char *journal, struct aob_error *error)
+{
+    struct aob_journal held = {0};
+    bool ok = !aob_file_exists(journal) || aob_journal_hold(&held, journal, error);
+    aob_journal_close(&held);
+    return ok;
+}
+
 static bool judge_out(const char *out, const struct aob_merge_source *sources, size_t count,
                       struct aob_error *error)
 {
@@ -124,7 +166,8 @@ static bool judge_out(const char *out, const struct aob_merge_source *sources, s
             return aob_fail(error, "%s is one of the folders that are merged: choose another --out", out);
     char *journal = aob_path_join(out, "journal.jsonl"), *path = aob_path_join(out, "run.json");
     json_t *info = json_load_file(path, 0, NULL);
-    bool ok = !aob_file_size(journal) || judge_earlier(out, info, sources, count, error);
+    bool ok = judge_places(out, error) && judge_writer(journal, error) &&
+              (!aob_file_size(journal) || judge_earlier(out, info, sources, count, error));
     json_decref(info);
     free(path);
     free(journal);

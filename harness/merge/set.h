@@ -27,8 +27,9 @@ void aob_merge_sets_make(struct aob_merge_sets *sets, const struct aob_merge_sou
 /* Prints a note of each set after the first: which folders went where, and which device differs. */
 void aob_merge_sets_tell(const struct aob_merge_sets *sets);
 
-/* Whether a merge may write the folder of each set: it holds no run, or what an earlier merge of some of the sources left there, to which no
- * run has added anything since; and it is none of the sources. False after a line. */
+/* Whether a merge may write the folder of each set: it can be created, it holds no run, or what an earlier merge of some of the
+ * sources left there, to which no run has added anything since and none is adding; and it is none of the sources. False after a
+ * line; nothing is written. */
 bool aob_merge_sets_judge(const struct aob_merge_sets *sets, const struct aob_merge_source *sources,
                           size_t count, struct aob_error *error);
 

@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/file.h"
 #include "base/member.h"
+#include "base/text.h"
 
 static bool hold(struct aob_merge_source *source, struct aob_error *error)
 {
@@ -52,6 +53,41 @@ bool aob_merge_source_judge(const struct aob_merge_source *first, const struct a
             return aob_fail(
                 error, "%s and %s hold runs of two %s (%s %s and %s): only parts of one run can be merged",
                 first->path, other->path, members[i][1], members[i][0], a, b);
+    }
+    return true;
+}
+
+static bool judge_build(const struct aob_merge_source *source, const json_t *technique, json_t *builds,
+                        struct aob_error *error)
+{
+    const char *module = aob_member_text(technique, "module"), *digest = aob_member_text(technique, "digest");
+    struct aob_text name = {0};
+    aob_text_add(&name, "technique '%s'%s%s", aob_member_text(technique, "name"), *module ? " of " : "",
+                 module);
+    const json_t *known = json_object_get(builds, name.data);
+    const char *other = aob_member_text(known, "digest");
+    bool ok = !known || strcmp(other, digest) == 0;
+    if (!known)
+        json_object_set_new(builds, name.data,
+                            json_pack("{s:s, s:s}", "digest", digest, "folder", source->path));
+    if (!ok)
+        aob_fail(error,
+                 "%s and %s hold runs of two builds of %s (digest %s and %s): only parts of one run can be "
+                 "merged",
+                 aob_member_text(known, "folder"), source->path, name.data, other, digest);
+    aob_text_finish(&name);
+    return ok;
+}
+
+bool aob_merge_source_judge_builds(const struct aob_merge_source *source, json_t *builds,
+                                   struct aob_error *error)
+{
+    const json_t *technique;
+    size_t at;
+    json_array_foreach(json_object_get(source->info, "techniques"), at, technique)
+    {
+        if (!judge_build(source, technique, builds, error))
+            return false;
     }
     return true;
 }

@@ -23,6 +23,12 @@ bool aob_merge_source_open(struct aob_merge_source *source, const char *path, st
 bool aob_merge_source_judge(const struct aob_merge_source *first, const struct aob_merge_source *other,
                             struct aob_error *error);
 
+/* Whether each technique of the source is of the build that the sources before it have: a module that was built anew in between has
+ * other images under the same name. `builds`: an object, empty at first, that takes what each source has. False after a line that
+ * names the technique and both folders. */
+bool aob_merge_source_judge_builds(const struct aob_merge_source *source, json_t *builds,
+                                   struct aob_error *error);
+
 /* Reads the journal. One warning tells of lines that are damaged. False after a line if it cannot be read. */
 bool aob_merge_source_read(struct aob_merge_source *source, struct aob_error *error);
 

@@ -53,8 +53,9 @@ static const char *folder_at(const json_t *entry, size_t at)
 
 static void tell_conflict(const json_t *c)
 {
-    aob_warn("%s has another %s in %s than in %s, which stands (case %s)", aob_member_text(c, "case"),
-             aob_member_text(c, "differs"), folder_at(c, 1), folder_at(c, 0), aob_member_text(c, "key"));
+    aob_warn("%s has another %s in %s than in %s, which stands (case %s); the other is kept in %s",
+             aob_member_text(c, "case"), aob_member_text(c, "differs"), folder_at(c, 1), folder_at(c, 0),
+             aob_member_text(c, "key"), aob_member_text(c, "kept"));
 }
 
 static void tell_lost(const json_t *lost)

@@ -1,11 +1,13 @@
 #include "union.h"
 #include <stdlib.h>
 #include <string.h>
+#include "base/json.h"
 #include "base/json_keep.h"
 #include "base/member.h"
 #include "base/memory.h"
 #include "base/table.h"
 #include "base/text.h"
+#include "store/run_folder.h"
 
 static int rank_of(const json_t *record)
 {
@@ -59,40 +61,54 @@ static const char *find_difference(const struct aob_piece *a, const struct aob_p
     return difference;
 }
 
-static void compare(struct aob_merge_union *all, const struct aob_merge_case *stands,
-                    const struct aob_merge_source *source, const struct aob_piece *line)
+static void offer(struct aob_merge_union *all, size_t place, const struct aob_merge_source *source, size_t at)
 {
-    const char *difference = find_difference(stands->line, line);
-    if (!difference) {
-        all->dropped++;
-        return;
-    }
-    char *what = aob_merge_case_describe(stands->line);
-    json_array_append_new(all->conflicts,
-                          json_pack("{s:s, s:s, s:[s, s], s:s}", "key", stands->key, "case", what, "folders",
-                                    stands->source->path, source->path, "differs", difference));
-    free(what);
-}
-
-static void offer(struct aob_merge_union *all, struct aob_merge_case *c,
-                  const struct aob_merge_source *source, size_t at)
-{
+    struct aob_merge_case *c = &all->cases[place];
     const json_t *record = json_array_get(source->records, at);
     const struct aob_piece *line = &source->lines.items[at];
     int rank = rank_of(record);
     if (c->source && rank == c->rank)
-        compare(all, c, source, line);
+        *AOB_PUSH(all->others, all->other_count, all->other_capacity) =
+            (struct aob_merge_other){place, source, line, rank, find_difference(c->line, line)};
     if (!c->source || rank > c->rank)
         *c = (struct aob_merge_case){c->key, source, line, rank};
 }
 
-static struct aob_merge_case *find_case(struct aob_merge_union *all, struct aob_table *places,
-                                        const char *key)
+static size_t find_case(struct aob_merge_union *all, struct aob_table *places, const char *key)
 {
     size_t at = aob_table_put(places, key, all->count);
     if (at == all->count)
         *AOB_PUSH(all->cases, all->count, all->capacity) = (struct aob_merge_case){.key = key};
-    return &all->cases[at];
+    return at;
+}
+
+static void add_conflict(struct aob_merge_union *all, const struct aob_merge_other *other, const char *kept)
+{
+    const struct aob_merge_case *stands = &all->cases[other->at];
+    char *what = aob_merge_case_describe(stands->line);
+    json_array_append_new(all->conflicts,
+                          json_pack("{s:s, s:s, s:[s, s], s:s, s:s}", "key", stands->key, "case", what,
+                                    "folders", stands->source->path, other->source->path, "differs",
+                                    other->differs, "kept", kept));
+    free(what);
+}
+
+/* What was compared with a record that gave way to a better one is no matter any more. */
+static void settle(struct aob_merge_union *all, const char *out)
+{
+    char *kept = aob_path_join(out, AOB_RUN_FOLDER_CONFLICTS);
+    size_t count = 0;
+    for (size_t i = 0; i < all->other_count; i++) {
+        const struct aob_merge_other other = all->others[i];
+        if (other.rank != all->cases[other.at].rank)
+            continue;
+        all->others[count++] = other;
+        all->dropped += !other.differs;
+        if (other.differs)
+            add_conflict(all, &other, kept);
+    }
+    all->other_count = count;
+    free(kept);
 }
 
 void aob_merge_union_make(struct aob_merge_union *all, const struct aob_merge_set *set, const json_t *keys)
@@ -115,11 +131,48 @@ void aob_merge_union_make(struct aob_merge_union *all, const struct aob_merge_se
     for (size_t i = 0; i < planned; i++)
         all->missing += !all->cases[i].source;
     aob_table_finish(&places);
+    settle(all, set->out);
+}
+
+/* What stands before a line; free() it. */
+static char *make_head(const struct aob_merge_source *source)
+{
+    json_t *path = aob_json_path(source->path);
+    char *shown = json_dumps(path, JSON_ENCODE_ANY);
+    struct aob_text head = {0};
+    aob_text_add(&head, "{\"folder\":%s,\"record\":", shown);
+    free(shown);
+    json_decref(path);
+    return head.data;
+}
+
+bool aob_merge_union_keep(const struct aob_merge_union *all, const char *out, struct aob_error *error)
+{
+    struct aob_piece *pieces = AOB_NEW_ARRAY(struct aob_piece, 3 * all->other_count + 1);
+    char **heads = AOB_NEW_ARRAY(char *, all->other_count + 1),
+         *path = aob_path_join(out, AOB_RUN_FOLDER_CONFLICTS);
+    size_t count = 0;
+    for (size_t i = 0; i < all->other_count; i++) {
+        if (!all->others[i].differs)
+            continue;
+        heads[i] = make_head(all->others[i].source);
+        pieces[count++] = (struct aob_piece){heads[i], strlen(heads[i])};
+        pieces[count++] = *all->others[i].line;
+        pieces[count++] = (struct aob_piece){"}\n", 2};
+    }
+    bool ok = !count || aob_file_write_pieces(path, pieces, count, error);
+    for (size_t i = 0; i < all->other_count; i++)
+        free(heads[i]);
+    free(heads);
+    free(pieces);
+    free(path);
+    return ok;
 }
 
 void aob_merge_union_finish(struct aob_merge_union *all)
 {
     json_decref(all->conflicts);
     free(all->cases);
+    free(all->others);
     *all = (struct aob_merge_union){0};
 }

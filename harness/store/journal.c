@@ -210,7 +210,7 @@ bool aob_journal_append(struct aob_journal *journal, const json_t *record, struc
 
 bool aob_journal_clear(struct aob_journal *journal, struct aob_error *error)
 {
-    if (ftruncate(journal->file, 0) != 0)
+    if (ftruncate(journal->file, 0) != 0 || fsync(journal->file) != 0)
         return aob_fail(error, "%s: cannot empty the journal: %s", journal->path, strerror(errno));
     journal->size = 0;
     return true;

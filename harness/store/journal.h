@@ -51,6 +51,6 @@ bool aob_journal_append(struct aob_journal *journal, const json_t *record, struc
  * replaced or cut by somebody else, and the line says which. */
 bool aob_journal_check(const struct aob_journal *journal, struct aob_error *error);
 
-bool aob_journal_clear(struct aob_journal *journal, struct aob_error *error); /* removes all lines */
+bool aob_journal_clear(struct aob_journal *journal, struct aob_error *error); /* removes all lines, on disk */
 void aob_journal_close(struct aob_journal *journal);
 #endif

@@ -202,12 +202,19 @@ static void discard_shaders(const struct aob_run_folder *folder)
     nftw(folder->shaders, discard_one, 16, FTW_DEPTH | FTW_PHYS);
 }
 
+/* The journal goes first, and from the disk: records whose files are gone would look like a run. */
 static bool discard_earlier_run(struct aob_run_folder *folder, struct aob_error *error)
 {
-    discard_files(folder->path, "images", ".exr");
-    discard_files(folder->path, "truths", ".exr");
-    discard_files(folder->path, "rounds", ".jsonl.zst");
-    return aob_journal_clear(&folder->journal, error);
+    char *conflicts = aob_path_join(folder->path, AOB_RUN_FOLDER_CONFLICTS);
+    bool ok = aob_journal_clear(&folder->journal, error);
+    if (ok) {
+        discard_files(folder->path, "images", ".exr");
+        discard_files(folder->path, "truths", ".exr");
+        discard_files(folder->path, "rounds", ".jsonl.zst");
+        unlink(conflicts);
+    }
+    free(conflicts);
+    return ok;
 }
 
 /* What a killed run left half-written. */

@@ -8,6 +8,9 @@
 #include "base/text.h"
 #include "journal.h"
 
+#define AOB_RUN_FOLDER_CONFLICTS                                                                             \
+    "conflicts.jsonl" /* what a merge left out (merge/union.h); gone with what is discarded */
+
 struct aob_run_folder {
     char *path, *info, *journal_path; /* info: path of run.json */
     char *
@@ -17,7 +20,7 @@ struct aob_run_folder {
 };
 
 /* Creates or reopens. What an earlier run left is kept if its run.json names the same config_hash, build and devices as
- * `info`, and discarded if `fresh`; else it is refused, because figures would be lost, or figures of two programs or
+ * `info`, and discarded if `fresh`, records before files; else it is refused, because figures would be lost, or figures of two programs or
  * two devices mixed. A folder whose journal is empty or missing holds no run. `info` takes over the earlier device of a
  * backend that could not be opened now, and adds the earlier `asked` to its own; one of them without that list asks for all
  * of `keys`, and so does the whole then. */

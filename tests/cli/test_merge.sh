@@ -82,6 +82,18 @@ expect 3 "$name" "$program" merge part-1 twin part-2 part-3 --out other --quiet 
 check "both folders are named" grep -q "has another image_digest in twin than in part-1, which stands (case $key)" .stderr
 check "in the document too" jq -e --arg key "$key" '.conflicts | length == 1 and .[0].key == $key and .[0].folders == ["part-1", "twin"] and .[0].differs == "image_digest"' other.json
 check "the first stands" cmp other/journal.jsonl whole/journal.jsonl
+check "the other is kept, with its folder" diff <(jq -cS . other/conflicts.jsonl) <(jq -cS --arg folder "$PWD/twin" --arg key "$key" 'select(.key == $key) | {$folder, record: .}' twin/journal.jsonl)
+check "as it stood" grep -qF "$(grep "\"key\":\"$key\"" twin/journal.jsonl)" other/conflicts.jsonl
+check "the warning says where" grep -q "the other is kept in other/conflicts.jsonl" .stderr
+check "and the document" jq -e '.conflicts[0].kept == "other/conflicts.jsonl"' other.json
+cp -r part-1 third && sed "s/\(\"key\":\"$key\".*\"image_digest\":\)\"[0-9a-f]*\"/\1\"11\"/" part-1/journal.jsonl >third/journal.jsonl
+"$program" merge part-1 twin part-2 third --out others --quiet 2>told
+check "each that lost is kept" test "$(jq -c '[.folder, .record.image_digest]' others/conflicts.jsonl)" = "$(printf '["%s","%s"]\n' "$PWD/twin" 00 "$PWD/third" 11)"
+cp twin/journal.jsonl changed
+cp part-1/journal.jsonl twin
+check "a merge without a conflict" "$program" merge part-1 twin part-2 part-3 --out other --quiet
+check "has no such file" test ! -e other/conflicts.jsonl
+cp changed twin/journal.jsonl
 expect 3 "has another image_digest in part-1 than in twin" "$program" merge twin part-1 part-2 part-3 --out other --quiet
 check "whichever it is" test "$(jq -r "select(.key == \"$key\").image_digest" other/journal.jsonl)" = 00
 sed "s/\(\"key\":\"$key\".*\"rmse\":\)[0-9.]*/\17/" part-1/journal.jsonl >twin/journal.jsonl
@@ -94,6 +106,9 @@ image=$(jq -r .image part-1/journal.jsonl | head -1)
 rm -rf twin && cp -r part-1 twin && rm "twin/$image"
 expect 3 "twin/$image: cannot read: No such file or directory" "$program" merge twin part-2 part-3 --out lost --quiet --json lost.json
 check "the record stays" cmp lost/journal.jsonl whole/journal.jsonl
+check "one that agrees and was dropped" "$program" merge twin part-1 part-2 part-3 --out spare --quiet --json spare.json
+check "lends what the first lost" diff <(files whole) <(files spare)
+check "and nothing is told of it" jq -e --argjson own "$(wc -l <part-1/journal.jsonl)" '.lost == [] and .apart == [] and .dropped == $own' spare.json
 check "the document names it" jq -e --arg file "$image" '.lost | length == 1 and .[0].file == $file and .[0].folder == "twin"' lost.json
 cp -r part-1/images twin && printf x | dd of="twin/$image" bs=1 seek=900 conv=notrunc 2>/dev/null
 expect 3 "twin/$image: it is damaged" "$program" merge twin part-2 part-3 --out lost --quiet
@@ -137,6 +152,22 @@ check "what one folder could not open, another could" test "$(jq -c .devices ope
 mkdir keep-2 && echo '{"key":"a"}' >keep-2/journal.jsonl
 expect 2 "keep-2 holds a run" "$program" merge part-1 foreign --out keep
 check "nothing is written then" test ! -e keep
+touch file-2 part-file
+expect 2 "file-2: it is not a folder" "$program" merge part-1 foreign --out file
+check "nor where the second is no folder" test ! -e file
+expect 2 "part-file: it is not a folder" "$program" merge part-1 part-2 --out part-file/of/it
+ln -s nowhere link-2
+expect 2 "link-2: cannot create the folder: No such file or directory" "$program" merge part-1 foreign --out link
+mkdir sub-2 && touch sub-2/truths
+expect 2 "sub-2/truths: it is not a folder" "$program" merge part-1 foreign --out sub
+mkdir busy-2
+exec 9>>busy-2/journal.jsonl
+flock 9
+expect 2 "busy-2/journal.jsonl: a run is writing here; wait for it" "$program" merge part-1 foreign --out busy
+exec 9>&-
+check "nor by any of these" test ! -e link -a ! -e sub -a ! -e busy
+mkdir -p odd-2/run.json
+expect 2 "odd is merged, but not odd-2: " "$program" merge part-1 foreign --out odd
 
 # What cannot be merged.
 change part-2 config '.config_hash = "00"'
@@ -181,6 +212,21 @@ check "a run has nothing to time" "$program" run timed.yaml --out timed --quiet 
 check "so it times nothing" jq -e '.cases == 9 and .status.ok == 9 and .seconds.measured == 0' timed.json
 check "budget takes it" "$program" budget timed --ms 1000
 
+# A module that was built anew between two parts is another technique.
+cp "$AOBUDGET_BUILD/tests/modules/loop16.so" mine.so
+sed 's/^scenes:.*/scenes: [{name: corner}, {name: plane}]/; s/vulkan, //; /^techniques:/q' sweep.yaml >module.yaml
+echo '  - {name: loop, module: mine.so}' >>module.yaml
+for i in 1 2; do "$program" run module.yaml --shard $i/2 --out built-$i --quiet; done
+check "parts of one build" "$program" merge built-1 built-2 --out built --quiet
+printf x >>mine.so
+"$program" run module.yaml --shard 2/2 --out rebuilt --quiet
+digest() { jq -r '.techniques[0].digest' "$1/run.json"; }
+expect 2 "built-1 and rebuilt hold runs of two builds of technique 'loop' of mine.so (digest $(digest built-1) and $(digest rebuilt))" "$program" merge built-1 rebuilt --out mixed
+jq 'del(.techniques)' built-1/run.json >none/run.json
+rm -f none/journal.jsonl
+expect 2 "built-2 and rebuilt hold runs of two builds" "$program" merge none built-2 rebuilt --out mixed
+check "nothing is written then" test ! -e mixed
+
 # A journal that was cut within a line lacks that case; one with a line of rubbish says so.
 rm -rf twin && cp -r part-1 twin
 head -c -10 part-1/journal.jsonl >twin/journal.jsonl
@@ -188,6 +234,7 @@ expect 3 "1 of 42 cases of the plan are in none of the folders" "$program" merge
 check "the others are there" test "$(wc -l <cut/journal.jsonl)" -eq 41
 { head -1 part-1/journal.jsonl; echo '{"key":'; tail -n +2 part-1/journal.jsonl; } >twin/journal.jsonl
 check "rubbish" "$program" merge twin part-2 part-3 --out rubbish --quiet
-check "is told" grep -q "twin/journal.jsonl: line 2 of .* is damaged and passed over" <("$program" merge twin part-2 part-3 --out rubbish --quiet 2>&1)
+"$program" merge twin part-2 part-3 --out rubbish --quiet 2>told
+check "is told" grep -q "twin/journal.jsonl: line 2 of .* is damaged and passed over" told
 check "and left behind" cmp rubbish/journal.jsonl whole/journal.jsonl
 finish

@@ -29,10 +29,12 @@ static const struct aob_merge_case *find(const struct aob_merge_union *all, cons
 static void assert_conflict(const struct aob_merge_union *all, size_t at, const char *key, const char *other,
                             const char *differs)
 {
-    const char *text[4];
-    assert_int_equal(json_unpack(json_array_get(all->conflicts, at), "{s:s, s:[s, s], s:s}", "key", &text[0],
-                                 "folders", &text[1], &text[2], "differs", &text[3]),
+    const char *text[5];
+    assert_int_equal(json_unpack(json_array_get(all->conflicts, at), "{s:s, s:[s, s], s:s, s:s}", "key",
+                                 &text[0], "folders", &text[1], &text[2], "differs", &text[3], "kept",
+                                 &text[4]),
                      0);
+    assert_string_equal(text[4], "out/conflicts.jsonl");
     assert_string_equal(text[0], key);
     assert_string_equal(text[1], "0");
     assert_string_equal(text[2], other);
@@ -49,7 +51,7 @@ static void test_union(void **state)
         sources[i] = make_source(names[i], "{}", lines[i], LINES);
         pointers[i] = &sources[i];
     }
-    const struct aob_merge_set set = {.sources = pointers, .count = SOURCES};
+    const struct aob_merge_set set = {.out = "out", .sources = pointers, .count = SOURCES};
     json_t *keys = json_pack("[s, s, s, s, s, s]", "a", "b", "c", "d", "e", "none");
     struct aob_merge_union all;
     aob_merge_union_make(&all, &set, keys);
@@ -76,6 +78,33 @@ static void test_union(void **state)
         aob_merge_source_close(&sources[i]);
 }
 
+/* A record is compared with the one that stands in the end, not with one that gave way. */
+static void test_gave_way(void **state)
+{
+    (void)state;
+    static const char *const own[SOURCES][1] = {
+        {"{\"key\":\"a\",\"status\":\"failed\",\"error\":1}"},
+        {"{\"key\":\"a\",\"status\":\"failed\",\"error\":2}"},
+        {OK("a", "1", "")},
+    };
+    struct aob_merge_source sources[SOURCES];
+    const struct aob_merge_source *pointers[SOURCES];
+    for (size_t i = 0; i < SOURCES; i++) {
+        sources[i] = make_source("folder", "{}", own[i], 1);
+        pointers[i] = &sources[i];
+    }
+    const struct aob_merge_set set = {.out = "out", .sources = pointers, .count = SOURCES};
+    struct aob_merge_union all;
+    aob_merge_union_make(&all, &set, NULL);
+    assert_ptr_equal(find(&all, "a")->source, &sources[2]);
+    assert_int_equal(json_array_size(all.conflicts), 0);
+    assert_int_equal(all.other_count, 0);
+    assert_int_equal(all.dropped, 0);
+    aob_merge_union_finish(&all);
+    for (size_t i = 0; i < SOURCES; i++)
+        aob_merge_source_close(&sources[i]);
+}
+
 static void test_description(void **state)
 {
     (void)state;
@@ -89,6 +118,7 @@ static void test_description(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_union), cmocka_unit_test(test_description)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_union), cmocka_unit_test(test_gave_way),
+                                       cmocka_unit_test(test_description)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
