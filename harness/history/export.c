@@ -21,7 +21,8 @@ static const char sql_points[] =
     " params, options, backend, size, status, reason, target_radius, target_weighting, reference,"
     " cost_ms AS time_ms, ratio AS ratio_to_ref, low AS ci_low, high AS ci_high, memory_bytes, figures.json"
     " FROM night JOIN point ON point.night = night.id JOIN line ON line.id = point.line"
-    " JOIN class ON class.id = line.class JOIN figures ON figures.line = line.id AND figures.night = night.id"
+    " JOIN class ON class.id = line.class LEFT JOIN figures ON figures.line = line.id AND figures.night = "
+    "night.id"
     " WHERE (?1 IS NULL OR night.name = ?1) AND (?2 IS NULL OR night.date >= ?2)"
     " ORDER BY point.night, point.line";
 static const char sql_caches[] =
@@ -135,33 +136,48 @@ static bool send_csv(struct table *table, const json_t *figures, struct aob_erro
     return send_line(table, "\r\n", error);
 }
 
-static json_t *value_of(const struct table *table, int column)
+static void add_json(struct aob_text *line, const char *text)
 {
-    sqlite3_stmt *row = table->query.statement;
-    switch (sqlite3_column_type(row, column)) {
-    case SQLITE_TEXT:
-        return json_string((const char *)sqlite3_column_text(row, column));
-    case SQLITE_INTEGER:
-        return json_integer(sqlite3_column_int64(row, column));
-    default:
-        return aob_json_number(aob_query_get_number(&table->query, column));
-    }
+    json_t *value = json_string(text);
+    char *shown = aob_json_line(value ? value : json_null(), 17);
+    aob_text_add(line, "%s", shown);
+    free(shown);
+    json_decref(value);
+}
+
+/* As in CSV, so that both say the same, but for what JSON has no word for. */
+static void add_json_number(struct aob_text *line, double value)
+{
+    if (isnan(value))
+        aob_text_add(line, "null");
+    else if (isinf(value))
+        aob_text_add(line, value > 0 ? "1e999" : "-1e999");
+    else
+        aob_csv_add_number(line, value);
+}
+
+static void add_member(struct table *table, const char *name)
+{
+    aob_text_add(&table->line, table->line.size ? "," : "{");
+    add_json(&table->line, name);
+    aob_text_add(&table->line, ":");
 }
 
 static bool send_json(struct table *table, const json_t *figures, struct aob_error *error)
 {
-    json_t *object = json_object();
-    for (int i = 0; i < own_columns(table); i++)
-        json_object_set_new(object, sqlite3_column_name(table->query.statement, i), value_of(table, i));
-    for (size_t i = 0; i < table->count; i++) {
-        json_t *figure = json_object_get(figures, table->figures[i]);
-        json_object_set(object, table->figures[i], figure ? figure : json_null());
+    sqlite3_stmt *row = table->query.statement;
+    for (int i = 0; i < own_columns(table); i++) {
+        add_member(table, sqlite3_column_name(row, i));
+        if (sqlite3_column_type(row, i) == SQLITE_TEXT)
+            add_json(&table->line, (const char *)sqlite3_column_text(row, i));
+        else
+            add_json_number(&table->line, aob_query_get_number(&table->query, i));
     }
-    char *line = aob_json_line(object, 9);
-    aob_text_add(&table->line, "%s", line);
-    free(line);
-    json_decref(object);
-    return send_line(table, "\n", error);
+    for (size_t i = 0; i < table->count; i++) {
+        add_member(table, table->figures[i]);
+        add_json_number(&table->line, aob_json_to_number(json_object_get(figures, table->figures[i])));
+    }
+    return send_line(table, "}\n", error);
 }
 
 static bool send_row(struct table *table, struct aob_error *error)

@@ -9,10 +9,11 @@ enum aob_header {
     AOB_HEADER_NONE,  /* there is no such file */
     AOB_HEADER_EMPTY, /* of 0 bytes */
     AOB_HEADER_GOOD,  /* a history of whatever version, as long as its header says */
+    AOB_HEADER_SHORT, /* shorter, and the log beside it has every page of what lacks */
 };
 
 /* Bad are: what is no regular file or cannot be read, no SQLite file, one of another application, and one that
- * is shorter than its header says while no write-ahead log lies beside it. */
+ * is shorter than its header says while the write-ahead log beside it does not have every page that lacks. */
 enum aob_header aob_header_judge(const char *path, struct aob_error *error);
 
 /* Whether the write-ahead log beside a history holds anything: changes that were not worked in yet. */

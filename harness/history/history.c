@@ -117,32 +117,40 @@ static bool has_tables(struct aob_history *history, struct aob_error *error)
                     history->path);
 }
 
+static bool check_pages(struct aob_history *history, const char *check, struct aob_error *error)
+{
+    struct aob_query query;
+    aob_query_begin(&query, history, check, error);
+    char *said = aob_query_step(&query) ? aob_query_copy(&query, 0) : aob_strdup("ok");
+    bool ok = aob_query_end(&query) &&
+              (strcmp(said, "ok") == 0 ||
+               aob_fail(error, "%s: the history is damaged (%s): take its last copy", history->path, said));
+    free(said);
+    return ok;
+}
+
 /* Every page of the tables that decide where a point goes. Those of figures, rounds and modules are ten times as many: they
- * are judged where they are read. */
-static bool check_pages(struct aob_history *history, struct aob_error *error)
+ * are judged where they are read, unless the end of the file lies in the log. */
+static bool check_tables(struct aob_history *history, bool all, struct aob_error *error)
 {
     static const char *const checks[] = {"PRAGMA quick_check(class)", "PRAGMA quick_check(night)",
                                          "PRAGMA quick_check(line)", "PRAGMA quick_check(point)"};
     bool ok = true;
-    for (size_t i = 0; i < AOB_COUNT(checks) && ok; i++) {
-        struct aob_query query;
-        aob_query_begin(&query, history, checks[i], error);
-        char *said = aob_query_step(&query) ? aob_query_copy(&query, 0) : aob_strdup("ok");
-        ok = aob_query_end(&query) &&
-             (strcmp(said, "ok") == 0 ||
-              aob_fail(error, "%s: the history is damaged (%s): take its last copy", history->path, said));
-        free(said);
-    }
+    if (all)
+        return check_pages(history, "PRAGMA quick_check", error);
+    for (size_t i = 0; i < AOB_COUNT(checks) && ok; i++)
+        ok = check_pages(history, checks[i], error);
     return ok;
 }
 
-static bool judge(struct aob_history *history, struct aob_error *error)
+static bool judge(struct aob_history *history, enum aob_header header, struct aob_error *error)
 {
-    if (!has_tables(history, error))
+    bool is_short = header == AOB_HEADER_SHORT;
+    if (!has_tables(history, error) ||
+        ((history->writes || is_short) && !check_tables(history, is_short, error)))
         return false;
-    return !history->writes ||
-           (check_pages(history, error) && aob_database_run(history, "PRAGMA journal_mode = WAL", error) &&
-            aob_database_begin(history, error) && aob_database_end(history, true, error));
+    return !history->writes || (aob_database_run(history, "PRAGMA journal_mode = WAL", error) &&
+                                aob_database_begin(history, error) && aob_database_end(history, true, error));
 }
 
 static bool refuse_missing(const char *path, enum aob_header header, struct aob_error *error)
@@ -152,35 +160,40 @@ static bool refuse_missing(const char *path, enum aob_header header, struct aob_
     return aob_fail(error, "%s: is empty: no night was ever kept in it", path);
 }
 
-static bool open_and_judge(struct aob_history *history, bool there, struct aob_error *error)
+/* What is closed last works its log into the file, and removes it: only who writes a good history may do that. */
+static void keep_log(struct aob_history *history, bool keep)
 {
-    bool log = aob_header_has_log(history->path), alone = !history->writes && is_shut(history->path);
-    bool ok =
-        connect(history, alone, error) && (there || make_tables(history, error)) && judge(history, error);
-    if (ok)
-        return true;
-    if (alone && log && sqlite3_errcode(history->db) == SQLITE_CANTOPEN)
+    sqlite3_db_config(history->db, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, (int)keep, NULL);
+}
+
+static bool open_and_judge(struct aob_history *history, enum aob_header header, struct aob_error *error)
+{
+    bool log = aob_header_has_log(history->path), alone = !history->writes && is_shut(history->path),
+         there = header >= AOB_HEADER_GOOD, ok = connect(history, alone, error);
+    keep_log(history, log);
+    ok = ok && (there || make_tables(history, error)) && judge(history, header, error);
+    if (ok && history->writes)
+        keep_log(history, false);
+    if (!ok && alone && log && sqlite3_errcode(history->db) == SQLITE_CANTOPEN)
         aob_fail(error,
                  "%s: what a stopped program changed last lies in %s-wal, and cannot be worked in here: copy "
                  "both to "
                  "a folder that can be written",
                  history->path, history->path);
-    if (log) /* what is refused is left as it is */
-        sqlite3_db_config(history->db, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, NULL);
-    return false;
+    return ok;
 }
 
 struct aob_history *aob_history_open(const char *path, enum aob_history_use use, struct aob_error *error)
 {
     bool writes = use == AOB_HISTORY_WRITE;
     enum aob_header header = aob_header_judge(path, error);
-    bool there = header == AOB_HEADER_GOOD;
+    bool there = header >= AOB_HEADER_GOOD;
     if (header == AOB_HEADER_BAD || (!there && !writes && !refuse_missing(path, header, error)) ||
         (writes && !check_writable(path, header != AOB_HEADER_NONE, error)))
         return NULL;
     struct aob_history *history = AOB_NEW(struct aob_history);
     *history = (struct aob_history){.path = aob_strdup(path), .writes = writes};
-    if (open_and_judge(history, there, error))
+    if (open_and_judge(history, header, error))
         return history;
     aob_history_close(history);
     return NULL;

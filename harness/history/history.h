@@ -10,7 +10,7 @@
 struct aob_history;
 
 enum aob_history_use {
-    AOB_HISTORY_READ,  /* the file must be there; it is not changed */
+    AOB_HISTORY_READ,  /* the file must be there; neither it nor a log that lies beside it is changed */
     AOB_HISTORY_WRITE, /* made if it is not there; its folder must be */
 };
 

@@ -18,7 +18,7 @@ static const char sql_points[] =
     "memory_bytes,"
     " rmse, band_rmse, reference_se, band_pixels, target_radius, target_weighting, reference, verdict, since,"
     " said FROM point WHERE line = ? ORDER BY night";
-static const char sql_figures[] = "SELECT json FROM figures WHERE line = ? ORDER BY night";
+static const char sql_figures[] = "SELECT night, json FROM figures WHERE line = ? ORDER BY night";
 
 static int find_verdict(const char *name)
 {
@@ -76,8 +76,14 @@ static void read_points(struct aob_query *query, struct aob_line *line)
 static void read_figures(struct aob_query *query, struct aob_line *line)
 {
     aob_query_whole(query, line->id);
-    for (size_t i = 0; i < line->count && aob_query_step(query); i++)
-        line->points[i].figures = json_loads((const char *)sqlite3_column_text(query->statement, 0), 0, NULL);
+    for (size_t i = 0; aob_query_step(query);) {
+        int64_t night = aob_query_get_whole(query, 0);
+        while (i < line->count && line->points[i].night < night)
+            i++;
+        if (i < line->count && line->points[i].night == night)
+            line->points[i].figures =
+                json_loads((const char *)sqlite3_column_text(query->statement, 1), 0, NULL);
+    }
     aob_query_reset(query);
 }
 

@@ -26,7 +26,7 @@ struct aob_point {
     int64_t since; /* the night in which the level that it tells of began; 0: none */
     char *said;    /* the sentence of that; "" */
     /* {"flip": 0.01, "cache.ps4.l2.most.miss_ratio": 0.2}: every metric against the own target and every cache figure, named
-     * as the columns of cases.csv; infinity is "inf", and what is not known is absent. NULL unless they were asked for. */
+     * as the columns of cases.csv; infinity is "inf", and what is not known is absent. NULL unless they were asked for and are there. */
     json_t *figures;
 };
 

@@ -41,10 +41,12 @@ int64_t aob_night_begin(struct aob_history *history, const struct aob_night_desc
  * its modules' files where they still have the digest that run.json names. In one transaction: all of it or nothing. Taking
  * the same folder again replaces what the night held, verdicts included; an ended night is refused. Of the journal those
  * records count that are of the run's plan. A record without a time is on its series' line as the run's other cases of that
- * backend were timed, else on the latest line of the series. One without a `series` (its case reached no device) is on the
- * latest line whose case has the same names, settings and size, so that what breaks is seen on its own line; if there is
- * none, on a line under its key. A file of rounds that is missing or damaged is left out with a warning. *taken: points
- * (NULL: nobody asks). */
+ * backend were timed, else on a line of the series. One without a `series` (its case reached no device) is on a
+ * line whose case has the same names, settings and size, so that what breaks is seen on its own line; if there is
+ * none, on a line under its key. Of several such lines it is one of the machine and clock that the run's other cases of that
+ * backend name, else, and among these, the one with the latest point. Of two cases on one line the first is kept. That, a file
+ * of rounds that is missing or damaged, and a module whose file is no longer what was measured, are told by a warning. A
+ * run.json that is there and cannot be read is refused. *taken: points (NULL: nobody asks). */
 bool aob_night_take(struct aob_history *history, int64_t night, size_t *taken, struct aob_error *error);
 
 /* Ends the night: nothing is added to it any more. `summary`: a JSON text that `history list` and pages show. */
@@ -54,8 +56,9 @@ bool aob_night_end(struct aob_history *history, int64_t night, const char *summa
 bool aob_night_module_write(struct aob_history *history, const char *digest, const char *path,
                             struct aob_error *error);
 
-/* Removes what is older than the `keep` latest nights of each config: with `rounds_only` their raw rounds and journals, else
- * the nights; and modules that no night names any more. Then the file is made smaller. */
+/* Removes what is older than the `keep` latest nights of each config that ended with a case: with `rounds_only` the raw rounds
+ * and journals of those older nights, else the nights; and modules that no night names any more. A night that has not ended
+ * stays. Then the file is made smaller. */
 struct aob_prune {
     size_t nights, points;
     long long bytes; /* that the file is smaller by */

@@ -2,11 +2,11 @@
 #include "database.h"
 #include "night.h"
 
-/* The nights that are too old: those with `keep` later ones of their config. */
+/* The ended nights that are too old: those before the `keep` latest of their config that ended with cases. One that ended with
+ * nothing holds no place among these, and one that is open may be gone on with. */
 #define OLD                                                                                                  \
-    "(SELECT id FROM (SELECT id, row_number() OVER (PARTITION BY name ORDER BY id DESC) AS place FROM "      \
-    "night)"                                                                                                 \
-    " WHERE place > ?1)"
+    "(SELECT id FROM night AS old WHERE whole = 1 AND id < (SELECT id FROM night WHERE name = old.name"      \
+    " AND whole = 1 AND cases > 0 ORDER BY id DESC LIMIT 1 OFFSET ?1 - 1))"
 
 static bool run(struct aob_history *history, const char *sql, size_t keep, size_t *changes,
                 struct aob_error *error)

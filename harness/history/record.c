@@ -122,21 +122,6 @@ char *aob_record_size(const json_t *record)
     return text_of(&text);
 }
 
-char *aob_record_describe(const json_t *record)
-{
-    static const char *const names[] = {"scene", "view", "technique", "backend"};
-    char *params = aob_record_params(record), *options = aob_record_options(record),
-         *size = aob_record_size(record);
-    struct aob_text text = {0};
-    for (size_t i = 0; i < AOB_COUNT(names); i++)
-        aob_text_add(&text, "%s\n", aob_member_text(record, names[i]));
-    aob_text_add(&text, "%s\n%s\n%s", size, params, options);
-    free(params);
-    free(options);
-    free(size);
-    return text.data;
-}
-
 /* An old record names no module: the first technique of its name is meant. */
 const json_t *aob_record_technique(const json_t *record, const json_t *info)
 {

@@ -16,10 +16,6 @@ char *aob_record_params(const json_t *record);  /* "radius=0.5 slices=3"; free()
 char *aob_record_options(const json_t *record); /* with the light, where it matters */
 char *aob_record_size(const json_t *record);    /* "480x270"; "" if it is not known */
 
-/* What its scene, view, technique, settings, backend and size are, in one text: of two cases of one run it is the same only if
- * they are two builds, or two cameras of one name; free() it. */
-char *aob_record_describe(const json_t *record);
-
 /* "corner/front gtao radius=0.5 vulkan 480x270", without what is at its default, as far as `info`, which is run.json or NULL,
  * tells; with `module` (not "") behind the technique. free() it. */
 char *aob_record_title(const json_t *record, const json_t *info, const char *module);

@@ -83,14 +83,30 @@ static const char *const needed[] = {
     NULL,
 };
 
+/* None is good, as beside a journal of an old program. One that cannot be read would be taken for none: all records would count
+ * as planned, and no build would be known. */
+static bool read_info(struct aob_taking *taking, struct aob_error *error)
+{
+    json_error_t why = {.line = 0};
+    char *path = aob_path_join(taking->folder, "run.json");
+    bool there = aob_file_exists(path);
+    taking->info = there ? json_load_file(path, 0, &why) : NULL;
+    bool ok = !there || json_is_object(taking->info) ||
+              aob_fail(error,
+                       "%s: is damaged (%s): run the config into its folder again, or remove this file to "
+                       "keep the journal alone",
+                       path, taking->info ? "no object" : why.text);
+    free(path);
+    return ok;
+}
+
 static bool read_folder(struct aob_taking *taking, struct aob_error *error)
 {
-    char *journal = aob_path_join(taking->folder, "journal.jsonl"),
-         *info = aob_path_join(taking->folder, "run.json");
+    char *journal = aob_path_join(taking->folder, "journal.jsonl");
     bool there = aob_file_exists(journal);
-    taking->info = json_load_file(info, 0, NULL);
-    bool ok = taking->info || there ||
-              aob_fail(error, "%s: is not the folder of a run: it has no journal.jsonl", taking->folder);
+    bool ok = read_info(taking, error) &&
+              (taking->info || there ||
+               aob_fail(error, "%s: is not the folder of a run: it has no journal.jsonl", taking->folder));
     if (ok && there)
         ok =
             (taking->journal = aob_file_read(journal, (size_t)1 << 30, &taking->journal_size, error)) != NULL;
@@ -101,7 +117,6 @@ static bool read_folder(struct aob_taking *taking, struct aob_error *error)
     if (records)
         taking->records = keep_planned(records, taking->info);
     free(journal);
-    free(info);
     return taking->records != NULL;
 }
 

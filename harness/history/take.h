@@ -1,4 +1,4 @@
-/* For take.c: the parts of taking a night, in its transaction. Each fails with a line. */
+/* Parts of taking a night, used by take.c, in its transaction. Each fails with a line. */
 #ifndef AOB_HISTORY_TAKE_H
 #define AOB_HISTORY_TAKE_H
 #include <jansson.h>

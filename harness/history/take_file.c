@@ -111,6 +111,11 @@ static bool take_module(const struct aob_taking *taking, const json_t *technique
     char *path = ok && !has ? find_module(taking, technique) : NULL;
     if (path)
         ok = keep_module(taking, technique, path, error);
+    else if (ok && !has)
+        aob_warn(
+            "%s: is not there any more as it was measured; the history keeps no file of this build, so it "
+            "cannot be measured again",
+            aob_member_text(technique, "module"));
     free(path);
     return ok;
 }

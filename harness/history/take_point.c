@@ -1,4 +1,6 @@
+#include <stdio.h>
 #include <stdlib.h>
+#include "base/hash.h"
 #include "base/json.h"
 #include "base/member.h"
 #include "base/memory.h"
@@ -17,8 +19,11 @@ struct item {
 /* What is asked again for each record. */
 struct points {
     struct aob_taking *taking;
-    json_t *clocks; /* how this run timed, by aob_record_timed_as */
-    json_t *cases;  /* how often there is what aob_record_describe gives */
+    json_t *clocks;               /* how this run timed, by aob_record_timed_as */
+    json_t *machines;             /* on what, by backend */
+    json_t *builds;               /* of its plan: technique to an object of module files */
+    size_t left_out;              /* cases whose line had a point of this night already */
+    char first_out[AOB_KEY_SIZE]; /* key of one */
     struct aob_query find_class, add_class, find_line, follow_series, follow_case, add_line, add_point,
         add_figures;
 };
@@ -31,21 +36,24 @@ static const char sql_find_class[] = "SELECT id FROM class WHERE text = ?",
                       "INSERT INTO line(series, class, config, module, scene, view, technique, backend, size,"
                       " params, options, text) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                   sql_add_point[] =
-                      "INSERT OR REPLACE INTO point(line, night, key, build, image, status, reason, module,"
+                      "INSERT INTO point(line, night, key, build, image, status, reason, module,"
                       " ratio, low, high, cost_ms, ref_ms, memory_bytes, rmse, band_rmse, reference_se,"
                       " band_pixels, target_radius, target_weighting, reference)"
-                      " VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                      " VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"
+                      " ON CONFLICT DO NOTHING",
                   sql_add_figures[] = "INSERT INTO figures VALUES(?, ?, ?)";
 
-/* The latest line of the case that this night has no point of yet. */
+/* The line of the case that this night has no point of yet: of the machine and clock that the run's other cases name, if there
+ * is one, and then the one whose last point is the latest. */
 #define FOLLOW(which)                                                                                        \
     "SELECT line.id FROM line JOIN class ON class.id = line.class WHERE config = ?1 AND module = ?2 AND "    \
     "(?3 = '' OR machine = ?3) AND NOT EXISTS(SELECT 1 FROM point WHERE line = line.id AND night = ?4) "     \
-    "AND " which " ORDER BY line.id DESC LIMIT 1"
-static const char sql_follow_series[] = FOLLOW("series = ?5"),
+    "AND " which " ORDER BY ?5 IN ('', machine) DESC, ?6 IN ('', clock) DESC,"                               \
+    " (SELECT max(night) FROM point WHERE line = line.id) DESC, line.id DESC LIMIT 1"
+static const char sql_follow_series[] = FOLLOW("series = ?7"),
                   sql_follow_case[] =
-                      FOLLOW("technique = ?5 AND params = ?6 AND scene = ?7 AND view = ?8 AND "
-                             "backend = ?9 AND size = ?10 AND options = ?11");
+                      FOLLOW("technique = ?7 AND params = ?8 AND scene = ?9 AND view = ?10 AND "
+                             "backend = ?11 AND size = ?12 AND options = ?13");
 
 static void prepare(struct points *points, struct aob_error *error)
 {
@@ -69,7 +77,8 @@ static bool finish(struct points *points)
     for (size_t i = 0; i < AOB_COUNT(queries); i++)
         ok = aob_query_end(queries[i]) && ok;
     json_decref(points->clocks);
-    json_decref(points->cases);
+    json_decref(points->machines);
+    json_decref(points->builds);
     return ok;
 }
 
@@ -86,6 +95,23 @@ static int64_t add(struct aob_query *query)
     return aob_query_run(query) ? sqlite3_last_insert_rowid(query->history->db) : 0;
 }
 
+/* Which files of a technique the run was planned with, whether or not a case of each has come. Without a plan the records are
+ * one. */
+static void look_at_plan(struct points *points)
+{
+    const json_t *plan = json_object_get(points->taking->info, "techniques");
+    json_t *technique;
+    size_t i;
+    json_array_foreach(plan ? plan : points->taking->records, i, technique)
+    {
+        const char *name = aob_member_text(technique, plan ? "name" : "technique");
+        if (!json_object_get(points->builds, name))
+            json_object_set_new(points->builds, name, json_object());
+        json_object_set_new(json_object_get(points->builds, name), aob_member_text(technique, "module"),
+                            json_true());
+    }
+}
+
 /* What the run's records tell of each other. */
 static void look_around(struct points *points)
 {
@@ -93,13 +119,13 @@ static void look_around(struct points *points)
     size_t i;
     json_array_foreach(points->taking->records, i, record)
     {
-        char *name = aob_record_describe(record), *alike = aob_record_timed_as(record),
-             *clock = aob_record_clock(record);
-        json_int_t count = json_integer_value(json_object_get(points->cases, name));
-        json_object_set_new(points->cases, name, json_integer(count + 1));
+        char *alike = aob_record_timed_as(record), *clock = aob_record_clock(record),
+             *machine = aob_record_machine(record);
         if (*clock)
             json_object_set_new(points->clocks, alike, json_string(clock));
-        free(name);
+        if (*machine)
+            json_object_set_new(points->machines, aob_member_text(record, "backend"), json_string(machine));
+        free(machine);
         free(alike);
         free(clock);
     }
@@ -118,13 +144,11 @@ static char *clock_of(const struct points *points, const json_t *record)
     return clock;
 }
 
-/* Two builds of one case are two lines, told apart by their files. */
+/* Two builds of one technique are two lines, told apart by their files. */
 static const char *module_of(const struct points *points, const json_t *record)
 {
-    char *name = aob_record_describe(record);
-    bool several = json_integer_value(json_object_get(points->cases, name)) > 1;
-    free(name);
-    return several ? aob_member_text(record, "module") : "";
+    const json_t *builds = json_object_get(points->builds, aob_member_text(record, "technique"));
+    return json_object_size(builds) > 1 ? aob_member_text(record, "module") : "";
 }
 
 static struct item begin_item(const struct points *points, const json_t *record)
@@ -204,6 +228,8 @@ static void bind_follow(struct aob_query *query, const struct points *points, co
     aob_query_text(query, item->module);
     aob_query_text(query, item->machine);
     aob_query_whole(query, points->taking->night);
+    aob_query_text(query, aob_member_text(points->machines, aob_member_text(item->record, "backend")));
+    aob_query_text(query, item->clock);
 }
 
 /* The line that a case without a time, or one that reached no device, goes on; 0: there is none. */
@@ -277,8 +303,11 @@ static void add_point(struct points *points, const struct item *item)
     bind_time(query, record);
     aob_query_number(query, aob_member_number(record, "memory_bytes"));
     bind_error(query, record);
-    aob_query_run(query);
-    add_figures(points, item);
+    bool added = aob_query_run(query) && sqlite3_changes(query->history->db) == 1;
+    if (added)
+        add_figures(points, item);
+    else if (!query->failed && !points->left_out++)
+        snprintf(points->first_out, sizeof points->first_out, "%s", aob_member_text(record, "key"));
 }
 
 static void take_record(struct points *points, const json_t *record, bool following)
@@ -294,13 +323,25 @@ static void take_record(struct points *points, const json_t *record, bool follow
     finish_item(&item);
 }
 
+/* That is no reason to lose the night. */
+static void tell_left_out(const struct points *points)
+{
+    if (points->left_out)
+        aob_warn(
+            "%s: %zu of its cases (the first has the key %s) would be a second point of a line in one night: "
+            "the first point stays, and the kept journal has them all",
+            points->taking->folder, points->left_out, points->first_out);
+}
+
 /* What a record says of its line decides; those that do not say enough come after them. */
 bool aob_take_points(struct aob_taking *taking, struct aob_error *error)
 {
-    struct points points = {.taking = taking, .clocks = json_object(), .cases = json_object()};
+    struct points points = {
+        .taking = taking, .clocks = json_object(), .machines = json_object(), .builds = json_object()};
     json_t *record;
     size_t i;
     prepare(&points, error);
+    look_at_plan(&points);
     look_around(&points);
     for (int following = 0; following < 2; following++)
         json_array_foreach(taking->records, i, record)
@@ -311,5 +352,6 @@ bool aob_take_points(struct aob_taking *taking, struct aob_error *error)
             if (says == !following)
                 take_record(&points, record, following);
         }
+    tell_left_out(&points);
     return finish(&points);
 }

@@ -45,6 +45,28 @@ static inline int night_folder_make(void **state)
     return mkdir(place, 0755) || mkdir(folder, 0755);
 }
 
+/* What is written to standard error between the two; free() it. */
+static int outer_stderr;
+static inline void stderr_begin(void)
+{
+    char *file = aob_path_join(place, "stderr");
+    fflush(stderr);
+    outer_stderr = dup(2);
+    assert_non_null(freopen(file, "w", stderr));
+    free(file);
+}
+static inline char *stderr_end(void)
+{
+    size_t size;
+    char *file = aob_path_join(place, "stderr");
+    fflush(stderr);
+    dup2(outer_stderr, 2);
+    close(outer_stderr);
+    char *said = aob_file_read(file, 1 << 20, &size, &error);
+    free(file);
+    return said;
+}
+
 /* A key or a digest of 32 digits. */
 static inline const char *key_of(int number)
 {

@@ -1,57 +1,8 @@
 /* Files that are no good history: one line each, and the file stays as it was to the byte. */
 #include <errno.h>
-#include <signal.h>
-#include <sqlite3.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include "base/memory.h"
-#include "night_folder.h"
-
-/* A history of two nights, closed. */
-static void make_history(void)
-{
-    struct aob_history *history = history_open(AOB_HISTORY_WRITE);
-    run_write(3, 2);
-    night_keep(history, "nightly", true);
-    night_keep(history, "nightly", true);
-    aob_history_close(history);
-}
-
-/* SQL by a connection of the test's own. */
-static void alter(const char *sql)
-{
-    sqlite3 *db = NULL;
-    assert_int_equal(sqlite3_open(path, &db), SQLITE_OK);
-    assert_int_equal(sqlite3_exec(db, sql, NULL, NULL, NULL), SQLITE_OK);
-    assert_int_equal(sqlite3_close(db), SQLITE_OK);
-}
-
-/* Both uses refuse it with a line that says `says`, and change nothing. */
-static void check_refused(const char *says, bool write_only)
-{
-    size_t size, size_after;
-    char *before = aob_file_read(path, 1 << 26, &size, &error);
-    assert_non_null(before);
-    for (int use = write_only ? AOB_HISTORY_WRITE : AOB_HISTORY_READ; use <= AOB_HISTORY_WRITE; use++) {
-        error = (struct aob_error){{0}};
-        struct aob_history *history = aob_history_open(path, (enum aob_history_use)use, &error);
-        if (history)
-            fail_msg("it was opened, and should say %s", says);
-        assert_contains(error.text, says);
-        assert_contains(error.text, path);
-        assert_null(strchr(error.text, '\n'));
-    }
-    char *after = aob_file_read(path, 1 << 26, &size_after, &error);
-    assert_int_equal(size, size_after);
-    assert_memory_equal(before, after, size);
-    free(before);
-    free(after);
-}
-
-static void put(const char *bytes, size_t size)
-{
-    assert_true(aob_file_write(path, bytes, size, &error));
-}
+#include "history_file.h"
 
 static void test_no_database(void **state)
 {
@@ -75,28 +26,6 @@ static void test_newer(void **state)
     make_history();
     alter("PRAGMA user_version = 3");
     check_refused("made by a newer aobudget (version 3; this one reads up to 1): use that one", false);
-}
-
-/* What a writer that was killed leaves in the log, and not yet in the file. */
-static void kill_writer(const char *sql)
-{
-    int status;
-    pid_t child = fork();
-    if (!child) {
-        sqlite3 *db = NULL;
-        sqlite3_open(path, &db);
-        sqlite3_exec(db, sql, NULL, NULL, NULL);
-        raise(SIGKILL);
-    }
-    waitpid(child, &status, 0);
-}
-
-static void test_newer_in_the_log(void **state)
-{
-    (void)state;
-    make_history();
-    kill_writer("PRAGMA user_version = 4");
-    check_refused("made by a newer aobudget (version 4; this one reads up to 1)", false);
 }
 
 static void test_cut_short(void **state)
@@ -344,7 +273,6 @@ int main(void)
         TEST(test_no_database),
         TEST(test_other_application),
         TEST(test_newer),
-        TEST(test_newer_in_the_log),
         TEST(test_cut_short),
         TEST(test_missing_table),
         TEST(test_damaged_page),

@@ -131,11 +131,21 @@ static void test_modules(void **state)
     char *out = aob_path_join(place, "out.so");
     aob_hash_text("the module", digest);
     aob_hash_text("the next one", other);
+    stderr_begin();
     keep_module("the module", digest);
     keep_module("the module", digest);
+    char *calm = stderr_end();
+    assert_string_equal(calm, "");
+    free(calm);
     assert_int_equal(ask("SELECT count(*) FROM module"), 1);
     assert_int_equal(ask("SELECT count(*) FROM measured WHERE technique = 'gtao'"), 2);
+    stderr_begin();
     keep_module("was built anew", other); /* its bytes are no longer those that were measured */
+    char *said = stderr_end();
+    assert_contains(said,
+                    "/a.so: is not there any more as it was measured; the history keeps no file of this");
+    assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
+    free(said);
     assert_int_equal(ask("SELECT count(*) FROM module"), 1);
     assert_true(aob_night_module_write(history, digest, out, &error));
     size_t size;
@@ -209,6 +219,32 @@ static void test_prune(void **state)
     assert_int_equal(night_keep(history, "nightly", true), 5); /* no id is given twice */
 }
 
+/* A night that ended with nothing takes no good one's place, and none that is open goes. */
+static void test_prune_empty_nights(void **state)
+{
+    (void)state;
+    struct aob_prune pruned;
+    for (int night = 1; night <= 4; night++) {
+        run_write(night < 3 ? 2 : 0, 2);
+        night_keep(history, "nightly", night < 4);
+    }
+    assert_true(aob_nights_prune(history, 1, true, &pruned, &error));
+    assert_int_equal(pruned.nights, 1);
+    assert_int_equal(ask("SELECT min(night) FROM journal"), 2);
+    assert_true(aob_nights_prune(history, 1, false, &pruned, &error));
+    assert_int_equal(pruned.nights, 1);
+    assert_int_equal(pruned.points, 2);
+    assert_int_equal(ask("SELECT min(id) FROM night"), 2);
+    assert_int_equal(ask("SELECT count(*) FROM night"), 3);
+    assert_int_equal(ask("SELECT count(*) FROM point WHERE night = 2"), 2);
+    run_write(2, 2);
+    night_keep(history, "nightly", true);
+    assert_true(aob_nights_prune(history, 1, false, &pruned, &error));
+    assert_int_equal(pruned.nights, 2);
+    assert_int_equal(ask("SELECT min(id) FROM night"), 4); /* it has not ended */
+    assert_int_equal(ask("SELECT max(id) FROM night"), 5);
+}
+
 static void test_prune_rounds(void **state)
 {
     (void)state;
@@ -245,8 +281,13 @@ static void test_prune_rounds(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(test_journal_whole),      TEST(test_rounds), TEST(test_modules),
-        TEST(test_module_of_a_config), TEST(test_prune),  TEST(test_prune_rounds),
+        TEST(test_journal_whole),
+        TEST(test_rounds),
+        TEST(test_modules),
+        TEST(test_module_of_a_config),
+        TEST(test_prune_empty_nights),
+        TEST(test_prune),
+        TEST(test_prune_rounds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -134,22 +134,130 @@ static json_t *record_of_build(const char *key, const char *module, double ratio
     return record;
 }
 
+/* What keeping the run's folder as a night says. */
+static char *stderr_of_night(void)
+{
+    stderr_begin();
+    night_keep(history, "nightly", true);
+    return stderr_end();
+}
+
+/* The night of these records, which it takes over, planned with these module files ("": built in). */
+static void keep_planned(json_t **records, size_t count, const char *first, const char *second)
+{
+    json_t *plan = json_array();
+    const char *const modules[] = {first, second};
+    for (size_t i = 0; i < AOB_COUNT(modules); i++)
+        if (modules[i]) {
+            json_t *technique = json_of(technique_text);
+            if (*modules[i])
+                record_set(technique, "module", modules[i]);
+            json_array_append_new(plan, technique);
+        }
+    journal_write(records, count);
+    info_write(plan);
+    free(stderr_of_night());
+}
+
 /* Two builds of a technique in one night have one series. Alone, each night's build goes on with the same line. */
 static void test_builds(void **state)
 {
     (void)state;
     record_keep(record_of_build(key_of(1), NULL, 2));
-    record_keep(record_of_build(key_of(2), "a.so", 3));
-    json_t *records[] = {record_of_build(key_of(1), NULL, 4), record_of_build(key_of(3), "b.so", 5)};
-    journal_write(records, 2);
-    night_keep(history, "nightly", true);
+    keep_planned((json_t *[]){record_of_build(key_of(2), "a.so", 3)}, 1, "a.so", NULL);
+    keep_planned((json_t *[]){record_of_build(key_of(1), NULL, 4), record_of_build(key_of(3), "b.so", 5)}, 2,
+                 "", "b.so");
     lines_read(false);
     assert_int_equal(lines.count, 2);
     assert_int_equal(lines.items[0].count, 3);
     assert_string_equal(lines.items[0].points[1].module, "a.so");
     assert_near(lines.items[0].points[2].ratio, 4, 1e-12);
     assert_string_equal(lines.items[1].module, "b.so");
-    assert_string_equal(lines.items[1].text, "corner/front gtao (b.so) radius=0.5 slices=1 vulkan 480x270");
+    assert_string_equal(lines.items[1].text, "corner/front gtao (b.so) slices=1 vulkan 480x270");
+    assert_near(lines.items[1].points[0].ratio, 5, 1e-12);
+}
+
+/* The night was planned with two, and the record of one lacks: the other stays on its own line. */
+static void test_one_of_two_builds(void **state)
+{
+    (void)state;
+    keep_planned((json_t *[]){record_of_build(key_of(1), "a.so", 2), record_of_build(key_of(2), "b.so", 3)},
+                 2, "a.so", "b.so");
+    keep_planned((json_t *[]){record_of_build(key_of(2), "b.so", 4)}, 1, "a.so", "b.so");
+    lines_read(false);
+    assert_int_equal(lines.count, 2);
+    assert_string_equal(lines.items[1].module, "b.so");
+    assert_int_equal(lines.items[0].count, 1);
+    assert_int_equal(lines.items[1].count, 2);
+    assert_near(lines.items[1].points[1].ratio, 4, 1e-12);
+}
+
+/* A journal alone tells of its builds itself. */
+static void test_builds_without_a_plan(void **state)
+{
+    (void)state;
+    json_t *records[] = {record_of_build(key_of(1), "a.so", 2), record_of_build(key_of(2), "b.so", 3)};
+    journal_write(records, 2);
+    night_keep(history, "nightly", true);
+    lines_read(false);
+    assert_int_equal(lines.count, 2);
+    assert_string_equal(lines.items[0].module, "a.so");
+    assert_string_equal(lines.items[1].module, "b.so");
+}
+
+static json_t *record_on(const char *driver, int series)
+{
+    json_t *record = record_make(series, 2);
+    record_set(json_object_get(record, "fingerprint"), "driver", driver);
+    return record;
+}
+
+/* The driver was another one for a night. What breaks later is on the line of the latest night, or of the machine that the
+ * run's other cases name, and not on the line that began last. */
+static void test_broken_on_the_latest_line(void **state)
+{
+    (void)state;
+    static const char *const drivers[] = {"Mesa 1", "Mesa 2", "Mesa 1", "Mesa 1", "Mesa 1"};
+    for (size_t i = 0; i < AOB_COUNT(drivers); i++)
+        record_keep(record_on(drivers[i], 1));
+    record_keep(record_without_device(1));
+    lines_read(false);
+    assert_int_equal(lines.count, 2);
+    assert_int_equal(lines.items[0].count, 5);
+    assert_string_equal(lines.items[0].points[4].status, "unsupported");
+    assert_int_equal(lines.items[1].count, 1);
+    json_t *untimed = record_make(1, 2);
+    json_object_del(untimed, "time");
+    json_object_set_new(untimed, "fingerprint", json_object());
+    record_keep(untimed); /* by its series, as well */
+    lines_read(false);
+    assert_int_equal(lines.items[0].count, 6);
+    keep_planned((json_t *[]){record_on("Mesa 2", 2), record_without_device(1)}, 2, "", NULL);
+    lines_read(false);
+    assert_int_equal(lines.count, 3);
+    assert_int_equal(lines.items[0].count, 6);
+    assert_int_equal(lines.items[1].count, 2);
+    assert_string_equal(lines.items[1].points[1].status, "unsupported");
+}
+
+/* Two cases that nothing tells apart: the night is kept, the first has the point, and the other one is told of. */
+static void test_two_cases_of_one_line(void **state)
+{
+    (void)state;
+    json_t *records[] = {record_of_build(key_of(1), NULL, 2), record_of_build(key_of(2), NULL, 3),
+                         record_make(4, 5)};
+    journal_write(records, 3);
+    info_write(json_pack("[o]", json_of(technique_text)));
+    char *said = stderr_of_night();
+    assert_contains(said,
+                    "1 of its cases (the first has the key 00000000000000000000000000000002) would be a "
+                    "second point of a line in one night");
+    free(said);
+    lines_read(true);
+    assert_int_equal(lines.count, 2);
+    assert_int_equal(lines.items[0].count, 1);
+    assert_near(lines.items[0].points[0].ratio, 2, 1e-12);
+    assert_non_null(lines.items[0].points[0].figures);
     assert_near(lines.items[1].points[0].ratio, 5, 1e-12);
 }
 
@@ -164,6 +272,10 @@ int main(void)
         TEST(test_failed_case_stays_on_its_line),
         TEST(test_case_without_device),
         TEST(test_builds),
+        TEST(test_one_of_two_builds),
+        TEST(test_builds_without_a_plan),
+        TEST(test_broken_on_the_latest_line),
+        TEST(test_two_cases_of_one_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

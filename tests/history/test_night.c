@@ -1,4 +1,5 @@
 #include <math.h>
+#include <sqlite3.h>
 #include "history/line.h"
 #include "open_history.h"
 
@@ -177,6 +178,51 @@ static void test_folder_without_a_run(void **state)
     assert_contains(error.text, "is not the folder of a run: it has no journal.jsonl");
 }
 
+/* Beside a good journal: nothing is taken, and what the night held stays. */
+static void test_damaged_plan(void **state)
+{
+    (void)state;
+    static const char *const bad[] = {"", "{\"name\": \"nightly\", \"keys\": [", "[]"};
+    size_t taken = 0;
+    run_write(2, 2);
+    int64_t night = night_keep(history, "nightly", false);
+    run_write(3, 2);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        write_file("run.json", bad[i], strlen(bad[i]));
+        assert_false(aob_night_take(history, night, NULL, &error));
+        assert_contains(error.text, "/run.json: is damaged (");
+    }
+    lines_read(false);
+    assert_int_equal(lines.count, 2);
+    info_write(json_pack("[o]", json_of(technique_text)));
+    assert_true(aob_night_take(history, night, &taken, &error));
+    assert_int_equal(taken, 3);
+}
+
+/* Figures of the second of three nights are lost: the others' stay where they are. */
+static void test_lost_figures(void **state)
+{
+    (void)state;
+    for (int night = 1; night <= 3; night++) {
+        json_t *record = record_make(1, 2);
+        json_object_set_new(json_object_get(record, "error"), "flip", json_real(night));
+        record_keep(record);
+    }
+    sqlite3 *db = NULL;
+    assert_int_equal(sqlite3_open(path, &db), SQLITE_OK);
+    assert_int_equal(sqlite3_exec(db, "DELETE FROM figures WHERE night = 2", NULL, NULL, NULL), SQLITE_OK);
+    sqlite3_close(db);
+    lines_read(true);
+    assert_int_equal(lines.items[0].count, 3);
+    for (int i = 0; i < 3; i++) {
+        const json_t *figures = lines.items[0].points[i].figures;
+        if (i == 1)
+            assert_null(figures);
+        else
+            assert_true(aob_json_to_number(json_object_get(figures, "flip")) == i + 1);
+    }
+}
+
 static void test_verdicts(void **state)
 {
     (void)state;
@@ -232,6 +278,7 @@ int main(void)
         TEST(test_values),       TEST(test_nights),
         TEST(test_older_record), TEST(test_only_planned_cases),
         TEST(test_taken_again),  TEST(test_folder_without_a_run),
+        TEST(test_damaged_plan), TEST(test_lost_figures),
         TEST(test_verdicts),     TEST(test_chosen_lines),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
