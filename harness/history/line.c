@@ -4,8 +4,8 @@
 #include "base/memory.h"
 #include "database.h"
 
-const char *const aob_night_verdict_names[] = {"none",    "first",   "slower", "faster", "moved",
-                                               "outlier", "machine", "open",   "broken", "changed"};
+const char *const aob_night_verdict_names[] = {"none",    "first", "slower", "faster",  "moved",  "outlier",
+                                               "machine", "open",  "broken", "changed", "failing"};
 
 static const char sql_lines[] =
     "SELECT line.id, series, class.text, config, scene, view, technique, backend, size, params, options, "

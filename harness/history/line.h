@@ -75,6 +75,7 @@ enum aob_night_verdict {
     AOB_NIGHT_OPEN,    /* it stood out, and could not be decided */
     AOB_NIGHT_BROKEN,  /* it ran the night before, and does not any more */
     AOB_NIGHT_CHANGED, /* cost and image are as before, and its memory or cache figures are not */
+    AOB_NIGHT_FAILING, /* it failed, and did not run the night before either */
     AOB_NIGHT_VERDICTS
 };
 extern const char *const aob_night_verdict_names[]; /* lower-case words: "none", "first", "slower", ... */

@@ -7,6 +7,7 @@
 #include "run/run.h"
 #include "lacks.h"
 #include "settle.h"
+#include "store/journal.h"
 #include "tell.h"
 
 /* One night, from its config to its page. */
@@ -29,7 +30,7 @@ static bool measure(struct nightly *n, struct aob_error *error)
                                      .quiet = n->desc->quiet};
     struct aob_error cause = {{0}};
     if (n->start.measured)
-        return aob_run_lacks(n->start.run, &n->asked, &n->missing, error);
+        return true;
     enum aob_exit code = aob_run(&run, &cause);
     struct aob_error unread = {{0}};
     bool whole = aob_run_lacks(n->start.run, &n->asked, &n->missing, &unread) && n->asked && !n->missing;
@@ -42,11 +43,25 @@ static bool measure(struct nightly *n, struct aob_error *error)
     return aob_night_start_stands(&n->start, n->desc, error);
 }
 
+/* Nothing is written to the folder meanwhile, by a merge or by a run that goes on there: it would be taken in half. */
+static bool take(struct nightly *n, struct aob_error *error)
+{
+    struct aob_journal journal;
+    char *path = aob_path_join(n->start.run, "journal.jsonl");
+    bool ok = aob_journal_hold(&journal, path, error);
+    free(path);
+    if (!ok)
+        return false;
+    ok = aob_run_lacks(n->start.run, &n->asked, &n->missing, error) &&
+         aob_night_take(n->history, n->start.id, NULL, error);
+    aob_journal_close(&journal);
+    return ok;
+}
+
 static bool read_lines(struct nightly *n, struct aob_error *error)
 {
     const struct aob_lines_ask ask = {.config = n->start.name, .night = n->start.id, .figures = true};
-    return aob_night_take(n->history, n->start.id, NULL, error) &&
-           aob_nights_read(n->history, n->start.name, &n->nights, error) &&
+    return take(n, error) && aob_nights_read(n->history, n->start.name, &n->nights, error) &&
            aob_lines_read(n->history, &ask, &n->lines, error) &&
            (n->lines.count || aob_fail(error, "%s has no case to judge", n->start.run));
 }
@@ -88,7 +103,7 @@ static bool keep(struct nightly *n, const struct aob_night_told *told, struct ao
     for (size_t i = 0; i < n->suspects.count; i++) {
         const struct aob_suspect *s = &n->suspects.items[i];
         verdicts[i] =
-            (struct aob_line_verdict){s->line->id, s->told.verdict, aob_suspect_since(s), s->told.said};
+            (struct aob_line_verdict){s->line->id, s->told.verdict, aob_suspect_restart(s), s->told.said};
     }
     json_t *summary = aob_night_summary(told);
     char *text = json_dumps(summary, 0);

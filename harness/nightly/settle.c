@@ -52,23 +52,22 @@ static enum aob_outcome outcome_of(enum aob_error_change change)
                                          : AOB_OUTCOME_GOOD;
 }
 
-static void say_image(struct aob_suspect *s, const struct aob_error_pair *errors, const char *why)
+static void say_image(struct aob_suspect *s, const struct aob_error_pair *errors)
 {
     char text[200];
     aob_error_change_print(errors, text, sizeof text);
     aob_finding_say(&s->image, AOB_NIGHT_MOVED, outcome_of(aob_error_change(errors)),
-                    "the image changed; %s%s%s", text, *why ? "; " : "", why);
+                    "the image changed; %s%s%s", text, *s->cause ? "; " : "", s->cause);
 }
 
 /* Of the two images only what the history has: the errors. */
-static void judge_by_errors(struct aob_suspect *s, const char *why)
+static void judge_by_errors(struct aob_suspect *s, const char *cause)
 {
     const struct aob_point *a = s->before, *b = s->now;
-    say_image(s,
-              &(struct aob_error_pair){{a->rmse, a->reference_se, a->band_pixels},
-                                       {b->rmse, b->reference_se, b->band_pixels},
-                                       NAN},
-              why);
+    const struct aob_error_pair errors = {
+        {a->rmse, a->reference_se, a->band_pixels}, {b->rmse, b->reference_se, b->band_pixels}, NAN};
+    aob_line_print(s->cause, sizeof s->cause, "%s", cause);
+    say_image(s, &errors);
 }
 
 static bool is_folder(const char *path)
@@ -78,10 +77,10 @@ static bool is_folder(const char *path)
 }
 
 /* By the image that the earlier night's run still has. */
-static void compare_stored(struct settling *g, struct aob_suspect *s, const char *why)
+static void compare_stored(struct settling *g, struct aob_suspect *s, const char *cause)
 {
     const struct aob_night *night = night_of(g, s->before->night);
-    judge_by_errors(s, why);
+    judge_by_errors(s, cause);
     if (night && is_folder(night->folder))
         aob_group_add(aob_groups_stored(&g->groups, g->start->folder, s->now, s->before, night->folder), s);
 }
@@ -215,12 +214,15 @@ static void judge_cost(const struct settling *g, struct aob_suspect *s, const st
                         *item->unfit.text ? item->unfit.text : j->reason);
 }
 
+/* `item` is measured beside the old build, or of the stored images of both nights. */
 static void judge_image(struct aob_suspect *s, const struct aob_compared *item, bool beside)
 {
+    bool drawn = aob_row_is_ok(item->couple->a) && aob_row_is_ok(item->couple->b);
     if (item->image.moved)
-        say_image(s, &item->errors, "");
+        say_image(s, &item->errors);
     else if (s->moved && beside)
-        judge_by_errors(s, "the old build gives the same one now, so the program changed it");
+        judge_by_errors(s, drawn ? "the old build gives the same one now, so the program changed it"
+                                 : "it could not be drawn beside the old build");
 }
 
 static void keep_map(const struct aob_group *group, struct aob_suspect *s, const struct aob_compared *item)
@@ -233,14 +235,23 @@ static void keep_map(const struct aob_group *group, struct aob_suspect *s, const
     s->map = path.data;
 }
 
+static void miss_item(const struct aob_group *group, struct aob_suspect *s)
+{
+    if (s->moved)
+        judge_by_errors(s, "it could not be drawn beside the old build");
+    if (s->watch.suspect)
+        aob_finding_say(
+            &s->cost, AOB_NIGHT_OPEN, AOB_OUTCOME_OPEN,
+            "its cost stood out, and could not be measured beside the old build: %s has the causes",
+            group->folder);
+}
+
 /* A night that times nothing has no cost to tell of. */
 static void judge_item(const struct settling *g, const struct aob_group *group, struct aob_suspect *s)
 {
     const struct aob_compared *item = aob_group_item(group, s);
     if (!item && group->beside)
-        aob_finding_say(&s->cost, AOB_NIGHT_OPEN, AOB_OUTCOME_OPEN,
-                        "it stood out, and could not be measured beside the old build: %s has the causes",
-                        group->folder);
+        miss_item(group, s);
     if (!item)
         return;
     keep_map(group, s, item);

@@ -46,8 +46,11 @@ static bool lock(struct aob_night_start *start, const char *folder, struct aob_e
     if (file < 0)
         return aob_fail(error, "%s: %s", folder, strerror(errno));
     if (flock(file, LOCK_EX | LOCK_NB) != 0) {
+        bool busy = errno == EWOULDBLOCK;
+        aob_fail(error, "%s: %s", folder,
+                 busy ? "another call of nightly has this night; wait until it has ended" : strerror(errno));
         close(file);
-        return aob_fail(error, "%s: another call of nightly has this night; wait until it has ended", folder);
+        return false;
     }
     if (start->lock)
         close(start->lock);
@@ -67,8 +70,9 @@ static bool end_stopped(struct aob_history *history, const struct aob_night *nig
         night->date);
     if (other.lock && !aob_night_take(history, night->id, NULL, &cause))
         aob_warn("%s", cause.text);
+    bool ok = aob_night_end(history, night->id, stopped, error);
     aob_night_start_finish(&other);
-    return aob_night_end(history, night->id, stopped, error);
+    return ok;
 }
 
 static bool is_same(const struct aob_night *night, const struct aob_subject *subject)
@@ -141,6 +145,8 @@ bool aob_night_start(struct aob_history *history, const struct aob_nightly_desc 
     start->out = aob_strdup(desc->out ? desc->out : nights);
     start->run = start->measured ? realpath(desc->config, NULL) : NULL;
     free(nights);
+    if (start->measured && !start->run)
+        return aob_fail(error, "%s: %s", desc->config, strerror(errno));
     if (!aob_folder_create(start->out, error) || !find_stopped(history, &subject, start, error) ||
         (!start->id && !begin(history, &subject, start, error)))
         return false;

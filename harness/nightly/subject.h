@@ -11,6 +11,7 @@ struct aob_subject {
     char modules[AOB_KEY_SIZE]; /* hash of program and modules */
     time_t date;                /* when it began: now, or when the run did */
 };
+/* False after a line: the config or run.json cannot be read, or a module's file. */
 bool aob_subject_read(struct aob_subject *subject, const struct aob_nightly_desc *desc, bool measured,
                       struct aob_error *error);
 #endif

@@ -70,18 +70,18 @@ static void judge_counted(struct aob_suspect *s)
         aob_text_add(&text, "; memory %.0f bytes before, %.0f now", before, now);
     add_cache_changes(s->before->figures, s->now->figures, &text);
     if (text.size)
-        aob_finding_say(&s->cost, AOB_NIGHT_CHANGED, AOB_OUTCOME_GOOD, "%s", text.data + 2);
+        aob_finding_say(&s->counted, AOB_NIGHT_CHANGED, AOB_OUTCOME_GOOD, "%s", text.data + 2);
     aob_text_finish(&text);
 }
 
-/* A case that could not run the night before either is no news. */
+/* A case that could not run the night before either is no news. One that is `unsupported` cannot run here at all. */
 static void judge_failure(struct aob_suspect *s, const struct aob_point *last)
 {
     if (last && is_good(last))
         aob_finding_say(&s->cost, AOB_NIGHT_BROKEN, AOB_OUTCOME_WORSE, "%s now, and it ran before: %s",
                         s->now->status, s->now->reason);
-    else if (strcmp(s->now->status, "failed") == 0)
-        aob_finding_say(&s->cost, AOB_NIGHT_NONE, AOB_OUTCOME_OPEN, "failed%s: %s",
+    else if (strcmp(s->now->status, "unsupported") != 0)
+        aob_finding_say(&s->cost, AOB_NIGHT_FAILING, AOB_OUTCOME_OPEN, "%s%s: %s", s->now->status,
                         last ? ", as before" : " on its first night", s->now->reason);
 }
 
@@ -94,11 +94,10 @@ static bool differ(const char *a, const char *b)
 static void ask_again(struct aob_suspect *s, double precision)
 {
     const struct aob_line *line = s->line;
-    const struct aob_point *last = &line->points[line->count - 2];
     size_t open = 0;
-    if (s->watch.suspect || last->verdict != AOB_NIGHT_OPEN || !last->since)
+    if (s->watch.suspect || s->before->verdict != AOB_NIGHT_OPEN || !s->before->since)
         return;
-    while (line->points[open].night < last->since)
+    while (open + 1 < line->count && line->points[open].night < s->before->since)
         open++;
     struct aob_point *points = AOB_NEW_ARRAY(struct aob_point, open + 1);
     memcpy(points, line->points, open * sizeof *points);
@@ -180,6 +179,19 @@ int64_t aob_suspect_since(const struct aob_suspect *s)
     return s->watch.suspect ? s->line->points[s->watch.since].night : 0;
 }
 
+static bool is_decided(const struct aob_finding *cost)
+{
+    return cost->verdict == AOB_NIGHT_SLOWER || cost->verdict == AOB_NIGHT_FASTER ||
+           cost->verdict == AOB_NIGHT_MACHINE;
+}
+
+int64_t aob_suspect_restart(const struct aob_suspect *s)
+{
+    if (is_decided(&s->cost))
+        return s->watch.suspect ? aob_suspect_since(s) : s->now->night;
+    return s->told.verdict == AOB_NIGHT_OPEN ? aob_suspect_since(s) : 0;
+}
+
 static int severity(const struct aob_finding *finding)
 {
     static const int ranks[] = {[AOB_OUTCOME_GOOD] = 1, [AOB_OUTCOME_OPEN] = 2, [AOB_OUTCOME_WORSE] = 3};
@@ -188,8 +200,14 @@ static int severity(const struct aob_finding *finding)
 
 void aob_suspect_join(struct aob_suspect *s)
 {
-    bool image = severity(&s->image) && severity(&s->image) >= severity(&s->cost);
-    s->told = image ? s->image : s->cost;
-    if (*s->image.said && *s->cost.said)
-        aob_finding_say(&s->told, s->told.verdict, s->told.outcome, "%s; %s", s->image.said, s->cost.said);
+    const struct aob_finding *const all[] = {&s->image, &s->cost, &s->counted}, *worst = &s->cost;
+    struct aob_text said = {0};
+    for (size_t i = AOB_COUNT(all); i-- > 0;)
+        worst = severity(all[i]) >= severity(worst) ? all[i] : worst;
+    for (size_t i = 0; i < AOB_COUNT(all); i++)
+        if (*all[i]->said)
+            aob_text_add(&said, "%s%s", said.size ? "; " : "", all[i]->said);
+    if (said.size)
+        aob_finding_say(&s->told, worst->verdict, worst->outcome, "%s", said.data);
+    aob_text_finish(&said);
 }

@@ -10,7 +10,7 @@
 /* Worst first. Cases that fail every night come last; first cases are only counted. */
 static const enum aob_night_verdict ranks[] = {AOB_NIGHT_BROKEN, AOB_NIGHT_SLOWER,  AOB_NIGHT_MOVED,
                                                AOB_NIGHT_OPEN,   AOB_NIGHT_MACHINE, AOB_NIGHT_CHANGED,
-                                               AOB_NIGHT_FASTER, AOB_NIGHT_OUTLIER, AOB_NIGHT_NONE};
+                                               AOB_NIGHT_FASTER, AOB_NIGHT_OUTLIER, AOB_NIGHT_FAILING};
 
 static struct aob_night_item item_of(const struct aob_suspect *s)
 {
@@ -29,8 +29,7 @@ static struct aob_night_item item_of(const struct aob_suspect *s)
 
 static bool is_told(const struct aob_suspect *s)
 {
-    return s->told.verdict != AOB_NIGHT_FIRST &&
-           (s->told.verdict != AOB_NIGHT_NONE || s->told.outcome != AOB_OUTCOME_GOOD);
+    return s->told.verdict != AOB_NIGHT_FIRST && s->told.verdict != AOB_NIGHT_NONE;
 }
 
 /* Of each verdict what is worse comes before what is not. `items` has room for all. */
@@ -99,7 +98,7 @@ json_t *aob_night_summary(const struct aob_night_told *told)
     struct aob_text line = {0};
     json_t *counts = json_object();
     for (size_t r = 0; r < AOB_COUNT(ranks); r++) {
-        const char *name = ranks[r] == AOB_NIGHT_NONE ? "failing still" : aob_night_verdict_names[ranks[r]];
+        const char *name = aob_night_verdict_names[ranks[r]];
         size_t count = count_verdict(told->suspects, ranks[r]);
         json_object_set_new(counts, name, json_integer((json_int_t)count));
         if (count)
@@ -223,7 +222,9 @@ bool aob_night_tell(const struct aob_night_told *told, struct aob_text *out, str
                                         .items = items,
                                         .count = count,
                                         .trend = "../trend/index.html",
-                                        .run_page = start->measured ? absolute : "report/index.html"};
+                                        .run_page = !aob_file_exists(report) ? NULL
+                                                    : start->measured        ? absolute
+                                                                             : "report/index.html"};
     bool ok = aob_night_page_write(&page, start->folder, error) && write_markdown(told, &page, error) &&
               write_document(told, error);
     aob_night_page_screen(&page, out);

@@ -18,6 +18,7 @@ static const struct aob_trend_word words[] = {
     [AOB_NIGHT_BROKEN] = {"broken", "broken", "ran the night before, and does not any more"},
     [AOB_NIGHT_CHANGED] = {"changed", "changed",
                            "as fast and the same image, with other memory or cache figures"},
+    [AOB_NIGHT_FAILING] = {"failing", "open", "failed, and did not run the night before either"},
 };
 _Static_assert(AOB_COUNT(words) == AOB_NIGHT_VERDICTS, "each verdict has a word");
 
