@@ -1,7 +1,6 @@
 #include "files.h"
 #include <stdlib.h>
 #include <string.h>
-#include "base/json.h"
 #include "base/hash.h"
 #include "base/memory.h"
 #include "base/sealed.h"
@@ -177,17 +176,16 @@ static bool copy_apart(struct copying *copying, struct file *file, struct origin
     if (name && !origin->becomes)
         return true;
     json_array_append_new(copying->files->apart,
-                          json_pack("{s:s, s:[o, o], s:s?}", "file", file->name, "folders",
-                                    aob_json_path(first->source->path), aob_json_path(origin->source->path),
-                                    "becomes", name));
+                          json_pack("{s:s, s:[s, s], s:s?}", "file", file->name, "folders",
+                                    first->source->path, origin->source->path, "becomes", name));
     return true;
 }
 
 static void lose(struct copying *copying, const struct file *file, const struct aob_error *reason)
 {
     json_array_append_new(copying->files->lost,
-                          json_pack("{s:s, s:o, s:s}", "file", file->name, "folder",
-                                    aob_json_path(file->origins[0].source->path), "reason", reason->text));
+                          json_pack("{s:s, s:s, s:s}", "file", file->name, "folder",
+                                    file->origins[0].source->path, "reason", reason->text));
 }
 
 static bool copy_file(struct copying *copying, struct file *file, struct aob_error *error)

@@ -1,7 +1,6 @@
 #include "source.h"
 #include <stdlib.h>
 #include <string.h>
-#include "base/json.h"
 #include "base/file.h"
 #include "base/member.h"
 #include "base/text.h"
@@ -70,7 +69,7 @@ static bool judge_build(const struct aob_merge_source *source, const json_t *tec
     bool ok = !known || strcmp(other, digest) == 0;
     if (!known)
         json_object_set_new(builds, name.data,
-                            json_pack("{s:s, s:o}", "digest", digest, "folder", aob_json_path(source->path)));
+                            json_pack("{s:s, s:s}", "digest", digest, "folder", source->path));
     if (!ok)
         aob_fail(error,
                  "%s and %s hold runs of two builds of %s (digest %s and %s): only parts of one run can be "

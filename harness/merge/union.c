@@ -87,10 +87,9 @@ static void add_conflict(struct aob_merge_union *all, const struct aob_merge_oth
     const struct aob_merge_case *stands = &all->cases[other->at];
     char *what = aob_merge_case_describe(stands->line);
     json_array_append_new(all->conflicts,
-                          json_pack("{s:s, s:s, s:[o, o], s:s, s:o}", "key", stands->key, "case", what,
-                                    "folders", aob_json_path(stands->source->path),
-                                    aob_json_path(other->source->path), "differs", other->differs, "kept",
-                                    aob_json_path(kept)));
+                          json_pack("{s:s, s:s, s:[s, s], s:s, s:s}", "key", stands->key, "case", what,
+                                    "folders", stands->source->path, other->source->path, "differs",
+                                    other->differs, "kept", kept));
     free(what);
 }
 
