@@ -56,7 +56,7 @@ bool aob_file_is_special(const char *path)
     return stat(path, &info) == 0 && !S_ISREG(info.st_mode);
 }
 
-static bool is_folder(const char *path)
+bool aob_folder_exists(const char *path)
 {
     struct stat info;
     return stat(path, &info) == 0 && S_ISDIR(info.st_mode);
@@ -90,9 +90,9 @@ static bool write_into(const char *path, const struct aob_piece *pieces, size_t 
 bool aob_file_check(const char *path, struct aob_error *error)
 {
     if (aob_file_is_special(path))
-        return (access(path, W_OK) == 0 && !is_folder(path)) ||
+        return (access(path, W_OK) == 0 && !aob_folder_exists(path)) ||
                aob_fail(error, "%s: cannot write: %s", path,
-                        is_folder(path) ? "it is a folder" : strerror(errno));
+                        aob_folder_exists(path) ? "it is a folder" : strerror(errno));
     char *target = aob_file_target(path, error);
     if (!target)
         return false;
@@ -178,7 +178,7 @@ bool aob_folder_create(const char *path, struct aob_error *error)
     free(part);
     if (mkdir(path, 0777) != 0 && errno != EEXIST)
         return aob_fail(error, "%s: cannot create the folder: %s", path, strerror(errno));
-    if (!is_folder(path))
+    if (!aob_folder_exists(path))
         return aob_fail(error, "%s: it is not a folder", path);
     return access(path, W_OK) == 0 || aob_fail(error, "%s: the folder is not writable", path);
 }

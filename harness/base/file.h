@@ -45,6 +45,8 @@ bool aob_file_exists(const char *path);
 bool aob_file_is_special(const char *path);
 size_t aob_file_size(const char *path); /* bytes; 0 if there is none */
 
+bool aob_folder_exists(const char *path); /* false of what is no folder, too */
+
 /* Creates a folder and its parents. The folder may exist already; it must be writable. */
 bool aob_folder_create(const char *path, struct aob_error *error);
 

@@ -1,7 +1,7 @@
 #include "compare/compare.h"
 #include "base/text.h"
+#include "beside.h"
 #include "command.h"
-#include "config/config.h"
 
 struct options {
     struct aob_common common;
@@ -22,16 +22,6 @@ static const struct aob_flag flags[] = {
     {0},
 };
 
-static bool read_options(const struct options *o, struct aob_compare_desc *desc, struct aob_error *error)
-{
-    if (o->precision && !aob_config_parse_precision(o->precision, &desc->precision, error))
-        return aob_fail_in(error, "--precision");
-    if (o->seconds &&
-        (!aob_parse_double(o->seconds, &desc->seconds) || !(desc->seconds > 0) || desc->seconds > 1e6))
-        return aob_fail(error, "--seconds: '%s' is not a number of seconds above 0, up to 1e6", o->seconds);
-    return true;
-}
-
 static enum aob_exit compare(void *from, struct aob_error *error)
 {
     struct options *o = from;
@@ -43,7 +33,7 @@ static enum aob_exit compare(void *from, struct aob_error *error)
                                     .technique = o->technique,
                                     .json = o->common.json,
                                     .quiet = o->common.quiet};
-    if (!read_options(o, &desc, error))
+    if (!aob_beside_read(o->precision, o->seconds, &desc.precision, &desc.seconds, error))
         return AOB_EXIT_USAGE;
     enum aob_exit code = aob_compare(&desc, &table, error);
     if (aob_common_speaks(&o->common) && table.size)

@@ -1,7 +1,7 @@
 #include "nightly/nightly.h"
 #include "base/text.h"
+#include "beside.h"
 #include "command.h"
-#include "config/config.h"
 
 struct options {
     struct aob_common common;
@@ -23,18 +23,6 @@ static const struct aob_flag flags[] = {
     {0},
 };
 
-static bool read_options(const struct options *o, struct aob_nightly_desc *desc, struct aob_error *error)
-{
-    if (!o->history)
-        return aob_fail(error, "nightly: --history F.db is missing: the file that keeps the nights");
-    if (o->precision && !aob_config_parse_precision(o->precision, &desc->precision, error))
-        return aob_fail_in(error, "--precision");
-    if (o->seconds &&
-        (!aob_parse_double(o->seconds, &desc->seconds) || !(desc->seconds > 0) || desc->seconds > 1e6))
-        return aob_fail(error, "--seconds: '%s' is not a number of seconds above 0, up to 1e6", o->seconds);
-    return true;
-}
-
 static enum aob_exit nightly(void *from, struct aob_error *error)
 {
     struct options *o = from;
@@ -47,7 +35,11 @@ static enum aob_exit nightly(void *from, struct aob_error *error)
                                     .markdown = o->markdown,
                                     .json = o->common.json,
                                     .quiet = o->common.quiet};
-    if (!read_options(o, &desc, error))
+    if (!o->history) {
+        aob_fail(error, "nightly: --history F.db is missing: the file that keeps the nights");
+        return AOB_EXIT_USAGE;
+    }
+    if (!aob_beside_read(o->precision, o->seconds, &desc.precision, &desc.seconds, error))
         return AOB_EXIT_USAGE;
     enum aob_exit code = aob_nightly(&desc, &screen, error);
     if (aob_common_speaks(&o->common) && screen.size)

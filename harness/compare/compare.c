@@ -136,12 +136,6 @@ static enum aob_exit compare_with_stored(const struct aob_compare_desc *desc, st
     return code;
 }
 
-static bool is_folder(const char *path)
-{
-    struct stat info;
-    return stat(path, &info) == 0 && S_ISDIR(info.st_mode);
-}
-
 /* What is measured takes the place of what its folder held, so that must not be a side. */
 static bool is_spared(const struct aob_compare_desc *desc, struct aob_error *error)
 {
@@ -161,9 +155,9 @@ static bool check(const struct aob_compare_desc *desc, struct aob_error *error)
         if (!aob_file_exists(desc->sides[i]))
             return aob_fail(error, "%s: not found; compare takes folders of runs or module files",
                             desc->sides[i]);
-    if (!is_folder(desc->sides[1]))
+    if (!aob_folder_exists(desc->sides[1]))
         return is_spared(desc, error) && aob_json_check(desc->json, error);
-    if (!is_folder(desc->sides[0]))
+    if (!aob_folder_exists(desc->sides[0]))
         return aob_fail(error, "%s is a module and %s is a run: name the old one, the run, first",
                         desc->sides[0], desc->sides[1]);
     if (desc->config || desc->technique || desc->seconds > 0)
@@ -176,9 +170,9 @@ enum aob_exit aob_compare(const struct aob_compare_desc *desc, struct aob_text *
 {
     if (!check(desc, error))
         return AOB_EXIT_USAGE;
-    if (is_folder(desc->sides[1]))
+    if (aob_folder_exists(desc->sides[1]))
         return compare_runs(desc, out, error);
-    if (is_folder(desc->sides[0]))
+    if (aob_folder_exists(desc->sides[0]))
         return compare_with_stored(desc, out, error);
     return compare_builds(desc, NULL, out, error);
 }

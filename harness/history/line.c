@@ -18,7 +18,8 @@ static const char sql_points[] =
     "memory_bytes,"
     " rmse, band_rmse, reference_se, band_pixels, target_radius, target_weighting, reference, verdict, since,"
     " said FROM point WHERE line = ? ORDER BY night";
-static const char sql_figures[] = "SELECT night, json FROM figures WHERE line = ? ORDER BY night";
+static const char sql_figures[] =
+    "SELECT night, json FROM figures WHERE line = ? AND night >= ? ORDER BY night";
 
 static int find_verdict(const char *name)
 {
@@ -73,9 +74,10 @@ static void read_points(struct aob_query *query, struct aob_line *line)
     aob_query_reset(query);
 }
 
-static void read_figures(struct aob_query *query, struct aob_line *line)
+static void read_figures(struct aob_query *query, struct aob_line *line, int64_t from)
 {
     aob_query_whole(query, line->id);
+    aob_query_whole(query, from);
     for (size_t i = 0; aob_query_step(query);) {
         int64_t night = aob_query_get_whole(query, 0);
         while (i < line->count && line->points[i].night < night)
@@ -102,7 +104,7 @@ static bool read_all(struct aob_history *history, const struct aob_lines_ask *as
         take_line(&query, line);
         read_points(&points, line);
         if (ask->figures)
-            read_figures(&figures, line);
+            read_figures(&figures, line, ask->figures);
     }
     bool ok = aob_query_end(&query);
     ok = aob_query_end(&points) && ok;

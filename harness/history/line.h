@@ -53,7 +53,7 @@ struct aob_lines {          /* zero it first */
 struct aob_lines_ask {  /* zero: all lines of all nights, without figures */
     const char *config; /* NULL: all */
     int64_t night;      /* only lines that have a point in it; 0: all */
-    bool figures;
+    int64_t figures;    /* with the figures of the nights from this one on; 0: without any */
 };
 bool aob_lines_read(struct aob_history *history, const struct aob_lines_ask *ask, struct aob_lines *lines,
                     struct aob_error *error);

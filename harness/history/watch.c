@@ -5,10 +5,8 @@
 #include "base/memory.h"
 #include "base/statistics.h"
 #include "level.h"
+#include "point.h"
 
-/* No clock knows a ratio better; and an interval counts at least half as wide as the line's usual one, and at most four times,
- * so that no point outweighs many. */
-static const double narrowest = 1e-3, least_share = 0.5, most_share = 4;
 /* A width beyond any shift; finite, as medians are taken of it. */
 static const double unknown = 1e6;
 
@@ -34,31 +32,14 @@ static void values_finish(struct values *v)
     free(v->at);
 }
 
-static bool has_value(const struct aob_point *point)
-{
-    return point->status && strcmp(point->status, "ok") == 0 && isfinite(point->ratio) && point->ratio > 0;
-}
-
-/* `unknown` where it has no interval. */
-static double width_of(const struct aob_point *point)
-{
-    bool known = isfinite(point->high) && point->low > 0 && point->high >= point->low;
-    return known ? fmax(log(point->high / point->low), narrowest) : unknown;
-}
-
 static void weigh(struct values *v, const struct aob_point *points)
 {
-    double *widths = AOB_NEW_ARRAY(double, v->n), usual;
-    size_t known = 0;
+    double *widths = AOB_NEW_ARRAY(double, v->n);
     for (size_t i = 0; i < v->n; i++) {
-        double width = width_of(&points[v->at[i]]);
-        v->halves[i] = 0.5 * width;
-        if (width < unknown)
-            widths[known++] = width;
+        widths[i] = aob_point_width(&points[v->at[i]]);
+        v->halves[i] = 0.5 * (isnan(widths[i]) ? unknown : widths[i]);
     }
-    usual = known ? aob_median(widths, known) : narrowest;
-    for (size_t i = 0; i < v->n; i++)
-        v->weights[i] = 1 / fmin(fmax(2 * v->halves[i], least_share * usual), most_share * usual);
+    aob_point_weights(widths, v->n, v->weights);
     free(widths);
 }
 
@@ -88,9 +69,9 @@ static struct values values_of(const struct aob_point *points, size_t count)
     size_t decided = decided_at(points, count - 1, count), first = count;
     int64_t since = decided < count ? points[decided].since : INT64_MIN;
     for (size_t kept = 0; first > 0 && kept < AOB_WATCH_LINE;)
-        kept += has_value(&points[--first]);
+        kept += aob_point_is_timed(&points[--first]);
     for (size_t i = first; i < count; i++) {
-        if (!has_value(&points[i]))
+        if (!aob_point_is_timed(&points[i]))
             continue;
         v.start += i + 1 < count && points[i].night < since;
         v.judged += decided < count && i <= decided;
@@ -245,7 +226,7 @@ static void watch_values(const struct values *v, double least, struct aob_watch 
 void aob_watch_line(const struct aob_point *points, size_t count, double least, struct aob_watch *watch)
 {
     *watch = (struct aob_watch){false, count ? count - 1 : 0, 0, NAN, NAN, NAN};
-    if (count == 0 || !has_value(&points[count - 1]))
+    if (count == 0 || !aob_point_is_timed(&points[count - 1]))
         return;
     struct values v = values_of(points, count);
     if (v.start + 1 < v.n)
@@ -272,11 +253,4 @@ double aob_watch_level(const double *p, size_t count, double q)
             found = i + 1;
     free(sorted);
     return tested ? q * (double)found / (double)tested : q;
-}
-
-void aob_watch_discover(const double *p, size_t count, double q, bool *found)
-{
-    double level = aob_watch_level(p, count, q);
-    for (size_t i = 0; i < count; i++)
-        found[i] = p[i] <= level;
 }

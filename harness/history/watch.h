@@ -61,10 +61,9 @@ struct aob_watch {
  * `least` of that level is an OUTLIER, which restarts nothing. */
 void aob_watch_line(const struct aob_point *points, size_t count, double least, struct aob_watch *watch);
 
-/* Which of `count` p-values are discoveries at the false-discovery rate q: those up to the level q k / m, k the largest rank
- * whose p is at most q k / m among m that were tested (Benjamini and Hochberg, Controlling the false discovery rate, J. R. Statist.
- * Soc. B 57, 1995, equation 1). An interval at that level lies beside 1 if and only if its p is a discovery. Without a discovery it
- * is q / m; without a test q. A NAN is none and does not count as tested. */
+/* The level at which `count` p-values are discoveries of the false-discovery rate q, those that are no larger: q k / m, k the largest
+ * rank whose p is at most q k / m among m that were tested (Benjamini and Hochberg, Controlling the false discovery rate, J. R.
+ * Statist. Soc. B 57, 1995, equation 1). An interval at that level lies beside 1 if and only if its p is a discovery. Without a
+ * discovery it is q / m; without a test q. A NAN is none and does not count as tested. */
 double aob_watch_level(const double *p, size_t count, double q);
-void aob_watch_discover(const double *p, size_t count, double q, bool *found);
 #endif

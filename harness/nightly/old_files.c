@@ -1,7 +1,6 @@
 #include "old_files.h"
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/memory.h"
@@ -16,10 +15,9 @@ static const char *file_name(const char *path)
 /* In a folder the module's whole path comes before its name alone, which two modules may share. */
 static char *find_given(const char *given, const char *module)
 {
-    struct stat info;
     if (!given)
         return NULL;
-    if (stat(given, &info) != 0 || !S_ISDIR(info.st_mode))
+    if (!aob_folder_exists(given))
         return aob_strdup(given);
     const char *const names[] = {module, file_name(module)};
     for (size_t i = 0; i < AOB_COUNT(names); i++) {

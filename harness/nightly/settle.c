@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include "base/file.h"
 #include "base/memory.h"
 #include "compare/compare.h"
@@ -70,18 +69,12 @@ static void judge_by_errors(struct aob_suspect *s, const char *cause)
     say_image(s, &errors);
 }
 
-static bool is_folder(const char *path)
-{
-    struct stat info;
-    return stat(path, &info) == 0 && S_ISDIR(info.st_mode);
-}
-
 /* By the image that the earlier night's run still has. */
 static void compare_stored(struct settling *g, struct aob_suspect *s, const char *cause)
 {
     const struct aob_night *night = night_of(g, s->before->night);
     judge_by_errors(s, cause);
-    if (night && is_folder(night->folder))
+    if (night && aob_folder_exists(night->folder))
         aob_group_add(aob_groups_stored(&g->groups, g->start->folder, s->now, s->before, night->folder), s);
 }
 

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 #include "base/file.h"
@@ -17,12 +16,6 @@ static const char stopped[] = "{\"line\": \"stopped\"}";
 bool aob_night_is_stopped(const struct aob_night *night)
 {
     return !night->whole || strcmp(night->summary, stopped) == 0;
-}
-
-static bool is_folder(const char *path)
-{
-    struct stat info;
-    return stat(path, &info) == 0 && S_ISDIR(info.st_mode);
 }
 
 /* OUT/2026-11-30, and OUT/2026-11-30-2 for a second one of that day. */
@@ -63,7 +56,7 @@ static bool end_stopped(struct aob_history *history, const struct aob_night *nig
 {
     struct aob_error cause = {{0}};
     struct aob_night_start other = {0};
-    if (is_folder(night->folder) && !lock(&other, night->folder, error))
+    if (aob_folder_exists(night->folder) && !lock(&other, night->folder, error))
         return false;
     aob_warn(
         "the night of %s was stopped, and this is none to go on with it: it ends unjudged, with what it has",
@@ -78,7 +71,7 @@ static bool end_stopped(struct aob_history *history, const struct aob_night *nig
 static bool is_same(const struct aob_night *night, const struct aob_subject *subject)
 {
     return strcmp(night->config_hash, subject->config_hash) == 0 &&
-           strcmp(night->modules, subject->modules) == 0 && is_folder(night->folder);
+           strcmp(night->modules, subject->modules) == 0 && aob_folder_exists(night->folder);
 }
 
 static bool go_on(const struct aob_night *night, struct aob_night_start *start, struct aob_error *error)
@@ -136,7 +129,7 @@ bool aob_night_start(struct aob_history *history, const struct aob_nightly_desc 
                      struct aob_night_start *start, struct aob_error *error)
 {
     struct aob_subject subject;
-    start->measured = is_folder(desc->config);
+    start->measured = aob_folder_exists(desc->config);
     if (!aob_subject_read(&subject, desc, start->measured, error))
         return false;
     char *nights = aob_path_join("results/nightly", subject.name);

@@ -58,7 +58,7 @@ static void add_cache_changes(const json_t *before, const json_t *now, struct ao
                          json_number_value(value));
     }
     if (count > 1)
-        aob_text_add(text, ", and %zu more cache figures", count - 1);
+        aob_text_add(text, ", and %zu more cache figure%s", count - 1, count == 2 ? "" : "s");
 }
 
 /* These are counted and not timed, so any difference is one. */

@@ -7,7 +7,7 @@
 #include "reports/trend/night_page.h"
 #include "reports/trend/trend.h"
 
-/* Worst first. Cases that fail every night come last; first cases are only counted. */
+/* The verdicts that are told, worst first. Cases that fail every night come last; first cases are only counted. */
 static const enum aob_night_verdict ranks[] = {AOB_NIGHT_BROKEN, AOB_NIGHT_SLOWER,  AOB_NIGHT_MOVED,
                                                AOB_NIGHT_OPEN,   AOB_NIGHT_MACHINE, AOB_NIGHT_CHANGED,
                                                AOB_NIGHT_FASTER, AOB_NIGHT_OUTLIER, AOB_NIGHT_FAILING};
@@ -27,11 +27,6 @@ static struct aob_night_item item_of(const struct aob_suspect *s)
                                    .map = s->map};
 }
 
-static bool is_told(const struct aob_suspect *s)
-{
-    return s->told.verdict != AOB_NIGHT_FIRST && s->told.verdict != AOB_NIGHT_NONE;
-}
-
 /* Of each verdict what is worse comes before what is not. `items` has room for all. */
 static size_t gather(const struct aob_suspects *suspects, struct aob_night_item *items)
 {
@@ -40,8 +35,7 @@ static size_t gather(const struct aob_suspects *suspects, struct aob_night_item 
         for (int worse = 1; worse >= 0; worse--)
             for (size_t i = 0; i < suspects->count; i++) {
                 const struct aob_suspect *s = &suspects->items[i];
-                if (is_told(s) && s->told.verdict == ranks[r] &&
-                    (s->told.outcome == AOB_OUTCOME_WORSE) == worse)
+                if (s->told.verdict == ranks[r] && (s->told.outcome == AOB_OUTCOME_WORSE) == worse)
                     items[count++] = item_of(s);
             }
     return count;
@@ -51,8 +45,7 @@ static size_t count_verdict(const struct aob_suspects *suspects, enum aob_night_
 {
     size_t count = 0;
     for (size_t i = 0; i < suspects->count; i++)
-        count += suspects->items[i].told.verdict == verdict &&
-                 (verdict == AOB_NIGHT_FIRST || is_told(&suspects->items[i]));
+        count += suspects->items[i].told.verdict == verdict;
     return count;
 }
 
@@ -136,12 +129,9 @@ static json_t *item_to_json(const struct aob_night_item *item, enum aob_outcome 
 
 static bool write_document(const struct aob_night_told *told, struct aob_error *error)
 {
-    json_t *document = aob_night_summary(told), *cases = json_array();
-    if (!told->desc->json) {
-        json_decref(document);
-        json_decref(cases);
+    if (!told->desc->json)
         return true;
-    }
+    json_t *document = aob_night_summary(told), *cases = json_array();
     for (size_t i = 0; i < told->suspects->count; i++) {
         const struct aob_suspect *s = &told->suspects->items[i];
         struct aob_night_item item = item_of(s);

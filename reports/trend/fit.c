@@ -3,41 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
-#include "base/statistics.h"
-
-/* No clock knows a ratio better; and an interval counts at least half as wide as the series' usual one, and at most four
- * times, so that no night outweighs many. */
-static const double narrowest = 1e-3, least_share = .5, most_share = 4;
-
-static bool is_timed(const struct aob_point *point)
-{
-    return point->status && strcmp(point->status, "ok") == 0 && isfinite(point->ratio) && point->ratio > 0;
-}
+#include "history/point.h"
 
 static bool is_fitted(const struct aob_point *point)
 {
-    return is_timed(point) && point->verdict != AOB_NIGHT_OUTLIER;
-}
-
-/* Of the interval, as a logarithm; NAN without one. */
-static double width_of(const struct aob_point *point)
-{
-    return point->low > 0 && point->high >= point->low ? log(point->high / point->low) : NAN;
-}
-
-static double usual_width(const struct aob_trend_series *series)
-{
-    double *widths = AOB_NEW_ARRAY(double, series->count), usual = NAN;
-    size_t known = 0;
-    for (size_t i = 0; i < series->count; i++) {
-        double width = width_of(series->dots[i].point);
-        if (isfinite(width))
-            widths[known++] = width;
-    }
-    if (known)
-        usual = aob_median(widths, known);
-    free(widths);
-    return usual > narrowest ? usual : narrowest;
+    return aob_point_is_timed(point) && point->verdict != AOB_NIGHT_OUTLIER;
 }
 
 static bool is_decided(int64_t verdict)
@@ -83,13 +53,21 @@ static void fit_stretch(struct aob_trend_series *series, struct stretch *stretch
     stretch->n = 0;
 }
 
-static void add_dot(struct stretch *stretch, const struct aob_trend_series *series, size_t dot, double usual)
+/* Of each dot of the series, so that a stretch weighs its dots as the whole does; free() it. */
+static double *weights_of(const struct aob_trend_series *series)
 {
-    const struct aob_point *point = series->dots[dot].point;
-    double width = width_of(point), most = most_share * usual;
-    stretch->values[stretch->n] = log(point->ratio);
-    stretch->weights[stretch->n] =
-        1 / (isfinite(width) ? fmin(fmax(width, least_share * usual), most) : most);
+    double *widths = AOB_NEW_ARRAY(double, series->count), *weights = AOB_NEW_ARRAY(double, series->count);
+    for (size_t i = 0; i < series->count; i++)
+        widths[i] = aob_point_width(series->dots[i].point);
+    aob_point_weights(widths, series->count, weights);
+    free(widths);
+    return weights;
+}
+
+static void add_dot(struct stretch *stretch, const struct aob_trend_series *series, size_t dot, double weight)
+{
+    stretch->values[stretch->n] = log(series->dots[dot].point->ratio);
+    stretch->weights[stretch->n] = weight;
     stretch->places[stretch->n++] = dot;
 }
 
@@ -99,7 +77,7 @@ static void place_dots(struct aob_trend_series *series)
     for (size_t i = 0, k = 0; levels->count && i < series->count; i++) {
         while (k + 1 < levels->count && levels->starts[k + 1] <= i)
             k++;
-        if (is_timed(series->dots[i].point))
+        if (aob_point_is_timed(series->dots[i].point))
             series->dots[i].level = k;
     }
 }
@@ -109,15 +87,16 @@ static void fit_between(struct aob_trend_series *series, const bool *begins)
 {
     struct stretch stretch = {AOB_NEW_ARRAY(double, series->count), AOB_NEW_ARRAY(double, series->count),
                               AOB_NEW_ARRAY(size_t, series->count), 0};
-    double usual = usual_width(series);
+    double *weights = weights_of(series);
     aob_levels_finish(&series->levels);
     for (size_t i = 0; i < series->count; i++) {
         if (begins[i])
             fit_stretch(series, &stretch);
         if (is_fitted(series->dots[i].point))
-            add_dot(&stretch, series, i, usual);
+            add_dot(&stretch, series, i, weights[i]);
     }
     fit_stretch(series, &stretch);
+    free(weights);
     free(stretch.values);
     free(stretch.weights);
     free(stretch.places);

@@ -123,7 +123,7 @@ static int body_reads_but_does_not_write(void)
 {
     struct aob_lines lines = {0};
     struct aob_history *history = aob_history_open(path, AOB_HISTORY_READ, &error);
-    if (!history || !aob_lines_read(history, &(struct aob_lines_ask){.figures = true}, &lines, &error)) {
+    if (!history || !aob_lines_read(history, &(struct aob_lines_ask){.figures = 1}, &lines, &error)) {
         fprintf(stderr, "%s\n", error.text);
         return 1;
     }

@@ -36,7 +36,7 @@ static void check_ratio(enum aob_history_use use, size_t points, double ratio)
     struct aob_lines lines;
     size_t count = 0;
     struct aob_history *history = history_open(use);
-    assert_true(aob_lines_read(history, &(struct aob_lines_ask){.figures = true}, &lines, &error));
+    assert_true(aob_lines_read(history, &(struct aob_lines_ask){.figures = 1}, &lines, &error));
     for (size_t i = 0; i < lines.count; i++)
         for (size_t k = 0; k < lines.items[i].count; k++, count++)
             assert_true(lines.items[i].points[k].ratio == ratio);

@@ -69,9 +69,44 @@ static void test_restart(void **state)
     check(&s, AOB_NIGHT_SLOWER, AOB_OUTCOME_WORSE, "dearer", 9);
 }
 
+/* Memory and cache figures do not scatter, so any other value is told: the first cache figure and how many more. Metrics
+ * besides them are none of these. What a night before did not have is no change. */
+static void test_counted(void **state)
+{
+    (void)state;
+    char ok[] = "ok", none[] = "";
+    struct aob_night nights[] = {{.id = 1, .whole = true, .summary = none}, {.id = 2, .summary = none}};
+    struct aob_point two[2];
+    for (int i = 0; i < 2; i++)
+        two[i] = (struct aob_point){
+            .night = i + 1, .status = ok, .reason = none, .ratio = NAN, .memory_bytes = 1000};
+    two[0].figures = json_pack("{s:f, s:f, s:f}", "cache.ps4.l2.most.miss_ratio", .25,
+                               "cache.ps4.l2.one.miss_ratio", .5, "flip", .1);
+    two[1].figures =
+        json_pack("{s:f, s:f, s:f, s:f}", "cache.ps4.l2.most.miss_ratio", .375, "cache.ps4.l2.one.miss_ratio",
+                  .5, "flip", .2, "cache.ps5.l2.one.miss_ratio", .5);
+    struct aob_line only = {.points = two, .count = 2};
+    struct aob_suspects suspects = {0};
+    aob_suspects_choose(&suspects, &(struct aob_lines){&only, 1}, &(struct aob_nights){nights, 2}, .02);
+    assert_false(aob_suspect_stands_out(&suspects.items[0]));
+    check(&suspects.items[0], AOB_NIGHT_CHANGED, AOB_OUTCOME_GOOD,
+          "ps4.l2.most.miss_ratio 0.25 before, 0.375 now", 0);
+    aob_suspects_finish(&suspects);
+    two[1].memory_bytes = 1024;
+    json_object_set_new(two[1].figures, "cache.ps4.l2.one.miss_ratio", json_real(.75));
+    aob_suspects_choose(&suspects, &(struct aob_lines){&only, 1}, &(struct aob_nights){nights, 2}, .02);
+    check(&suspects.items[0], AOB_NIGHT_CHANGED, AOB_OUTCOME_GOOD,
+          "memory 1000 bytes before, 1024 now; ps4.l2.most.miss_ratio 0.25 before, 0.375 now, and 1 more "
+          "cache figure",
+          0);
+    aob_suspects_finish(&suspects);
+    json_decref(two[0].figures);
+    json_decref(two[1].figures);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_verdict_of_both),
-                                       cmocka_unit_test(test_restart)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_verdict_of_both), cmocka_unit_test(test_restart),
+                                       cmocka_unit_test(test_counted)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
