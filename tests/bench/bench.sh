@@ -107,6 +107,7 @@ source tests/bench/papers.sh
 source tests/bench/timing.sh
 source tests/bench/compare.sh
 source tests/bench/history.sh
+source tests/bench/watch.sh
 source tests/bench/cache.sh
 source tests/bench/cache_shapes.sh
 source tests/bench/stress.sh

@@ -20,6 +20,11 @@ while read -r hit; do
 done < <(grep -rnE '\b(v?printf|puts|putchar) *\(|\b(stdout|stderr)\b' harness reports/page reports/trend techniques --include='*.c' |
   grep -vE '^harness/(base/(output|error|memory)|run/progress)\.c:|^[^:]+:[0-9]+: *(/\*|\*)' | cut -d: -f1,2)
 
+# A section that nobody sources prints no row, and so no SHORT either.
+while read -r file; do
+  grep -qx "source $file" tests/bench/bench.sh || complain "$file: tests/bench/bench.sh does not source it"
+done < <(grep -lE '^# Sourced by bench\.sh' tests/bench/*.sh)
+
 # Subjects since the rule was made; a tree without that history has none to look at.
 first=fd870c5a
 while read -r subject; do
