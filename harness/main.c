@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "command/command.h"
 #include "stress/ask.h"
+#include "tune/fit.h"
 #include "worker/worker.h"
 
 static const struct aob_command *const commands[] = {
@@ -22,6 +23,7 @@ static const struct aob_command *const commands[] = {
     &aob_command_cache,
     &aob_command_budget,
     &aob_command_effects,
+    &aob_command_tune,
     &aob_command_stress,
     &aob_command_doctor,
     &aob_command_nightly,
@@ -32,7 +34,7 @@ static const struct aob_command *const commands[] = {
 static const struct aob_worker_job *const jobs[] = {
     &aob_worker_describe, &aob_worker_probe,   &aob_worker_devices, &aob_worker_timer, &aob_worker_layout,
     &aob_worker_mesh,     &aob_worker_capture, &aob_worker_light,   &aob_worker_check, &aob_worker_view,
-    &aob_worker_block,    &aob_worker_cache,   &aob_worker_stress,  &aob_worker_fuzz,  NULL,
+    &aob_worker_block,    &aob_worker_cache,   &aob_worker_stress,  &aob_worker_fuzz,  &aob_worker_tune, NULL,
 };
 
 static enum aob_exit write_text(struct aob_text *text, struct aob_error *error)

@@ -38,5 +38,5 @@ bool aob_common_speaks(const struct aob_common *common);
 extern const struct aob_command aob_command_list, aob_command_plan, aob_command_run_config, aob_command_shot,
     aob_command_report, aob_command_papers, aob_command_compare, aob_command_calibrate, aob_command_cache,
     aob_command_budget, aob_command_effects, aob_command_stress, aob_command_doctor, aob_command_nightly,
-    aob_command_history, aob_command_merge;
+    aob_command_history, aob_command_merge, aob_command_tune;
 #endif

@@ -53,7 +53,7 @@ echo "[20/20] Linking C executable aobudget"
 EOS
 
 packages=(
-  'dev: 3 of 41 packages are missing: cmake g++ jq'
+  'dev: 3 of 42 packages are missing: cmake g++ jq'
   'dev: reading the package lists'
   'dev: reading the package lists took N s'
   'dev: installing the packages and what they need'

@@ -7,7 +7,7 @@ grep -HnoE '^[[:space:]]*#[[:space:]]*include[[:space:]]*["<][^">]+[">]' $files 
   BEGIN {
     split("include/aobudget 0  harness/base 0  harness/config 1  harness/technique 1  harness/scene 2  harness/gpu 2  harness/profile 2  harness/budget 2 " \
           "harness/plan 3  harness/reference 3  harness/shader 3  harness/store 3  harness/gbuffer 4  harness/history 4  harness/job 4  harness/frame 5 " \
-          "harness/score 5  reports/page 5  harness/timing 6  reports/trend 6  harness/run 7  harness/worker 7  harness/papers 8  harness/compare 8  harness/merge 8  harness/stress 8  harness/effects 8 " \
+          "harness/score 5  reports/page 5  harness/timing 6  reports/trend 6  harness/run 7  harness/worker 7  harness/papers 8  harness/compare 8  harness/merge 8  harness/stress 8  harness/effects 8  harness/tune 8 " \
           "harness/nightly 9  harness/command 10  harness 11", words, " ")
     for (i = 1; i in words; i += 2) layer[words[i]] = words[i + 1]
     only["reports/plot"] = "harness/base harness/store" # programs of their own
