@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
+#include "base/text.h"
 #include "scene/scene.h"
 
 /* As a plan calls it. */
@@ -18,19 +19,32 @@ static const char *scene_of(const struct aob_scene_choice *choice)
     return choice->name ? choice->name : choice->given;
 }
 
-static bool is_meant(const struct aob_scene_choice *choice, const char *name)
+/* The place of a view among those that the config gives by numbers, of one scene; from 1, and 1 of a listed view. */
+static size_t number_of(const struct aob_config *config, size_t at)
 {
-    const char *scene = scene_of(choice);
-    size_t length = strlen(scene);
-    return strcmp(scene, name) == 0 || (strncmp(scene, name, length) == 0 && name[length] == '/' &&
-                                        strcmp(view_of(choice), name + length + 1) == 0);
+    const struct aob_scene_choice *choice = &config->scenes[at];
+    size_t number = 1;
+    for (size_t i = 0; i < at && choice->has_camera; i++)
+        number += config->scenes[i].has_camera && strcmp(scene_of(&config->scenes[i]), scene_of(choice)) == 0;
+    return number;
+}
+
+static bool is_meant(const struct aob_config *config, size_t at, const char *name)
+{
+    const struct aob_scene_choice *choice = &config->scenes[at];
+    const size_t number = number_of(config, at);
+    struct aob_text text = {0};
+    aob_text_add(&text, number > 1 ? "%s/%s-%zu" : "%s/%s", scene_of(choice), view_of(choice), number);
+    bool meant = strcmp(name, text.data) == 0 || strcmp(name, scene_of(choice)) == 0;
+    aob_text_finish(&text);
+    return meant;
 }
 
 static size_t mark(const struct aob_config *config, size_t count, const char *name, bool *held)
 {
     size_t found = 0;
     for (size_t i = 0; i < count; i++)
-        if (is_meant(&config->scenes[i], name)) {
+        if (is_meant(config, i, name)) {
             held[i] = true;
             found++;
         }

@@ -9,10 +9,13 @@
 #include "shape.h"
 
 /* A small image has about so many columns, and its truth so many rays a pixel. */
-enum { SMALL_WIDTH = 160, SMALL_SPP = 16 };
+enum { SMALL_WIDTH = 160, SMALL_SPP = 128 };
 
 /* Images of every view that a search may draw: some for each search, and some more for each parameter. */
-enum { SMALL_LEAST = 40, SMALL_MORE = 15, FULL_LEAST = 12, FULL_MORE = 6 };
+enum { GLOBAL_LEAST = 40, GLOBAL_MORE = 15, LOCAL_LEAST = 40, LOCAL_MORE = 30, FULL_LEAST = 20, FULL_MORE = 12 };
+
+/* Of the local search, as a share of the box. In a bent valley a shorter one takes as many images and stops before the end (decision 54). */
+static const double first_step = 0.1;
 
 /* What goes wrong is said by one line, but a fit may need hours of a slow machine: ten times what was measured of a dear frame. */
 static const double job_s = 300, pixel_s = 1e-5;
@@ -133,9 +136,9 @@ static bool fill_job(struct stage *stage, struct aob_error *error)
     add_axes(stage);
     const int axes = (int)stage->job.axis_count;
     stage->job.probe = small;
-    stage->job.global = small ? SMALL_LEAST + SMALL_MORE * axes : 0;
-    stage->job.local = small ? SMALL_LEAST + SMALL_MORE * axes : FULL_LEAST + FULL_MORE * axes;
-    stage->job.step = small ? 0.1 : 0.03;
+    stage->job.global = small ? GLOBAL_LEAST + GLOBAL_MORE * axes : 0;
+    stage->job.local = small ? LOCAL_LEAST + LOCAL_MORE * axes : FULL_LEAST + FULL_MORE * axes;
+    stage->job.step = first_step;
     return true;
 }
 
