@@ -39,16 +39,18 @@ static bool tell(struct options *o, const struct aob_tune_desc *desc, const stru
     const bool chosen = tune->chosen != AOB_NO_CANDIDATE;
     if (chosen && !aob_tune_written_save(desc, tune, out, error))
         return false;
-    if (aob_common_speaks(&o->common)) {
-        aob_tune_print(desc, tune, &o->common.out);
-        if (chosen)
-            aob_text_add_line(&o->common.out, "config: %s", out);
+    if (chosen && aob_common_speaks(&o->common)) {
+        aob_tune_print(tune, &o->common.out);
+        aob_text_add_line(&o->common.out, "config: %s", out);
     }
-    if (!o->common.json)
-        return true;
-    json_t *document = aob_tune_to_json(desc, tune, chosen ? out : NULL);
-    bool ok = aob_json_write(document, o->common.json, error);
+    json_t *document = o->common.json ? aob_tune_to_json(desc, tune, chosen ? out : NULL) : NULL;
+    bool ok = !document || aob_json_write(document, o->common.json, error);
     json_decref(document);
+    if (ok && !chosen)
+        aob_fail(error,
+                 "--budget-ms: nothing of %s fits %g ms: the cheapest of its settings takes up to %.3g ms %s a "
+                 "fit; allow more, or give the config fewer samples or a smaller size",
+                 desc->technique, desc->budget_ms, tune->cheapest_ms, tune->unfitted ? "without" : "with");
     return ok;
 }
 

@@ -89,7 +89,8 @@ json_t *aob_tune_to_json(const struct aob_tune_desc *desc, const struct aob_tune
         out ? aob_json_path(out) : json_null());
 }
 
-void aob_tune_setting_print(const struct aob_tune_setting *setting, struct aob_text *text)
+/* "samples=16 blur=0" */
+static void print_values(const struct aob_tune_setting *setting, struct aob_text *text)
 {
     for (size_t i = 0; i < setting->value_count; i++)
         aob_text_add(text, "%s%s=%s", i ? " " : "", setting->values[i].name, setting->values[i].text);
@@ -165,7 +166,7 @@ static void print_other(const struct aob_tune *tune, size_t s, struct aob_text *
 {
     const struct aob_tune_setting *setting = &tune->settings[s];
     struct aob_text name = {0};
-    aob_tune_setting_print(setting, &name);
+    print_values(setting, &name);
     if (setting->dear)
         aob_text_add_line(out, "not taken: %s: too dear without a fit", name.data);
     else
@@ -179,7 +180,7 @@ static void print_setting(const struct aob_tune *tune, const struct aob_tune_set
                           struct aob_text *out)
 {
     struct aob_text name = {0};
-    aob_tune_setting_print(setting, &name);
+    print_values(setting, &name);
     aob_text_add_line(out, "%s with %s, %dx%d, %s, target %.4g %s: %d images of each view were drawn",
                       tune->technique->name, name.data, tune->width, tune->height, tune->backend,
                       tune->target.radius, tune->target.uniform ? "uniform" : "cosine", setting->evaluations);
@@ -194,15 +195,10 @@ static void print_setting(const struct aob_tune *tune, const struct aob_tune_set
     print_mean(tune, setting, true, out);
 }
 
-void aob_tune_print(const struct aob_tune_desc *desc, const struct aob_tune *tune, struct aob_text *out)
+void aob_tune_print(const struct aob_tune *tune, struct aob_text *out)
 {
-    if (tune->chosen != AOB_NO_CANDIDATE)
-        print_setting(tune, &tune->settings[tune->chosen], out);
+    print_setting(tune, &tune->settings[tune->chosen], out);
     for (size_t s = 0; s < tune->setting_count; s++)
-        if (s != tune->chosen && !tune->unfitted)
+        if (s != tune->chosen)
             print_other(tune, s, out);
-    if (tune->chosen == AOB_NO_CANDIDATE)
-        aob_text_add_line(out, "nothing fits %g ms: the cheapest of %s takes up to %.3g ms%s", desc->budget_ms,
-                          tune->technique->name, tune->cheapest_ms,
-                          tune->unfitted ? " without a fit" : " with its fit");
 }

@@ -7,9 +7,7 @@
 /* docs/design.md, tune. `out`: the config that was written, or NULL. A new object. */
 json_t *aob_tune_to_json(const struct aob_tune_desc *desc, const struct aob_tune *tune, const char *out);
 
-/* The parameters, what each view gains and costs, and the means, of the setting that is chosen; of the others a line each. */
-void aob_tune_print(const struct aob_tune_desc *desc, const struct aob_tune *tune, struct aob_text *out);
-
-/* Adds what a setting states: "samples=16 blur=0"; "its defaults" where that is nothing. */
-void aob_tune_setting_print(const struct aob_tune_setting *setting, struct aob_text *text);
+/* The parameters, what each view gains and costs, and the means, of the setting that is chosen, which there must be; of the others a line
+ * each. */
+void aob_tune_print(const struct aob_tune *tune, struct aob_text *out);
 #endif

@@ -23,7 +23,7 @@ static bool choose_target(const struct aob_tune_desc *desc, struct aob_tune *tun
         memcpy(own, config->targets, count * sizeof *own);
     if (desc->target) {
         config->target_count = 0;
-        if (!aob_config_add_targets(config, desc->target, NULL, error))
+        if (!aob_config_add_targets(config, desc->target, "cosine", error))
             return aob_fail_in(error, "--target");
         if (config->target_count != 1)
             return aob_fail(error, "--target: a fit is to one radius, and '%s' are %zu", desc->target,
