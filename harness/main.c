@@ -12,29 +12,18 @@
 #include "worker/worker.h"
 
 static const struct aob_command *const commands[] = {
-    &aob_command_list,
-    &aob_command_plan,
-    &aob_command_run_config,
-    &aob_command_shot,
-    &aob_command_report,
-    &aob_command_papers,
-    &aob_command_compare,
-    &aob_command_calibrate,
-    &aob_command_cache,
-    &aob_command_budget,
-    &aob_command_effects,
-    &aob_command_tune,
-    &aob_command_stress,
-    &aob_command_doctor,
-    &aob_command_nightly,
-    &aob_command_history,
-    &aob_command_merge,
-    NULL,
+    &aob_command_list,    &aob_command_plan,      &aob_command_run_config,
+    &aob_command_shot,    &aob_command_report,    &aob_command_papers,
+    &aob_command_compare, &aob_command_calibrate, &aob_command_cache,
+    &aob_command_budget,  &aob_command_effects,   &aob_command_tune,
+    &aob_command_stress,  &aob_command_doctor,    &aob_command_nightly,
+    &aob_command_history, &aob_command_merge,     NULL,
 };
 static const struct aob_worker_job *const jobs[] = {
-    &aob_worker_describe, &aob_worker_probe,   &aob_worker_devices, &aob_worker_timer, &aob_worker_layout,
-    &aob_worker_mesh,     &aob_worker_capture, &aob_worker_light,   &aob_worker_check, &aob_worker_view,
-    &aob_worker_block,    &aob_worker_cache,   &aob_worker_stress,  &aob_worker_fuzz,  &aob_worker_tune, NULL,
+    &aob_worker_describe, &aob_worker_probe, &aob_worker_devices, &aob_worker_timer,
+    &aob_worker_layout,   &aob_worker_mesh,  &aob_worker_capture, &aob_worker_light,
+    &aob_worker_check,    &aob_worker_view,  &aob_worker_block,   &aob_worker_cache,
+    &aob_worker_stress,   &aob_worker_fuzz,  &aob_worker_tune,    NULL,
 };
 
 static enum aob_exit write_text(struct aob_text *text, struct aob_error *error)

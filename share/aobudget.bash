@@ -12,7 +12,7 @@ _aobudget() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
   local words
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="list plan run shot merge report papers compare calibrate cache budget effects stress nightly history doctor --help --version"
+    words="list plan run shot merge report papers compare calibrate cache budget effects tune stress nightly history doctor --help --version"
   elif [ "$command" = history ] && [ "$COMP_CWORD" -eq 3 ]; then
     words="list plot prune export"
   elif [ "$command" = history ]; then
@@ -30,6 +30,7 @@ _aobudget() {
       --profile) words=$(_aobudget_names profiles) ;;
       --budget) words=$(_aobudget_names budgets) ;;
       effects) words=$(_aobudget_names scenes) ;;
+      tune) words=$(_aobudget_names techniques) ;;
       list) words="techniques scenes lights backends profiles budgets" ;;
       --property) words=$("${COMP_WORDS[0]}" stress --list 2>/dev/null | sed -n 's/^\([a-z0-9_]*\) (.*/\1/p') ;;
       --index) words="modulo xor" ;;

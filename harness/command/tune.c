@@ -17,12 +17,13 @@ struct options {
 };
 
 static const struct aob_flag flags[] = {
-    AOB_FLAG_OF(struct options, config, "config", "C.yaml", "whose views, size, rays and target are fitted to"),
+    AOB_FLAG_OF(struct options, config, "config", "C.yaml",
+                "whose views, size, rays and target are fitted to"),
     AOB_FLAG_OF(struct options, params, "params", "a,b", "what is fitted (the floats that shape the image)"),
-    AOB_FLAG_OF(struct options, target, "target", "R", "radius of the truth, scene units, or inf (the config's)"),
+    AOB_FLAG_OF(struct options, target, "target", "R",
+                "radius of the truth, scene units, or inf (the config's)"),
     AOB_FLAG_OF(struct options, budget_ms, "budget-ms", "X", "milliseconds that a frame may take"),
-    AOB_FLAG_OF(struct options, held_out, "held-out", "SCENES",
-                "scene,scene/view: scored and never fitted"),
+    AOB_FLAG_OF(struct options, held_out, "held-out", "SCENES", "scene,scene/view: scored and never fitted"),
     AOB_FLAG_OF(struct options, out, "out", "FILE.yaml", "the config that is written (beside C, C-T.yaml)"),
     {0},
 };
@@ -47,10 +48,11 @@ static bool tell(struct options *o, const struct aob_tune_desc *desc, const stru
     bool ok = !document || aob_json_write(document, o->common.json, error);
     json_decref(document);
     if (ok && !chosen)
-        aob_fail(error,
-                 "--budget-ms: nothing of %s fits %g ms: the cheapest of its settings takes up to %.3g ms %s a "
-                 "fit; allow more, or give the config fewer samples or a smaller size",
-                 desc->technique, desc->budget_ms, tune->cheapest_ms, tune->unfitted ? "without" : "with");
+        aob_fail(
+            error,
+            "--budget-ms: nothing of %s fits %g ms: the cheapest of its settings takes up to %.3g ms %s a "
+            "fit; allow more, or give the config fewer samples or a smaller size",
+            desc->technique, desc->budget_ms, tune->cheapest_ms, tune->unfitted ? "without" : "with");
     return ok;
 }
 
@@ -78,10 +80,10 @@ static enum aob_exit fit(struct options *o, struct aob_tune_desc *desc, const ch
     bool ok = aob_tune_run(desc, &tune, error);
     aob_progress_finish(&progress);
     ok = ok && tell(o, desc, &tune, out, error);
-    enum aob_exit code = !ok                                ? AOB_EXIT_USAGE
+    enum aob_exit code = !ok                               ? AOB_EXIT_USAGE
                          : tune.chosen == AOB_NO_CANDIDATE ? AOB_EXIT_BAD
-                         : lacks(&tune)                     ? AOB_EXIT_PART
-                                                            : AOB_EXIT_OK;
+                         : lacks(&tune)                    ? AOB_EXIT_PART
+                                                           : AOB_EXIT_OK;
     aob_tune_finish(&tune);
     aob_work_folder_remove(&folder);
     return code;
@@ -115,8 +117,9 @@ const struct aob_command aob_command_tune = {
     .help = "a technique's free parameters fitted to the truth of one target",
     .usage = "TECHNIQUE --config C.yaml [--params a,b] [--target R] [--held-out SCENES] [--budget-ms X] "
              "[--out FILE.yaml] [--device NAME|N] [--module FILE.so]",
-    .summary = "Fits the free parameters of a technique to the ray-traced truth on the views of a config, says what "
-               "that gains on views which no fit has seen, and writes a config with both.",
+    .summary =
+        "Fits the free parameters of a technique to the ray-traced truth on the views of a config, says what "
+        "that gains on views which no fit has seen, and writes a config with both.",
     .flags = flags,
     .modules = true,
     .devices = true,

@@ -69,9 +69,15 @@ static bool read_axes(const json_t *axes, struct aob_tune_job *job, struct aob_e
 {
     const json_t *axis;
     size_t at;
-    json_array_foreach(borrow(axes), at, axis) if (job->axis_count == AOB_MAX_PARAM ||
-                                                   !axis_from_json(axis, &job->axes[job->axis_count++]))
-        return aob_fail(error, "axis %zu of a job `tune` makes no sense", at);
+    json_array_foreach(
+        borrow(axes), at,
+        axis) if (job->axis_count == AOB_MAX_PARAM ||
+                  !axis_from_json(
+                      axis,
+                      &job->axes
+                           [job->axis_count++])) return aob_fail(error,
+                                                                 "axis %zu of a job `tune` makes no sense",
+                                                                 at);
     for (size_t v = 0; v < job->view_count; v++)
         for (size_t i = 0; i < job->axis_count; i++)
             if (job->axes[i].index >= job->views[v].frame.param_count)

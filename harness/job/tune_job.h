@@ -8,17 +8,18 @@
 #include "base/error.h"
 #include "drawing_job.h"
 
-struct aob_tune_axis {    /* a parameter that is free */
-    size_t index;         /* row of the technique's table */
-    bool log;             /* the search takes equal steps of its logarithm; low is above 0 then */
-    double low, high;     /* between which the search looks, in the unit of the table */
-    double start;         /* where it begins */
-    double scale;         /* what is drawn is the value times this: pixels of a smaller image */
+struct aob_tune_axis { /* a parameter that is free */
+    size_t index;      /* row of the technique's table */
+    bool log;          /* the search takes equal steps of its logarithm; low is above 0 then */
+    double low, high;  /* between which the search looks, in the unit of the table */
+    double start;      /* where it begins */
+    double scale;      /* what is drawn is the value times this: pixels of a smaller image */
 };
 struct aob_tune_view {
     struct aob_job_drawing drawing;
-    struct aob_job_frame frame; /* the values of what is not free, and those that the error without a fit is of */
-    const char *truth;          /* file of the visibility of the target */
+    struct aob_job_frame
+        frame;         /* the values of what is not free, and those that the error without a fit is of */
+    const char *truth; /* file of the visibility of the target */
 };
 struct aob_tune_job {
     struct aob_tune_view *views; /* all of one technique */

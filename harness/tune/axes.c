@@ -31,8 +31,8 @@ bool aob_tune_axes_wants(const struct aob_param *param)
 
 static bool spans_orders(const struct aob_param *param, double start)
 {
-    return start > 0 && (param->scale == AOB_LOG2 || param->unit == AOB_UNIT_LENGTH ||
-                         param->max > 8 * start);
+    return start > 0 &&
+           (param->scale == AOB_LOG2 || param->unit == AOB_UNIT_LENGTH || param->max > 8 * start);
 }
 
 static void add_axis(struct aob_tune_axes *axes, const struct aob_tune_axes_desc *desc, size_t index)
@@ -45,7 +45,8 @@ static void add_axis(struct aob_tune_axes *axes, const struct aob_tune_axes_desc
     axes->items[axes->count++] = axis;
 }
 
-static bool fail_unknown(const struct aob_technique_info *technique, const char *name, struct aob_error *error)
+static bool fail_unknown(const struct aob_technique_info *technique, const char *name,
+                         struct aob_error *error)
 {
     struct aob_text all = {0};
     for (size_t i = 0; i < technique->param_count; i++)
@@ -65,10 +66,11 @@ static bool add_named(struct aob_tune_axes *axes, const struct aob_tune_axes_des
     if (!param)
         return fail_unknown(technique, name, error);
     if (!is_continuous(param))
-        return aob_fail(error,
-                        "--params: '%s' of %s is %s, and a fit moves floats: sweep it in the config, and each "
-                        "of its values gets a fit of its own",
-                        name, technique->name, param->choices ? "a choice" : "a whole number");
+        return aob_fail(
+            error,
+            "--params: '%s' of %s is %s, and a fit moves floats: sweep it in the config, and each "
+            "of its values gets a fit of its own",
+            name, technique->name, param->choices ? "a choice" : "a whole number");
     size_t index = (size_t)(param - technique->params);
     for (size_t i = 0; i < axes->count; i++)
         if (axes->items[i].index == index)

@@ -15,9 +15,9 @@ bool aob_tune_axes_wants(const struct aob_param *param);
 
 struct aob_tune_axes_desc {
     const struct aob_technique_info *technique;
-    const double *start;     /* a value for each row of its table */
-    const char *names;       /* "a,b"; NULL: all that are wanted */
-    const bool *stated;      /* rows that the config gives one value, and which stay unless they are named */
+    const double *start; /* a value for each row of its table */
+    const char *names;   /* "a,b"; NULL: all that are wanted */
+    const bool *stated;  /* rows that the config gives one value, and which stay unless they are named */
 };
 
 /* A parameter whose range reaches far beyond where it starts, and every length, is searched between 1/16 and 16 times that, by its

@@ -27,8 +27,8 @@ static bool is_of(const struct aob_case *c, const struct aob_technique_choice *e
     for (size_t i = 0; i < entry->axis_count; i++) {
         const struct aob_param *param =
             aob_param_find(technique->params, technique->param_count, entry->axes[i].name);
-        if (!param || !aob_param_parse(param, entry->axes[i].values[0].text,
-                                       &values[param - technique->params], NULL))
+        if (!param ||
+            !aob_param_parse(param, entry->axes[i].values[0].text, &values[param - technique->params], NULL))
             return false;
     }
     for (size_t i = 0; i < technique->param_count; i++)

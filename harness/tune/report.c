@@ -43,12 +43,13 @@ static json_t *axes_to_json(const struct aob_tune *tune, const struct aob_tune_s
     json_t *axes = json_array();
     for (size_t i = 0; i < setting->axes.count; i++) {
         const struct aob_tune_axis *axis = &setting->axes.items[i];
-        json_array_append_new(
-            axes, json_pack("{s:s, s:o, s:o, s:o, s:o, s:b}", "name",
-                            tune->technique->params[axis->index].name, "default", aob_json_number(axis->start),
-                            "fitted", aob_json_number(setting->idle[i] ? axis->start : setting->fitted[i]),
-                            "low", aob_json_number(axis->low), "high", aob_json_number(axis->high), "idle",
-                            setting->idle[i]));
+        json_array_append_new(axes,
+                              json_pack("{s:s, s:o, s:o, s:o, s:o, s:b}", "name",
+                                        tune->technique->params[axis->index].name, "default",
+                                        aob_json_number(axis->start), "fitted",
+                                        aob_json_number(setting->idle[i] ? axis->start : setting->fitted[i]),
+                                        "low", aob_json_number(axis->low), "high",
+                                        aob_json_number(axis->high), "idle", setting->idle[i]));
     }
     return axes;
 }
@@ -78,15 +79,15 @@ json_t *aob_tune_to_json(const struct aob_tune_desc *desc, const struct aob_tune
     json_t *settings = json_array();
     for (size_t s = 0; s < tune->setting_count; s++)
         json_array_append_new(settings, setting_to_json(tune, &tune->settings[s]));
-    return json_pack(
-        "{s:s, s:o, s:s, s:i, s:i, s:i, s:{s:o, s:s}, s:o, s:o, s:o, s:o}", "technique",
-        tune->technique->name, "config", aob_json_text(desc->config), "backend", tune->backend, "width",
-        tune->width, "height", tune->height, "spp", tune->spp, "target", "radius",
-        aob_json_number(tune->target.radius), "weighting", tune->target.uniform ? "uniform" : "cosine",
-        "budget_ms", isfinite(desc->budget_ms) ? json_real(desc->budget_ms) : json_null(), "settings",
-        settings, "chosen",
-        tune->chosen == AOB_NO_CANDIDATE ? json_null() : json_integer((json_int_t)tune->chosen), "out",
-        out ? aob_json_path(out) : json_null());
+    return json_pack("{s:s, s:o, s:s, s:i, s:i, s:i, s:{s:o, s:s}, s:o, s:o, s:o, s:o}", "technique",
+                     tune->technique->name, "config", aob_json_text(desc->config), "backend", tune->backend,
+                     "width", tune->width, "height", tune->height, "spp", tune->spp, "target", "radius",
+                     aob_json_number(tune->target.radius), "weighting",
+                     tune->target.uniform ? "uniform" : "cosine", "budget_ms",
+                     isfinite(desc->budget_ms) ? json_real(desc->budget_ms) : json_null(), "settings",
+                     settings, "chosen",
+                     tune->chosen == AOB_NO_CANDIDATE ? json_null() : json_integer((json_int_t)tune->chosen),
+                     "out", out ? aob_json_path(out) : json_null());
 }
 
 /* "samples=16 blur=0" */
@@ -118,8 +119,8 @@ static void print_axis(const struct aob_tune *tune, const struct aob_tune_settin
     if (is_near(fitted, param->min) || is_near(fitted, param->max))
         note = "  at the end of what it may be";
     if (strcmp(param->name, "radius") == 0 && isfinite(tune->target.radius))
-        aob_text_add_line(out, "  %-22s %10.4g %10.4g  %.3g of the target's%s", param->name, axis->start, fitted,
-                          fitted / tune->target.radius, note);
+        aob_text_add_line(out, "  %-22s %10.4g %10.4g  %.3g of the target's%s", param->name, axis->start,
+                          fitted, fitted / tune->target.radius, note);
     else
         aob_text_add_line(out, "  %-22s %10.4g %10.4g%s", param->name, axis->start, fitted, note);
 }

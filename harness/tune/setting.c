@@ -126,8 +126,9 @@ static bool is_moved(const struct aob_tune_setting *setting, const struct aob_te
     return false;
 }
 
-void aob_tune_setting_entry(const struct aob_tune_setting *setting, const struct aob_technique_info *technique,
-                            enum aob_tune_side side, double radius, struct aob_technique_choice *entry)
+void aob_tune_setting_entry(const struct aob_tune_setting *setting,
+                            const struct aob_technique_info *technique, enum aob_tune_side side,
+                            double radius, struct aob_technique_choice *entry)
 {
     const struct aob_technique_choice *from = setting->from;
     const bool fitted = side == AOB_TUNE_FITTED;

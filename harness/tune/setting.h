@@ -49,8 +49,9 @@ bool aob_tune_setting_states(const struct aob_tune_setting *setting, const char 
 
 /* The setting as an entry of a config, without a fit or with it. `radius` is what a technique with such a parameter gets where the setting
  * states none: the target's; INFINITY: its own default. Allocates; aob_technique_choice_finish frees. */
-void aob_tune_setting_entry(const struct aob_tune_setting *setting, const struct aob_technique_info *technique,
-                            enum aob_tune_side side, double radius, struct aob_technique_choice *entry);
+void aob_tune_setting_entry(const struct aob_tune_setting *setting,
+                            const struct aob_technique_info *technique, enum aob_tune_side side,
+                            double radius, struct aob_technique_choice *entry);
 
 /* The mean error over the views that are held out, or over the others, of those that have one on both sides; NAN where there is none. */
 struct aob_tune_shown;

@@ -14,7 +14,7 @@ static bool take_band(struct aob_tune_sight *sight, const float *truth)
     size_t width = (size_t)view->width, height = (size_t)view->height, guard = (size_t)view->guard,
            stride = (size_t)gbuffer->projection.width;
     sight->image = AOB_NEW_ARRAY(float, width *height);
-    sight->pixels = AOB_NEW_ARRAY(struct aob_sight_pixel, width *height);
+    sight->pixels = AOB_NEW_ARRAY(struct aob_sight_pixel, width * height);
     for (size_t i = 0; i < width * height; i++) {
         float depth = gbuffer->depth[(i / width + guard) * stride + i % width + guard];
         if (depth < 0.5f * AOB_GBUFFER_SKY && (double)truth[i] < AOB_BAND_LIMIT)

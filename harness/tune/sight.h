@@ -11,7 +11,7 @@ struct aob_sight_pixel {
 struct aob_tune_sight {
     struct aob_drawing drawing;
     struct aob_drawing_part part;
-    struct aob_frame frame;         /* while `built` */
+    struct aob_frame frame; /* while `built` */
     bool built;
     struct aob_sight_pixel *pixels; /* those in band: surfaces whose truth is below AOB_BAND_LIMIT */
     size_t count;

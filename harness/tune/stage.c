@@ -12,7 +12,14 @@
 enum { SMALL_WIDTH = 160, SMALL_SPP = 128 };
 
 /* Images of every view that a search may draw: some for each search, and some more for each parameter. */
-enum { GLOBAL_LEAST = 40, GLOBAL_MORE = 15, LOCAL_LEAST = 40, LOCAL_MORE = 30, FULL_LEAST = 20, FULL_MORE = 12 };
+enum {
+    GLOBAL_LEAST = 40,
+    GLOBAL_MORE = 15,
+    LOCAL_LEAST = 40,
+    LOCAL_MORE = 30,
+    FULL_LEAST = 20,
+    FULL_MORE = 12
+};
 
 /* Of the local search, as a share of the box. In a bent valley a shorter one takes as many images and stops before the end (decision 54). */
 static const double first_step = 0.1;
@@ -68,12 +75,11 @@ bool aob_tune_stage_axes(const struct aob_tune_desc *desc, const struct aob_case
     bool stated[AOB_MAX_PARAM];
     for (size_t i = 0; i < technique->param_count; i++)
         stated[i] = aob_tune_setting_states(setting, technique->params[i].name);
-    return aob_tune_axes_choose(&setting->axes,
-                                &(struct aob_tune_axes_desc){.technique = technique,
-                                                             .start = first->params,
-                                                             .names = desc->params,
-                                                             .stated = stated},
-                                error);
+    return aob_tune_axes_choose(
+        &setting->axes,
+        &(struct aob_tune_axes_desc){
+            .technique = technique, .start = first->params, .names = desc->params, .stated = stated},
+        error);
 }
 
 /* The case of a view that is fitted; NULL: it is held out, or another view is the same. */
@@ -163,8 +169,7 @@ static bool send(struct stage *stage, struct aob_error *error)
                                error);
     aob_drawing_environment_finish(&env);
     return (ok || aob_fail_in(error, "%s", stage->desc->technique)) &&
-           (stage->answered ||
-            aob_fail(error, "%s: the worker ended without a fit", stage->desc->technique));
+           (stage->answered || aob_fail(error, "%s: the worker ended without a fit", stage->desc->technique));
 }
 
 static void keep(struct stage *stage)

@@ -15,9 +15,10 @@ static bool choose_target(const struct aob_tune_desc *desc, struct aob_tune *tun
     struct aob_target own[AOB_CONFIG_MAX_TARGETS];
     const size_t count = config->target_count;
     if (!desc->target && count != 1)
-        return aob_fail(error, count ? "%s: it has %zu targets, and a fit is to one: choose it with --target R"
-                                     : "%s: it has no target: write `target: {radius: R}` into it, or give "
-                                       "--target R",
+        return aob_fail(error,
+                        count ? "%s: it has %zu targets, and a fit is to one: choose it with --target R"
+                              : "%s: it has no target: write `target: {radius: R}` into it, or give "
+                                "--target R",
                         config->path, count);
     if (count)
         memcpy(own, config->targets, count * sizeof *own);
@@ -161,8 +162,8 @@ static bool choose(const struct aob_tune_desc *desc, struct aob_tune *tune, stru
     size_t count = 0;
     for (size_t s = 0; s < tune->setting_count; s++) {
         struct aob_candidate candidate = candidate_of(tune, s, AOB_TUNE_FITTED);
-        candidate.error = aob_tune_setting_mean(&tune->settings[s], tune->views, tune->view_count, false,
-                                                AOB_TUNE_FITTED);
+        candidate.error =
+            aob_tune_setting_mean(&tune->settings[s], tune->views, tune->view_count, false, AOB_TUNE_FITTED);
         if (!isnan(candidate.error) && !tune->settings[s].dear)
             list[count++] = candidate;
     }

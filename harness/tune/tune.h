@@ -22,7 +22,8 @@ struct aob_tune_shown { /* a view */
     bool held_out;      /* it is scored and never fitted */
 };
 struct aob_tune {
-    struct aob_sweep look; /* the config as it was read, and its plan: settings and the next three point into it */
+    struct aob_sweep
+        look; /* the config as it was read, and its plan: settings and the next three point into it */
     const struct aob_technique_info *technique;
     const char *backend;
     struct aob_target target;
@@ -31,7 +32,8 @@ struct aob_tune {
     size_t view_count;
     struct aob_tune_setting *settings; /* setting_count: each with a fit of its own */
     size_t setting_count;
-    size_t chosen; /* setting of the least error in training that fits the budget; AOB_NO_CANDIDATE: none does */
+    size_t
+        chosen; /* setting of the least error in training that fits the budget; AOB_NO_CANDIDATE: none does */
     double cheapest_ms; /* then the least upper end of a cost */
     bool unfitted;      /* all were too dear before any fit, so none was made */
 };

@@ -65,8 +65,8 @@ bool aob_tune_written_check(const struct aob_tune_desc *desc, const char *path, 
 {
     struct aob_config config;
     if (aob_file_exists(path))
-        return aob_fail(error, "%s: it exists, and a fit replaces no config: remove it, or give another --out",
-                        path);
+        return aob_fail(
+            error, "%s: it exists, and a fit replaces no config: remove it, or give another --out", path);
     if (!aob_config_read(&config, desc->config, error))
         return false;
     const char *seen = find_path(&config);
@@ -253,8 +253,9 @@ static bool compose(const struct aob_tune_desc *desc, const struct aob_tune *tun
         aob_text_add(into, "\n");
     }
     aob_yaml_finish(&yaml);
-    return ok || aob_fail(error, "%s: a fit is written into a list of keys, one a line, and this is written "
-                                 "in braces: put name, scenes and techniques on lines of their own",
+    return ok || aob_fail(error,
+                          "%s: a fit is written into a list of keys, one a line, and this is written "
+                          "in braces: put name, scenes and techniques on lines of their own",
                           config->path);
 }
 
@@ -265,8 +266,7 @@ bool aob_tune_written_save(const struct aob_tune_desc *desc, const struct aob_tu
     struct aob_text text = {0};
     if (!aob_config_read(&config, desc->config, error))
         return false;
-    bool ok = compose(desc, tune, &config, &text, error) &&
-              aob_file_write(path, text.data, text.size, error);
+    bool ok = compose(desc, tune, &config, &text, error) && aob_file_write(path, text.data, text.size, error);
     aob_text_finish(&text);
     aob_config_finish(&config);
     return ok;

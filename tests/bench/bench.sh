@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Times, speeds and sizes that the project holds itself to: a row each, with its bar. `./dev bench [TEXT]` runs the
-# sections whose name holds the text: reference, fetch, cases, merge, linear, divided, bent, effects, lit, thrift, temporal, effects_plan, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, history, watch, cache, shapes, stress, trend, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
+# sections whose name holds the text: reference, fetch, cases, merge, linear, divided, bent, effects, lit, thrift, temporal, effects_plan, tune, split, volumes, defaults, damaged, papers, timing, timer, trace, compare, history, watch, cache, shapes, stress, trend, demo, gpu-check, mutants, test. A bar that is not met stands as SHORT.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 only=${1:-}
@@ -107,6 +107,7 @@ source tests/bench/papers.sh
 source tests/bench/timing.sh
 source tests/bench/compare.sh
 source tests/bench/history.sh
+source tests/bench/tune.sh
 source tests/bench/watch.sh
 source tests/bench/cache.sh
 source tests/bench/cache_shapes.sh

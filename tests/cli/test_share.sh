@@ -17,6 +17,7 @@ for command in $commands; do
   check "the man page knows $command" grep -qE "^\.BI? $command\b" "$man"
 done
 check "techniques" grep -qx gtao <(complete_line shot --technique g)
+check "what is tuned" grep -qx alchemy <(complete_line tune al)
 check "scenes" grep -qx corner <(complete_line shot --scene co)
 check "backends" grep -qx gl-egl <(complete_line shot --backend "")
 check "flags" grep -qx -- --reference-spp <(complete_line shot --re)

@@ -7,22 +7,27 @@ static struct aob_tune_view view_of(const char *truth)
 {
     return (struct aob_tune_view){
         .truth = truth,
-        .drawing = {.backend = "vulkan", .view = {.scene = "corner", .camera = {.eye = {1, 2, 3}, .fov_deg = 50}, .width = 8, .height = 4, .gbuffer = "/g"}},
+        .drawing = {.backend = "vulkan",
+                    .view = {.scene = "corner",
+                             .camera = {.eye = {1, 2, 3}, .fov_deg = 50},
+                             .width = 8,
+                             .height = 4,
+                             .gbuffer = "/g"}},
         .frame = {.technique = {"alchemy", NULL, "89ab"}, .params = {0.5, 2}, .param_count = 2}};
 }
 
 static json_t *message_of(void)
 {
     struct aob_tune_view views[2] = {view_of("/a"), view_of("/b")};
-    return send(aob_tune_job_to_json(
-        &(struct aob_tune_job){.views = views,
-                               .view_count = 2,
-                               .axes = {{.index = 1, .log = true, .low = 0.125, .high = 8, .start = 2, .scale = 0.5}},
-                               .axis_count = 1,
-                               .probe = true,
-                               .global = 30,
-                               .local = 20,
-                               .step = 0.25}));
+    return send(aob_tune_job_to_json(&(struct aob_tune_job){
+        .views = views,
+        .view_count = 2,
+        .axes = {{.index = 1, .log = true, .low = 0.125, .high = 8, .start = 2, .scale = 0.5}},
+        .axis_count = 1,
+        .probe = true,
+        .global = 30,
+        .local = 20,
+        .step = 0.25}));
 }
 
 static void a_job(void **state)

@@ -24,20 +24,19 @@ static const struct aob_param params[] = {
     AOB_PARAM(struct values, mode, .stage = AOB_CONSTANT, .choices = modes, .doc = "Black is 0 throughout."),
 };
 static const struct aob_shader shaders[] = {
-    {"tuned",
-     "void main() {\n"
-     "    vec3 p = aob_surface(aob_pixel);\n"
-     "    vec3 back = normalize(vec3(0.0, 1.2, 4.0)), up = vec3(0.0, back.z, -back.y);\n"
-     "    vec3 world = vec3(0.0, 2.0, 4.0) + p.y * up + p.z * back;\n"
-     "    bool wall = dot(aob_surface_normal(aob_pixel), up) < 0.5;\n"
-     "    float u = clamp((wall ? world.y : world.z) / param.radius, 0.0, 1.0);\n"
-     "    float segment = (acos(u) - u * sqrt(1.0 - u * u)) / 3.14159265;\n"
-     "    vec2 table = aob_fetch_table(ivec2(0, 0)).xy;\n"
-     "    float open = clamp(1.0 - segment * param.strength * table.y / 2.5, 0.0, 1.0);\n"
-     "    visibility = clamp(open - 0.5 * (table.x - 0.4) * u * (1.0 - u), 0.0, 1.0);\n"
-     "    if (ROUGH > 1 && (aob_pixel.x + aob_pixel.y) % ROUGH != 0) visibility = 1.0;\n"
-     "    if (MODE == 1) visibility = 2.0 * visibility - 2.0;\n"
-     "}\n"},
+    {"tuned", "void main() {\n"
+              "    vec3 p = aob_surface(aob_pixel);\n"
+              "    vec3 back = normalize(vec3(0.0, 1.2, 4.0)), up = vec3(0.0, back.z, -back.y);\n"
+              "    vec3 world = vec3(0.0, 2.0, 4.0) + p.y * up + p.z * back;\n"
+              "    bool wall = dot(aob_surface_normal(aob_pixel), up) < 0.5;\n"
+              "    float u = clamp((wall ? world.y : world.z) / param.radius, 0.0, 1.0);\n"
+              "    float segment = (acos(u) - u * sqrt(1.0 - u * u)) / 3.14159265;\n"
+              "    vec2 table = aob_fetch_table(ivec2(0, 0)).xy;\n"
+              "    float open = clamp(1.0 - segment * param.strength * table.y / 2.5, 0.0, 1.0);\n"
+              "    visibility = clamp(open - 0.5 * (table.x - 0.4) * u * (1.0 - u), 0.0, 1.0);\n"
+              "    if (ROUGH > 1 && (aob_pixel.x + aob_pixel.y) % ROUGH != 0) visibility = 1.0;\n"
+              "    if (MODE == 1) visibility = 2.0 * visibility - 2.0;\n"
+              "}\n"},
     {NULL, NULL}};
 
 static void fill(const void *values, void *texels)

@@ -23,12 +23,11 @@ static const struct aob_technique_info technique = {.name = radius, .params = pa
 static bool choose(struct aob_tune_axes *axes, const char *names, const bool *stated, struct aob_error *error)
 {
     static const bool none[COUNT] = {false};
-    return aob_tune_axes_choose(axes,
-                                &(struct aob_tune_axes_desc){.technique = &technique,
-                                                             .start = start,
-                                                             .names = names,
-                                                             .stated = stated ? stated : none},
-                                error);
+    return aob_tune_axes_choose(
+        axes,
+        &(struct aob_tune_axes_desc){
+            .technique = &technique, .start = start, .names = names, .stated = stated ? stated : none},
+        error);
 }
 
 static void what_is_fitted_by_itself(void **state)
@@ -91,8 +90,8 @@ static void where_it_looks(void **state)
     assert_near(aob_tune_axis_value(p, 0.75), 0.75, 1e-6);
     for (double place = 0; place <= 1; place += 0.125)
         for (size_t i = 0; i < 3; i++)
-            assert_near(aob_tune_axis_place(&axes.items[i], aob_tune_axis_value(&axes.items[i], place)), place,
-                        1e-6);
+            assert_near(aob_tune_axis_place(&axes.items[i], aob_tune_axis_value(&axes.items[i], place)),
+                        place, 1e-6);
 }
 
 static void centred_within_the_table(void **state)

@@ -6,7 +6,8 @@
 
 static char path[] = "c.yaml";
 
-static struct aob_scene_choice *add(struct aob_config *config, const char *name, const char *view, bool camera)
+static struct aob_scene_choice *add(struct aob_config *config, const char *name, const char *view,
+                                    bool camera)
 {
     struct aob_scene_choice *choice = AOB_PUSH(config->scenes, config->scene_count, config->scene_capacity);
     choice->name = aob_strdup(name);

@@ -116,8 +116,13 @@ static void the_start_is_kept(void **state)
     (void)state;
     const double start[3] = {0.25, 0.75, 0.5};
     struct planted planted = {start, 3, 0, 0};
-    const struct aob_search_desc desc = {
-        .count = 3, .start = start, .global = 20, .local = 20, .step = 0.1, .measure = bowl, .user = &planted};
+    const struct aob_search_desc desc = {.count = 3,
+                                         .start = start,
+                                         .global = 20,
+                                         .local = 20,
+                                         .step = 0.1,
+                                         .measure = bowl,
+                                         .user = &planted};
     double best[3];
     assert_near(aob_search_run(&desc, best), 0, 0);
     assert_memory_equal(best, start, sizeof start);
@@ -126,8 +131,8 @@ static void the_start_is_kept(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(planted_places),       cmocka_unit_test(the_deeper_low),
-        cmocka_unit_test(a_bent_valley),        cmocka_unit_test(what_cannot_be_drawn),
+        cmocka_unit_test(planted_places),    cmocka_unit_test(the_deeper_low),
+        cmocka_unit_test(a_bent_valley),     cmocka_unit_test(what_cannot_be_drawn),
         cmocka_unit_test(the_start_is_kept),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
