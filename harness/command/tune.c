@@ -34,18 +34,19 @@ static void show(void *user, const char *work)
     aob_progress_say(user, work);
 }
 
+/* What was found is told even where it cannot be written. */
 static bool tell(struct options *o, const struct aob_tune_desc *desc, const struct aob_tune *tune,
                  const char *out, struct aob_error *error)
 {
     const bool chosen = tune->chosen != AOB_NO_CANDIDATE;
-    if (chosen && !aob_tune_written_save(desc, tune, out, error))
-        return false;
+    bool ok = !chosen || aob_tune_written_save(desc, tune, out, error);
     if (chosen && aob_common_speaks(&o->common)) {
         aob_tune_print(tune, &o->common.out);
-        aob_text_add_line(&o->common.out, "config: %s", out);
+        if (ok)
+            aob_text_add_line(&o->common.out, "config: %s", out);
     }
-    json_t *document = o->common.json ? aob_tune_to_json(desc, tune, chosen ? out : NULL) : NULL;
-    bool ok = !document || aob_json_write(document, o->common.json, error);
+    json_t *document = o->common.json ? aob_tune_to_json(desc, tune, chosen && ok ? out : NULL) : NULL;
+    ok = (!document || aob_json_write(document, o->common.json, ok ? error : NULL)) && ok;
     json_decref(document);
     if (ok && !chosen)
         aob_fail(

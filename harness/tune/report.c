@@ -189,7 +189,8 @@ static void print_setting(const struct aob_tune *tune, const struct aob_tune_set
     aob_text_add_line(out, "  %-22s %10s %10s", "parameter", "default", "fitted");
     for (size_t i = 0; i < setting->axes.count; i++)
         print_axis(tune, setting, i, out);
-    aob_text_add_line(out, "  %-33s %9s %9s %9s %9s", "error in band", "default", "fitted", "cost", "fitted");
+    aob_text_add_line(out, "  %-33s %9s %9s %9s %9s", "error in band, then cost", "default", "fitted",
+                      "default", "fitted");
     for (size_t v = 0; v < tune->view_count; v++)
         print_view(tune, setting, v, out);
     print_mean(tune, setting, false, out);

@@ -56,10 +56,9 @@ bool aob_tune_shape_read(const struct aob_tune_desc *desc, struct aob_config *co
         !aob_tune_held_mark(config, desc->held_out, held, error))
         return false;
     keep_technique(config, desc->technique);
-    config->size_count = 1;
+    if (config->size_count) /* none is needed where all are captures */
+        config->size_count = 1;
     keep_first_backend(&config->backends);
-    for (size_t i = 0; i < config->technique_count; i++)
-        keep_first_backend(&config->techniques[i].backends);
     for (size_t i = 0; i < config->option_count; i++)
         keep_first(&config->options[i]);
     config->images = false;
@@ -74,8 +73,10 @@ static int part(int pixels, int divisor)
 
 static void make_smaller(struct aob_config *config, int divisor)
 {
-    config->sizes[0].width = part(config->sizes[0].width, divisor);
-    config->sizes[0].height = part(config->sizes[0].height, divisor);
+    for (size_t i = 0; i < config->size_count; i++) {
+        config->sizes[i].width = part(config->sizes[i].width, divisor);
+        config->sizes[i].height = part(config->sizes[i].height, divisor);
+    }
     for (size_t i = 0; divisor > 1 && i < config->option_count; i++) {
         struct aob_value *value = &config->options[i].values[0];
         char text[16];
@@ -94,11 +95,15 @@ static void put_entries(const struct aob_tune *tune, const struct aob_tune_shape
         aob_technique_choice_finish(&config->techniques[i]);
     config->technique_count = 0;
     for (size_t s = 0; s < shape->count; s++)
-        for (int side = 0; side < AOB_TUNE_SIDES; side++)
-            if (shape->sides[side] && !shape->settings[s].dear)
-                aob_tune_setting_entry(
-                    &shape->settings[s], tune->technique, (enum aob_tune_side)side, tune->target.radius,
-                    AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity));
+        for (int side = 0; side < AOB_TUNE_SIDES; side++) {
+            if (!shape->sides[side] || shape->settings[s].dear)
+                continue;
+            struct aob_technique_choice *entry =
+                AOB_PUSH(config->techniques, config->technique_count, config->technique_capacity);
+            aob_tune_setting_entry(&shape->settings[s], tune->technique, (enum aob_tune_side)side,
+                                   tune->target.radius, entry);
+            keep_first_backend(&entry->backends);
+        }
 }
 
 static void put_target(struct aob_config *config, const struct aob_target *target)

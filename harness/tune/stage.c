@@ -61,7 +61,7 @@ static void take(void *user, const json_t *object)
         stage->answered = stage->result.count == stage->job.axis_count;
     else if (aob_tune_progress_from_json(object, &progress)) {
         aob_text_add(&text, "fitting %s at %dx%d: %d of %d, error %.4f", stage->desc->technique,
-                     stage->sweep.config.sizes[0].width, stage->sweep.config.sizes[0].height, progress.done,
+                     stage->sweep.plan.cases[0].width, stage->sweep.plan.cases[0].height, progress.done,
                      progress.of, progress.error);
         say(stage, text.data);
         aob_text_finish(&text);
@@ -150,10 +150,11 @@ static bool fill_job(struct stage *stage, struct aob_error *error)
 
 static double time_limit(const struct stage *stage)
 {
-    const struct aob_size *size = &stage->sweep.config.sizes[0];
     const struct aob_tune_job *job = &stage->job;
-    double images = 2.0 * (double)job->axis_count + job->global + job->local + 2;
-    return job_s + images * (double)job->view_count * size->width * size->height * pixel_s;
+    double pixels = 0, images = 2.0 * (double)job->axis_count + job->global + job->local + 2;
+    for (size_t v = 0; v < job->view_count; v++)
+        pixels += (double)job->views[v].drawing.view.width * job->views[v].drawing.view.height;
+    return job_s + images * pixels * pixel_s;
 }
 
 static bool send(struct stage *stage, struct aob_error *error)

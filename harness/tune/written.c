@@ -61,6 +61,22 @@ static bool same_folder(const char *a, const char *b)
     return same;
 }
 
+/* Patches are of keys that stand on lines of their own. */
+static bool judge_root(const struct aob_config *config, struct aob_error *error)
+{
+    struct aob_yaml yaml;
+    if (!aob_yaml_load(&yaml, config->path, config->text, config->size, error))
+        return false;
+    const bool flow =
+        yaml_document_get_root_node(&yaml.document)->data.mapping.style == YAML_FLOW_MAPPING_STYLE;
+    aob_yaml_finish(&yaml);
+    return !flow ||
+           aob_fail(error,
+                    "%s: it is written in braces, and a fit is written into keys on lines of their own: put "
+                    "name, scenes and techniques there",
+                    config->path);
+}
+
 bool aob_tune_written_check(const struct aob_tune_desc *desc, const char *path, struct aob_error *error)
 {
     struct aob_config config;
@@ -70,9 +86,11 @@ bool aob_tune_written_check(const struct aob_tune_desc *desc, const char *path, 
     if (!aob_config_read(&config, desc->config, error))
         return false;
     const char *seen = find_path(&config);
-    bool ok = !seen || same_folder(desc->config, path) ||
-              aob_fail(error, "%s: %s names '%s', which is seen from its own folder: give --out a file there",
-                       path, desc->config, seen);
+    bool ok = judge_root(&config, error);
+    ok = ok &&
+         (!seen || same_folder(desc->config, path) ||
+          aob_fail(error, "%s: %s names '%s', which is seen from its own folder: give --out a file there",
+                   path, desc->config, seen));
     aob_config_finish(&config);
     return ok && aob_file_check(path, error);
 }
@@ -238,9 +256,7 @@ static bool compose(const struct aob_tune_desc *desc, const struct aob_tune *tun
                       *name = aob_yaml_find(&yaml, root, "name"),
                       *techniques = aob_yaml_find(&yaml, root, "techniques"),
                       *target = aob_yaml_find(&yaml, root, "target");
-    const bool flow = root->data.mapping.style == YAML_FLOW_MAPPING_STYLE;
-    bool ok = name && techniques && !flow;
-    if (ok) {
+    if (name && techniques) {
         patches[0] = patch_of(&yaml, name);
         aob_text_add(&patches[0].text, "%s-%s", config->name, desc->technique);
         patches[1] = patch_of(&yaml, techniques);
@@ -253,10 +269,33 @@ static bool compose(const struct aob_tune_desc *desc, const struct aob_tune *tun
         aob_text_add(into, "\n");
     }
     aob_yaml_finish(&yaml);
-    return ok || aob_fail(error,
-                          "%s: a fit is written into a list of keys, one a line, and this is written "
-                          "in braces: put name, scenes and techniques on lines of their own",
-                          config->path);
+    return true;
+}
+
+/* What no patch foresees, such as an alias in the list of techniques, makes another config of it. */
+static bool judge_text(const struct aob_tune_desc *desc, const struct aob_tune *tune,
+                       const struct aob_text *text, struct aob_error *error)
+{
+    struct aob_config config;
+    char *path = aob_path_join(desc->folder, "written.yaml");
+    bool wrote = aob_file_write(path, text->data, text->size, error),
+         ok = wrote && aob_config_read_copy(&config, path, desc->config, NULL);
+    free(path);
+    if (ok) {
+        size_t own = 0;
+        for (size_t i = 0; i < config.technique_count; i++)
+            own += strcmp(config.techniques[i].name.text, desc->technique) == 0;
+        ok = own == AOB_TUNE_SIDES && config.target_count == 1 &&
+             config.targets[0].radius == tune->target.radius;
+        aob_config_finish(&config);
+    }
+    if (!wrote)
+        return false;
+    return ok ||
+           aob_fail(error,
+                    "%s: a fit cannot be written into it: write its name, target and techniques without "
+                    "anchors and aliases",
+                    desc->config);
 }
 
 bool aob_tune_written_save(const struct aob_tune_desc *desc, const struct aob_tune *tune, const char *path,
@@ -266,7 +305,8 @@ bool aob_tune_written_save(const struct aob_tune_desc *desc, const struct aob_tu
     struct aob_text text = {0};
     if (!aob_config_read(&config, desc->config, error))
         return false;
-    bool ok = compose(desc, tune, &config, &text, error) && aob_file_write(path, text.data, text.size, error);
+    bool ok = compose(desc, tune, &config, &text, error) && judge_text(desc, tune, &text, error) &&
+              aob_file_write(path, text.data, text.size, error);
     aob_text_finish(&text);
     aob_config_finish(&config);
     return ok;

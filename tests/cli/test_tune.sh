@@ -80,4 +80,19 @@ config bare "$(view 0 60)" "" "# no target here"
 check "without an entry of its own" "${tune[@]}" --config bare.yaml --target 0.75 --json bare.json --params radius,strength,lift
 check "the other radius" within "$(fitted radius bare.json)" 0.75
 check "it is in what is written" grep -qx 'target: {radius: 0.75, weighting: cosine}' bare-tuned.yaml
+
+# Lists of keys in other forms; what cannot be patched is said, after the fit.
+block() { printf 'name: "%s"\nscenes:\n- %s\nresolutions: 64x36\nbackends:\n- vulkan\n%s\nmeasure: {time: false}\nreference: {spp: 16}\n%s' "$1" "$(view 0 60)" "$2" "$3" >"$1.yaml"; }
+block lists $'techniques:\n- name: none\n- name: tuned\n  module: '"$module"$'\n  sweep:\n  - param: rough\n    values: [1]\n# behind them' 'target:
+  radius: 1.5'
+check "lists of lines" "$program" tune tuned --quiet --config lists.yaml --params strength
+check "a comment behind them" grep -qx '# behind them' lists-tuned.yaml
+check "the module is written" test "$(grep -c "module: \"$module\"" lists-tuned.yaml)" = 2
+check "they run" "$program" run lists-tuned.yaml --out lists --quiet
+block alias $'options: {guard_band: &n 8}\ntechniques: [{name: tuned, params: {strength: *n}}]' 'target: {radius: 1.5}'
+check "an alias is a value" "${tune[@]}" --config alias.yaml --params strength
+check "which the fit has" test "$(grep -c 'strength: "8"' alias-tuned.yaml)" = 1
+block anchor $'techniques: &t\n- &u {name: tuned}\n- *u' 'target: {radius: 1.5}'
+expect 2 "anchor.yaml: a fit cannot be written into it" "${tune[@]}" --config anchor.yaml --params strength
+check "so it is not" test ! -e anchor-tuned.yaml
 finish

@@ -55,6 +55,8 @@ sed 's/- name: tuned/- {name: tuned, params: {mode: black}}/' c.yaml >black.yaml
 expect 2 "which is no visibility" "$program" tune tuned --module "$module" --config black.yaml
 
 # Where it is to write.
+echo '{name: c, scenes: [{name: spheres}], resolutions: [64x36], backends: [vulkan], techniques: [{name: gtao}], target: {radius: 1}}' >braces.yaml
+expect 2 "braces.yaml: it is written in braces" "$program" tune gtao --config braces.yaml
 echo mine >there.yaml
 expect 2 "there.yaml: it exists, and a fit replaces no config" "${tune[@]}" --out there.yaml
 check "it stays" test "$(cat there.yaml)" = mine
