@@ -7,7 +7,7 @@ export AOBUDGET_CACHE=$folder/cache
 module=$AOBUDGET_BUILD/tests/modules/tuned.so
 tune=("$program" tune tuned --module "$module" --quiet)
 view() { echo "{name: corner, eye: [$1, 2, 4], target: [$1, 0.8, 0], fov_deg: $2}"; }
-config() { # NAME SCENES TECHNIQUES [LINES]
+config() { # NAME SCENES TECHNIQUES [LINES]; $rays a pixel
   cat >"$1.yaml" <<YAML
 name: $1
 scenes: [$2]
@@ -19,13 +19,13 @@ techniques: # what is measured
 $3
 ${4:-target: {radius: 1.5\}}
 measure: {time: false}
-reference: {spp: 256}
+reference: {spp: ${rays:-256}}
 YAML
 }
 says() { jq -e "$@" >/dev/null; }
 
 # Two views are fitted, one is held out, and one of a scene that the config has not.
-config plant "$(view 0 60), $(view 1 50), $(view -1 55)" "  - name: tuned"
+rays=1024 config plant "$(view 0 60), $(view 1 50), $(view -1 55)" "  - name: tuned"
 check "a fit" "${tune[@]}" --config plant.yaml --held-out corner/camera-3,spheres/close --json plant.json --out out.yaml
 fitted() { jq "[.settings[0].parameters[] | select(.name == \"$1\")][0].fitted" "$2"; }
 within() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a > b * .95 && a < b * 1.05) }'; }
@@ -38,7 +38,7 @@ check "the default has the target's radius" says '.settings[0].parameters[0].def
 check "which views are held out" says '[.settings[0].views[] | "\(.name) \(.held_out)"] == ["corner/camera false", "corner/camera-2 false", "corner/camera-3 true", "spheres/close true"]' plant.json
 check "what the fit leaves" says '.settings[0] | .training.share < 0.1 and .views[2].fitted.band_rmse < 0.1 * .views[2].default.band_rmse' plant.json
 check "means are arithmetic" says '.settings[0] | .views as $v | [.training.default - ($v[0].default.band_rmse + $v[1].default.band_rmse) / 2, .held_out.fitted - ($v[2].fitted.band_rmse + $v[3].fitted.band_rmse) / 2] | map(fabs < 1e-9) | all' plant.json
-check "the first size, and the config's rays" says '.width == 96 and .height == 54 and .spp == 256 and .target.radius == 1.5' plant.json
+check "the first size, and the config's rays" says '.width == 96 and .height == 54 and .spp == 1024 and .target.radius == 1.5' plant.json
 check "no cost where time is not measured" says '.settings[0].views[0].fitted.ratio_to_ref == null' plant.json
 
 # What is written: the config as it was but for name, techniques and target, and it runs to the figures that were said.
